@@ -1,0 +1,73 @@
+# Two commands suffice: `make demo` and `make test`. Both install what is missing (Debian packages)
+# and wrap the CMake presets, which a C++ developer can use directly.
+
+SHELL       := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.NOTPARALLEL:
+.DEFAULT_GOAL := build
+
+JOBS         ?= $(shell nproc)
+CLANG_FORMAT ?= clang-format-14
+COMMAND      := build/release/bin/circumspect
+SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
+export PYTHONDONTWRITEBYTECODE := 1
+
+# The same random inputs on every run of `make test`; `make soak` draws new ones.
+# RC_PARAMS=... overrides both; a failing property prints the value that repeats it.
+TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
+
+.PHONY: build demo test test-style test-release test-sanitize soak bench format clean \
+        deps deps-demo deps-test deps-bench
+
+deps: ; @cmake/packages.sh demo test bench
+deps-demo: ; @cmake/packages.sh demo
+deps-test: ; @cmake/packages.sh demo test
+deps-bench: ; @cmake/packages.sh demo bench
+
+# A first build leaves the tests out; a build that has them keeps them, so that going back and
+# forth between `make demo` and `make test` compiles nothing twice.
+build: deps-demo
+	@test -f build/release/build.ninja || cmake --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
+	@cmake --build --preset release --target circumspect_cli -j $(JOBS)
+
+demo: build
+	@CIRCUMSPECT=$(COMMAND) bash corpus/demo.sh
+
+test: deps-test test-style test-release test-sanitize
+	@echo
+	@echo "make test: everything passed"
+	@echo "  layout and architecture   clang-format and tidy found nothing"
+	@for preset in release sanitize; do \
+	  printf '  %-24s  %s; %s\n' "$$preset" \
+	    "$$(grep -h 'tests passed' build/$$preset/ctest.log)" \
+	    "$$(awk '/^\[doctest\] test cases:/ { cases += $$4 } /^\[doctest\] assertions:/ { checks += $$3 } \
+	             END { print cases + 0 " cases, " checks + 0 " assertions" }' \
+	         build/$$preset/Testing/Temporary/LastTest.log)"; \
+	done
+
+test-style:
+	@$(SOURCES) | xargs -r -d '\n' $(CLANG_FORMAT) --dry-run -Werror || \
+	  { echo "the layout differs from .clang-format: run 'make format'" >&2; exit 1; }
+	@python3 tidy/tidy.py
+	@python3 tidy/tidy_test.py
+
+test-release test-sanitize: test-%:
+	@cmake --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON
+	@cmake --build --preset $* -j $(JOBS)
+	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
+
+soak: deps-test
+	@cmake --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
+	@cmake --build --preset release -j $(JOBS)
+	@ctest --preset soak -j $(JOBS)
+
+bench: deps-bench
+	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }
+	@cmake --preset release -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
+	@cmake --build --preset release --target bench -j $(JOBS)
+
+format: deps-test
+	@$(SOURCES) | xargs -r -d '\n' $(CLANG_FORMAT) -i
+
+clean:
+	@rm -rf build

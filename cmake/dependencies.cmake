@@ -1,0 +1,37 @@
+# The libraries of others. All are Debian 12 packages: `cmake/packages.sh` lists them.
+
+# circumspect_find_library(NAME HEADER [LIBRARY...] DEBIAN PACKAGE)
+# makes the target circumspect::NAME.
+function(circumspect_find_library name header)
+  cmake_parse_arguments(ARG "" "DEBIAN" "" ${ARGN})
+  find_path(CIRCUMSPECT_${name}_INCLUDE "${header}")
+  mark_as_advanced(CIRCUMSPECT_${name}_INCLUDE)
+  set(files)
+  foreach(library IN LISTS ARG_UNPARSED_ARGUMENTS)
+    find_library(CIRCUMSPECT_${name}_${library} "${library}")
+    mark_as_advanced(CIRCUMSPECT_${name}_${library})
+    list(APPEND files "${CIRCUMSPECT_${name}_${library}}")
+  endforeach()
+  if(NOT CIRCUMSPECT_${name}_INCLUDE OR files MATCHES "NOTFOUND")
+    message(FATAL_ERROR "<${header}> or its library was not found: install ${ARG_DEBIAN}, "
+                        "or run `make deps`.")
+  endif()
+  add_library(circumspect::${name} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(circumspect::${name} SYSTEM INTERFACE "${CIRCUMSPECT_${name}_INCLUDE}")
+  target_link_libraries(circumspect::${name} INTERFACE ${files})
+endfunction()
+
+circumspect_find_library(gmp gmpxx.h gmpxx gmp DEBIAN libgmp-dev)
+circumspect_find_library(mpfr mpfr.h mpfr DEBIAN libmpfr-dev)
+circumspect_find_library(expected tl/expected.hpp DEBIAN libexpected-dev)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+if(CIRCUMSPECT_BUILD_TESTS)
+  find_package(doctest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+  find_package(CGAL REQUIRED)
+endif()

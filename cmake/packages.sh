@@ -1,0 +1,73 @@
+#!/bin/bash
+# Installs the Debian packages that a purpose needs and that are missing:
+#   cmake/packages.sh demo|test|bench...
+# When nothing is missing it touches neither the network nor the system.
+set -euo pipefail
+
+needed_for() {
+  case "$1" in
+    demo) cat <<'END'
+g++                   compiles the command
+cmake                 configures the build
+ninja-build           runs the build
+libgmp-dev            exact integers and rationals
+libmpfr-dev           correctly rounded decimals
+libexpected-dev       a value, or why there is none (tl::expected)
+libcli11-dev          command-line arguments
+libfmt-dev            formatted text
+nlohmann-json3-dev    JSON
+END
+      ;;
+    test) cat <<'END'
+doctest-dev           runs the tests
+librapidcheck-dev     generates and shrinks test inputs
+libcgal-dev           a second opinion on the predicates, in tests only
+libboost-dev          headers that CGAL includes
+python3               runs tidy/tidy.py
+clang-format-14       checks the layout of the sources
+clang                 compiles the fuzz targets
+libclang-rt-14-dev    libFuzzer and Clang's sanitizers
+ccache                makes a second build quick
+END
+      ;;
+    bench) ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, test or bench" >&2; exit 2 ;;
+  esac
+}
+
+list=""
+for purpose in "$@"; do
+  list+=$(needed_for "$purpose")$'\n'
+done
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "This is not a Debian system; the build goes on and needs what these packages contain:"
+  echo "$list"
+  exit 0
+fi
+
+missing=()
+while read -r package why; do
+  [ -n "$package" ] || continue
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  if [ "$status" != installed ]; then
+    [ ${#missing[@]} -gt 0 ] || echo "Missing packages, which are installed now:"
+    printf '  %-20s  %s\n' "$package" "$why"
+    missing+=("$package")
+  fi
+done <<<"$list"
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "error: installing packages needs root or sudo. As root, run:" >&2
+    echo "  apt-get update && apt-get install -y --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive
+     apt-get -q -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300)
+"${apt[@]}" update
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}"

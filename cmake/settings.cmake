@@ -1,0 +1,46 @@
+# How every file is compiled: the language, the warnings, and arithmetic that means what it says.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Build type" FORCE)
+endif()
+
+# Options that let a compiler change the value of an expression have no place in an exact oracle.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" _build_type)
+set(_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_build_type}}")
+if(_flags MATCHES "(-Ofast|-ffast-math|-funsafe-math-optimizations|-fassociative-math|-freciprocal-math|-ffinite-math-only|-ffp-contract=(on|fast))")
+  message(FATAL_ERROR
+    "The compiler flags contain ${CMAKE_MATCH_1}, which changes the results of floating-point "
+    "arithmetic. Remove it from CMAKE_CXX_FLAGS (or CXXFLAGS) and configure again.")
+endif()
+
+find_program(CIRCUMSPECT_CCACHE ccache DOC "Compiler cache; used when found")
+mark_as_advanced(CIRCUMSPECT_CCACHE)
+if(CIRCUMSPECT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_CCACHE}")
+endif()
+
+# Everything the project compiles links `circumspect_settings`. Headers are included by their path
+# from the root of the repository. Warnings become errors in the presets, not for a packager.
+add_library(circumspect_settings INTERFACE)
+target_include_directories(circumspect_settings INTERFACE "${PROJECT_SOURCE_DIR}")
+target_compile_options(circumspect_settings INTERFACE
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 sees an overlapping copy in `"text" + std::string` where there is none (GCC bug 105651).
+  target_compile_options(circumspect_settings INTERFACE -Wno-restrict)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  # GCC's own documentation: sanitizers make this warning fire on sound code.
+  target_compile_options(circumspect_settings INTERFACE -Wno-maybe-uninitialized)
+endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # Clang counts sign conversions among -Wconversion, GCC does not; hold both to the same rule.
+  target_compile_options(circumspect_settings INTERFACE -Wno-sign-conversion)
+endif()

@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+"""Holds the sources to the architecture and the style; see ARCHITECTURE.md for the reasons.
+
+    tidy/tidy.py                         check everything, one line for each fault
+    tidy/tidy.py --list PATTERN...       the names of the project's files that match
+"""
+
+import fnmatch
+import os
+import re
+import sys
+
+# Which folders a folder may include directly; through them it sees what they see. The lines
+# `circumspect_layer(...)` in CMakeLists.txt say the same to the linker.
+ARROWS = {
+    "reference/exact": [],
+    "reference/predicates": ["reference/exact"],
+    "reference/complex": ["reference/predicates"],
+    "reference/delaunay": ["reference/complex"],
+    "oracle": ["reference/complex"],
+    "oracle/check": ["oracle"],
+    "oracle/formats": ["oracle"],
+    "oracle/report": ["oracle/check", "oracle/formats"],
+    "oracle/cli": ["reference/delaunay", "oracle/report"],
+    "properties/generators": ["reference/complex"],
+    "properties/mutations": ["oracle"],
+    "properties": ["reference/delaunay", "oracle/report", "properties/generators",
+                   "properties/mutations"],
+    "corpus": ["reference/delaunay", "oracle/report"],
+    "fuzz": ["reference/delaunay", "oracle/report"],
+    "bench": ["reference/delaunay", "oracle/report"],
+}
+# What a test beside its layer may include on top of what the layer may.
+TESTS_ALSO = ["properties/generators"]
+
+# Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
+APART = ["corpus/make"]
+
+# Where CGAL may be included, apart from files named *_cgal_test.cpp.
+CGAL_FOLDERS = ["bench"]
+NUMBER_LIBRARY_FOLDERS = ["reference/exact", "bench"]
+
+LONGEST_FILE, LONG_FILE = 450, 400
+VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
+CPP = (".hpp", ".cpp", ".h")
+SOURCES = CPP + (".py", ".sh", ".cmake", "CMakeLists.txt")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+NUMBER_LIBRARY = re.compile(r"\b(mp[zqf]_\w+|mpfr_\w+|__gmp\w+|gmp_\w+)|<(gmp|gmpxx|mpfr)\.h>")
+FLOATING = re.compile(r"\b(float|double)\b")
+MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
+LAYER = re.compile(r"circumspect_layer\((\w+)\s+([\w/]+)([^)]*)\)")
+NOT_CODE = re.compile(
+    r'R"(?P<raw>[^(\s]*)\(.*?\)(?P=raw)"'  # a raw string
+    r'|//[^\n]*|/\*.*?\*/'                  # comments
+    r'|"(?:\\.|[^"\\\n])*"'                # a string
+    r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'",  # a character, not a digit separator
+    re.DOTALL,
+)
+
+
+def files(root):
+    """Every file of the project by its path from the root, builds and hidden folders left out."""
+    for folder, subfolders, names in os.walk(root):
+        subfolders[:] = sorted(
+            name for name in subfolders
+            if not name.startswith((".", "__")) and not (folder == root and name.startswith("build"))
+        )
+        for name in sorted(names):
+            yield os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/")
+
+
+def visible_from(folder):
+    """The folder itself and all that its arrows lead to."""
+    seen, pending = set(), [folder]
+    while pending:
+        one = pending.pop()
+        if one not in seen:
+            seen.add(one)
+            pending += ARROWS.get(one, [])
+    return seen
+
+
+def code_only(text):
+    """The text with comments and literals blanked, includes kept, and every line in its place."""
+    def blank(match):
+        start = text.rfind("\n", 0, match.start()) + 1
+        if match[0].startswith('"') and text[start:].lstrip(" \t").startswith("#"):
+            return match[0]
+        return re.sub(r"[^\n]", " ", match[0])
+
+    return NOT_CODE.sub(blank, text)
+
+
+def is_test(path):
+    return path.endswith(("_test.cpp", "_property.cpp", "_fuzz.cpp"))
+
+
+def inside(path, folders):
+    return any(path.startswith(folder + "/") for folder in folders)
+
+
+class Tidy:
+    """Collects the faults of one tree."""
+
+    def __init__(self, root):
+        self.root = root
+        self.faults = []
+        self.warnings = []
+
+    def fault(self, path, line, rule, what_to_do):
+        self.faults.append(f"{path}:{line}: {rule}: {what_to_do}")
+
+    def run(self):
+        for path in files(self.root):
+            name = path.rsplit("/", 1)[-1]
+            if name.endswith(SOURCES):
+                with open(os.path.join(self.root, path), encoding="utf-8", newline="") as file:
+                    text = file.read()
+                self.name(path)
+                self.layout(path, text)
+                if name.endswith(CPP) and not inside(path, APART):
+                    self.folder(path)
+                    self.code(path, code_only(text))
+                if path == "CMakeLists.txt":
+                    self.build(path, text)
+        return self.faults
+
+    def name(self, path):
+        for vague in VAGUE_NAMES:
+            if vague in path.lower():
+                self.fault(path, 1, "name", f"'{vague}' says nothing; name what the file is about")
+
+    def layout(self, path, text):
+        lines = text.split("\n")
+        count = len(lines) - 1
+        if count > LONGEST_FILE:
+            self.fault(path, count, "length",
+                       f"{count} lines hold two ideas; split the file (at most {LONGEST_FILE} lines)")
+        elif count > LONG_FILE:
+            self.warnings.append(f"{path}:{count}: warning: {count} lines; consider a split")
+        if text and not text.endswith("\n"):
+            self.fault(path, len(lines), "whitespace", "end the last line with a newline")
+        for number, line in enumerate(lines, 1):
+            if "\t" in line:
+                self.fault(path, number, "whitespace", "replace the tab by spaces")
+            if line != line.rstrip():
+                self.fault(path, number, "whitespace", "remove the space at the end of the line")
+            mark = MARK.search(line)
+            if mark and not path.startswith("tidy/"):
+                self.fault(path, number, "mark", f"finish what {mark[1]} marks, or open an issue")
+
+    def folder(self, path):
+        folder = path.rpartition("/")[0]
+        if folder not in ARROWS:
+            self.fault(path, 1, "folder", f"'{folder}' is no layer; add it to ARROWS in tidy/tidy.py")
+
+    def code(self, path, code):
+        for number, line in enumerate(code.split("\n"), 1):
+            include = INCLUDE.match(line)
+            if include:
+                self.include(path, number, *include.groups())
+            if NUMBER_LIBRARY.search(line) and not inside(path, NUMBER_LIBRARY_FOLDERS) \
+                    and not path.endswith("_cgal_test.cpp"):
+                self.fault(path, number, "number-library",
+                           "only reference/exact names GMP and MPFR; say Integer or Rational")
+            if FLOATING.search(line) and path.startswith("reference/") \
+                    and not inside(path, ["reference/exact"]) and not is_test(path):
+                self.fault(path, number, "floating-point",
+                           "the reference computes exactly; take a Rational")
+
+    def include(self, path, number, quote, target):
+        if target.startswith("CGAL/"):
+            if not path.endswith("_cgal_test.cpp") and not inside(path, CGAL_FOLDERS):
+                self.fault(path, number, "cgal", "include CGAL only in a file named *_cgal_test.cpp")
+            return
+        layer = target.rpartition("/")[0]
+        top = target.split("/")[0]
+        if quote == '"' and top not in {folder.split("/")[0] for folder in ARROWS}:
+            self.fault(path, number, "include",
+                       f"write the path of \"{target}\" from the root of the repository, or <...>")
+        elif layer in ARROWS:
+            folder = path.rpartition("/")[0]
+            allowed = visible_from(folder)
+            if is_test(path):
+                allowed = allowed.union(*map(visible_from, TESTS_ALSO))
+            if layer not in allowed:
+                self.fault(path, number, "arrow", f"{folder} must not see {layer}; move what it "
+                           "needs to a layer that both see")
+
+    def build(self, path, text):
+        """The arrows between the libraries are the arrows between the includes."""
+        layers = [(match.start(), *match.groups()) for match in LAYER.finditer(text)]
+        folder_of = {name: folder for _, name, folder, _ in layers}
+        for start, name, folder, rest in layers:
+            depends = re.search(r"\bDEPENDS((\s+[a-z_]\w*)*)", rest)
+            linked = {folder_of.get(one, one) for one in depends[1].split()} if depends else set()
+            if folder not in ARROWS or linked != set(ARROWS[folder]):
+                self.fault(path, text.count("\n", 0, start) + 1, "build",
+                           f"the arrows of {name} differ from ARROWS in tidy/tidy.py")
+
+
+def main(arguments):
+    root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    if arguments[:1] == ["--list"]:
+        for path in files(root):
+            if any(fnmatch.fnmatch(path, pattern) for pattern in arguments[1:]):
+                print(path)
+        return 0
+    tidy = Tidy(root)
+    faults = tidy.run()
+    print("\n".join(faults + tidy.warnings + [f"tidy: {len(faults)} faults"]))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
