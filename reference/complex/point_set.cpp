@@ -1,0 +1,46 @@
+#include "reference/complex/point_set.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "reference/predicates/orientation.hpp"
+
+namespace circumspect {
+
+std::vector<Duplicate> duplicates(const std::vector<Point>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::vector<Duplicate> found;
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t j = i + 1;
+    for (; j < order.size() && points[order[j]] == points[order[i]]; ++j) {
+      found.push_back({static_cast<Vertex>(order[i]), static_cast<Vertex>(order[j])});
+    }
+    i = j;
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Duplicate& a, const Duplicate& b) { return a.again < b.again; });
+  return found;
+}
+
+PointSet::PointSet(std::vector<Point> points, std::vector<Rational> weights)
+    : points_(std::move(points)), weights_(std::move(weights)), configuration_(points_, weights_) {
+  assert(duplicates(points_).empty());
+}
+
+std::vector<Point> coordinates(const PointSet& points, const Simplex& simplex) {
+  std::vector<Point> vertices;
+  vertices.reserve(simplex.size());
+  for (const Vertex v : simplex) vertices.push_back(points[v]);
+  return vertices;
+}
+
+Simplex positively_oriented(const PointSet& points, Simplex simplex) {
+  if (orientation(points.configuration(), simplex) < 0) std::swap(simplex[0], simplex[1]);
+  return simplex;
+}
+
+}  // namespace circumspect

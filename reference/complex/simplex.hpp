@@ -1,0 +1,29 @@
+// Simplices as tuples of vertices.
+#pragma once
+
+#include <vector>
+
+#include "reference/predicates/configuration.hpp"
+
+namespace circumspect {
+
+// The vertices of a simplex, in the order somebody gave them. What a user hands in is meant as a
+// set; where orientation matters, the order carries it.
+using Simplex = std::vector<Vertex>;
+
+// The same set of vertices in ascending order.
+Simplex sorted(Simplex simplex);
+
+// The facet opposite vertex number `place`: all other vertices, in their order.
+Simplex facet_opposite(const Simplex& simplex, std::size_t place);
+
+// The simplex with vertex number `place` replaced.
+Simplex with_vertex_replaced(Simplex simplex, std::size_t place, Vertex vertex);
+
+bool contains(const Simplex& simplex, Vertex vertex);
+bool has_repeated_vertex(const Simplex& simplex);
+
+// Is the permutation that sorts the vertices odd? Requires: no repeated vertex.
+bool is_odd_permutation(const Simplex& simplex);
+
+}  // namespace circumspect
