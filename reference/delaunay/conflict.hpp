@@ -1,0 +1,14 @@
+// Conflicts between simplices of a triangulation with ghosts and vertices yet to insert.
+// Book: Sections 5.2 (ghost tetrahedra) and 5.4 (conflicts).
+#pragma once
+
+#include "reference/complex/point_set.hpp"
+#include "reference/complex/simplex.hpp"
+
+namespace circumspect::delaunay {
+
+// Does q lie in the (perturbed) open circumball of the simplex or, if it is a ghost, in the outer
+// halfspace of its solid facet? Requires: the simplex positively oriented, q not its vertex.
+bool is_in_conflict(const PointSet& points, const Simplex& simplex, Vertex q);
+
+}  // namespace circumspect::delaunay
