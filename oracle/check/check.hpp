@@ -1,0 +1,29 @@
+// Judging a mesh: the claims and the two ways to judge each.
+#pragma once
+
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+
+namespace circumspect::check {
+
+// From the lemma: linear in the mesh, by the conditions that oracle/check/README.md proves
+// sufficient. From the definition: quadratic and worse, and obvious. Properties hold them equal.
+enum class By { kLemma, kDefinition };
+
+struct Options {
+  By by = By::kLemma;
+  bool oriented = false;            // demand one consistent orientation
+  std::size_t max_violations = 20;  // witnesses kept; 0: all
+};
+
+// Is the mesh a triangulation of its points? Book: Definition 2.1, Section 4.1: a simplicial complex
+// whose vertices are the points and whose union is their convex hull. Weights play no part.
+Verdict triangulation(const Mesh& mesh, const Options& options = {});
+
+// Is it a Delaunay triangulation of its points? Book: Definition 4.1, Lemma 4.1.
+// Requires: the points carry no weights.
+Verdict delaunay(const Mesh& mesh, const Options& options = {});
+
+Verdict judge(Claim claim, const Mesh& mesh, const Options& options = {});
+
+}  // namespace circumspect::check

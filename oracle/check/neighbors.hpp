@@ -1,0 +1,14 @@
+// Are the neighbours that a program lists (TetGen's and Triangle's .neigh) the true ones?
+#pragma once
+
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+
+namespace circumspect::check {
+
+// complex.wrong-neighbor: entry i of a simplex must be the simplex across the facet opposite its
+// vertex i, or none on the boundary. Requires: the mesh lists neighbours; simplices are sound and
+// facets lie in one or two of them.
+void judge_neighbors(const Mesh& mesh, Verdict& verdict);
+
+}  // namespace circumspect::check

@@ -1,0 +1,20 @@
+// Are sound simplices a complex that covers the convex hull of the points?
+// Book: Definition 2.1 and Section 4.1.
+#pragma once
+
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+
+namespace circumspect::check {
+
+// Both require that judge_simplices found nothing wrong. Both say whether every facet lies in one
+// or two simplices, two being on opposite sides of it.
+
+// Conditions 1–3 of oracle/check/README.md: linear but for sorting.
+bool judge_complex_by_lemma(const Mesh& mesh, Verdict& verdict);
+
+// Every two simplices meet in a common face or not at all; and a facet of only one simplex has no
+// point beyond it, so that the union is the whole hull.
+bool judge_complex_by_definition(const Mesh& mesh, Verdict& verdict);
+
+}  // namespace circumspect::check

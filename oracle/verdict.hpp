@@ -1,0 +1,63 @@
+// The answer to a claim. A fault of the input is not a verdict: it never gets as far as a checker.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "oracle/mesh.hpp"
+#include "oracle/rule.hpp"
+#include "oracle/witness.hpp"
+
+namespace circumspect {
+
+enum class Claim { kTriangulation, kDelaunay };
+std::string_view name(Claim claim);
+
+struct Violation {
+  Rule rule;
+  Witness witness;
+};
+
+// How often a rule is broken, and how badly at worst. The margin is relative and unitless: the depth
+// r² − |q − o|² of a point in a ball over r², between 0 and 1. One near 0 tells a rounding error
+// from a bug.
+struct Tally {
+  std::size_t count = 0;
+  std::optional<Rational> worst_margin = {};
+};
+
+class Verdict {
+ public:
+  Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations);
+
+  // Counts a violation, and keeps it if there is room.
+  void add(Rule rule, const Witness& witness, const std::optional<Rational>& margin = std::nullopt);
+  // Does the next violation have room? A checker need not work out a witness that is dropped.
+  bool keeps_more() const { return max_violations_ == 0 || violations_.size() < max_violations_; }
+  // Counts a violation without a witness.
+  void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
+
+  bool holds() const { return tallies_.empty(); }
+  Claim claim() const { return claim_; }
+  const std::vector<Violation>& violations() const { return violations_; }
+  const std::map<Rule, Tally>& tallies() const { return tallies_; }
+
+  // Facts beside the verdict, for a Delaunay claim that holds: is there no other Delaunay
+  // triangulation of the points? is this the canonical one?
+  std::optional<bool> unique = {};
+  std::optional<bool> canonical = {};
+
+  std::size_t points = 0;
+  std::size_t simplices = 0;
+  int dimension = -1;  // of the affine hull of the points
+
+ private:
+  Claim claim_;
+  std::size_t max_violations_;
+  std::vector<Violation> violations_;
+  std::map<Rule, Tally> tallies_;
+};
+
+}  // namespace circumspect

@@ -1,0 +1,30 @@
+// What a broken rule is shown by: enough to re-check it by hand.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/complex/circumball.hpp"
+#include "reference/complex/simplex.hpp"
+
+namespace circumspect {
+
+// An exact value with the name under which it is reported.
+struct NamedValue {
+  std::string name;
+  Rational value;
+};
+
+// Simplices and vertices are named by indices from 0 (see Mesh::label for the user's own). Which
+// fields are set depends on the rule; report/ puts them into words.
+struct Witness {
+  std::vector<Simplex> simplices = {};  // as the user listed them
+  std::optional<Simplex> face = {};     // the facet or ridge in question
+  std::vector<Vertex> vertices = {};    // the vertices that decide
+  std::vector<NamedValue> values = {};  // the exact values that decide
+  std::optional<Ball> ball = {};        // the circumball of the first simplex
+  std::optional<Point> point = {};      // a point that decides without being a vertex
+};
+
+}  // namespace circumspect
