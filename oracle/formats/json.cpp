@@ -1,0 +1,88 @@
+#include "oracle/formats/json.hpp"
+
+#include <iterator>
+
+#include "oracle/formats/json_events.hpp"
+#include "reference/exact/write_number.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// Hands the text to the parser and records how far it has read: its events do not say.
+class TextIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  TextIterator(const char* at, const char*& position) : at_(at), position_(&position) {}
+  reference operator*() const { return *at_; }
+  TextIterator& operator++() {
+    *position_ = ++at_;
+    return *this;
+  }
+  TextIterator operator++(int) {
+    TextIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const TextIterator& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  const char** position_;
+};
+
+std::string number_or_string(const Rational& value) {
+  const std::string text = to_text_of_double_or_fraction(value);
+  return text.find('/') == std::string::npos ? text : "\"" + text + "\"";
+}
+
+std::string comma_separated(const std::vector<Rational>& values) {
+  std::string text;
+  for (const Rational& x : values) text += (text.empty() ? "" : ", ") + number_or_string(x);
+  return text;
+}
+
+std::string comma_separated(const std::vector<Vertex>& values) {
+  std::string text;
+  for (const Vertex v : values) text += (text.empty() ? "" : ", ") + std::to_string(v);
+  return text;
+}
+
+// A key and its array of arrays, one a line.
+template <class Row>
+void write_rows(std::ostream& out, const std::string& key, const std::vector<Row>& rows) {
+  out << ",\n\"" + key + "\": [";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    out << (i == 0 ? "\n[" : ",\n[") + comma_separated(rows[i]) + "]";
+  }
+  out << "]";
+}
+
+}  // namespace
+
+Result<JsonFile> read_json(const Source& source, NumberReading reading) {
+  const char* const begin = source.text.data();
+  const char* position = begin;
+  JsonEvents events(source, position, reading);
+  nlohmann::json::sax_parse(TextIterator(begin, position),
+                            TextIterator(begin + source.text.size(), position), &events);
+  return events.finish();
+}
+
+void write_json(std::ostream& out, const JsonFile& file) {
+  out << "{\"circumspect\": " + std::to_string(kJsonSchemaVersion) +
+             ", \"dimension\": " + std::to_string(file.points.dimension);
+  if (file.points.first_index != 0) {
+    out << ", \"first_index\": " + std::to_string(file.points.first_index);
+  }
+  write_rows(out, "points", file.points.points);
+  if (!file.weights.empty()) out << ",\n\"weights\": [" + comma_separated(file.weights) + "]";
+  if (file.has_simplices) write_rows(out, "simplices", file.simplices.simplices);
+  out << "}\n";
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,34 @@
+// Points, weights and simplices in our own JSON; README.md beside this file has the schema.
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/simplex_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace circumspect::formats {
+
+// The version of the schema that is read and written.
+inline constexpr int kJsonSchemaVersion = 1;
+
+struct JsonFile {
+  PointFile points;
+  std::vector<Rational> weights = {};  // empty, or one a point
+  bool has_simplices = false;          // a list may be there and empty
+  SimplexFile simplices = {};          // indices of points and of simplices begin at first_index
+};
+
+// Numbers are taken from the text as it is written, whether they stand in quotes or not; without
+// quotes JSON has no fractions, and numbers beyond the range of double are refused. Keys that the
+// schema does not know are errors, so that a misspelt one does not go unnoticed.
+Result<JsonFile> read_json(const Source& source, NumberReading reading);
+
+// Coordinates and weights are numbers if they are doubles, else strings. Attributes and markers are
+// not written. Requires: all points have `dimension` coordinates, from 1 to kLargestDimension;
+// weights are empty or one a point.
+void write_json(std::ostream& out, const JsonFile& file);
+
+}  // namespace circumspect::formats

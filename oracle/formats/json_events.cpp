@@ -1,0 +1,235 @@
+#include "oracle/formats/json_events.hpp"
+
+#include <algorithm>
+
+#include "oracle/formats/lines.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// nlohmann-json's number for "does not fit a double".
+constexpr int kNumberOverflow = 406;
+
+}  // namespace
+
+JsonEvents::JsonEvents(const Source& source, const char* const& position, NumberReading reading)
+    : source_(source), position_(position), reading_(reading), counted_(source.text.data()) {}
+
+std::size_t JsonEvents::line() {
+  // The parser has read the token, and behind a number one character more.
+  const char* const end = position_ == source_.text.data() ? position_ : position_ - 1;
+  if (end > counted_) {
+    line_ += static_cast<std::size_t>(std::count(counted_, end, '\n'));
+    counted_ = end;
+  }
+  return line_;
+}
+
+bool JsonEvents::fail(const std::string& expected, const std::string& found) {
+  error_ = {source_.name, line(), expected, found};
+  return false;
+}
+
+std::string JsonEvents::wanted() const {
+  if (depth_ == 0) return "a JSON object";
+  const bool in_list = depth_ > 1;
+  switch (key_) {
+    case kVersion:
+      return std::to_string(kJsonSchemaVersion) + ", the version of the schema";
+    case kDimension:
+      return "a dimension from 1 to " + std::to_string(kLargestDimension);
+    case kPoints:
+      if (depth_ > 2) return "a coordinate";
+      return in_list ? "a point, which is an array of coordinates" : "an array of points";
+    case kWeights:
+      return in_list ? "a weight" : "an array of weights";
+    case kSimplices:
+      if (depth_ > 2) return "a vertex, an integer that fits 64 bits";
+      return in_list ? "a simplex, which is an array of vertices" : "an array of simplices";
+    case kFirstIndex:
+      return "the index of the first point, an integer that fits 64 bits";
+    default:
+      return "a string";
+  }
+}
+
+bool JsonEvents::number_float(double, const std::string& text) {
+  // The parser puts the locale's decimal point in place of the one that was written.
+  std::string written = text;
+  for (char& c : written) {
+    if (std::string_view("0123456789+-eE").find(c) == std::string_view::npos) c = '.';
+  }
+  return number(written);
+}
+
+bool JsonEvents::number(std::string_view text) {
+  Vertex vertex = 0;
+  switch (depth_) {
+    case 1:
+      if (key_ == kVersion) return version(text);
+      if (key_ == kDimension) return dimension(text);
+      if (key_ == kFirstIndex) return integer(text, file_.points.first_index);
+      break;
+    case 2:
+      if (key_ == kWeights) return exact(text, file_.weights);
+      break;
+    case 3:
+      if (key_ == kPoints) return exact(text, file_.points.points.back());
+      if (!integer(text, vertex)) return false;
+      file_.simplices.simplices.back().push_back(vertex);
+      return true;
+    default:
+      break;
+  }
+  return mismatch(quote(text));
+}
+
+bool JsonEvents::string(const std::string& value) {
+  if (depth_ == 1 && key_ == kComment) return true;
+  if (depth_ == 2 && key_ == kWeights) return exact(value, file_.weights);
+  if (depth_ == 3 && key_ == kPoints) return exact(value, file_.points.points.back());
+  return mismatch("the string " + quote(value));
+}
+
+bool JsonEvents::integer(std::string_view text, Vertex& value) {
+  return parse_integer(text, value) == std::errc() || mismatch(quote(text));
+}
+
+bool JsonEvents::exact(std::string_view text, std::vector<Rational>& values) {
+  tl::expected<Rational, NumberError> value = parse_number(text, reading_);
+  if (!value) return fail(value.error().expected, quote(text));
+  values.push_back(std::move(*value));
+  return true;
+}
+
+bool JsonEvents::version(std::string_view text) {
+  return text == std::to_string(kJsonSchemaVersion) || mismatch(quote(text));
+}
+
+bool JsonEvents::dimension(std::string_view text) {
+  Vertex value = 0;
+  if (parse_integer(text, value) != std::errc() || value < 1 ||
+      value > static_cast<Vertex>(kLargestDimension)) {
+    return mismatch(quote(text));
+  }
+  file_.points.dimension = static_cast<std::size_t>(value);
+  return true;
+}
+
+bool JsonEvents::start_object(std::size_t) {
+  if (depth_ > 0) return mismatch("an object");
+  ++depth_;
+  return true;
+}
+
+bool JsonEvents::key(const std::string& name) {
+  const auto* const known = std::find(kNames.begin(), kNames.end(), name);
+  if (known == kNames.end()) {
+    std::string names;
+    for (const std::string_view one : kNames) names += (names.empty() ? "" : ", ") + quote(one);
+    return fail("one of the keys " + names, quote(name));
+  }
+  key_ = static_cast<Key>(known - kNames.begin());
+  if (line_of_[key_] > 0) return fail("every key once", quote(name) + " again");
+  line_of_[key_] = line();
+  return true;
+}
+
+bool JsonEvents::end_object() {
+  --depth_;
+  return true;
+}
+
+bool JsonEvents::start_array(std::size_t) {
+  const bool is_list_of_lists = key_ == kPoints || key_ == kSimplices;
+  const bool is_wanted = (depth_ == 1 && is_list(key_)) || (depth_ == 2 && is_list_of_lists);
+  if (!is_wanted) return mismatch("an array");
+  ++depth_;
+  if (depth_ == 3 && key_ == kPoints) file_.points.points.emplace_back();
+  if (depth_ == 3 && key_ == kSimplices) {
+    file_.simplices.simplices.emplace_back();
+    file_.simplices.lines.push_back(line());
+  }
+  return true;
+}
+
+bool JsonEvents::end_array() {
+  --depth_;
+  if (depth_ == 1) return true;
+  return key_ == kPoints ? end_of_point() : end_of_simplex();
+}
+
+bool JsonEvents::end_of_point() {
+  const std::vector<Point>& points = file_.points.points;
+  const std::size_t known = file_.points.dimension;
+  const std::size_t wanted_size = known > 0 ? known : points.front().size();
+  if (points.back().size() == wanted_size) return true;
+  return fail("a point with " + std::to_string(wanted_size) + " coordinates",
+              "one with " + std::to_string(points.back().size()));
+}
+
+bool JsonEvents::end_of_simplex() {
+  if (!file_.simplices.simplices.back().empty()) return true;
+  return fail("a simplex of at least 1 vertex", "an empty array");
+}
+
+bool JsonEvents::parse_error(std::size_t, const std::string& last_token,
+                             const nlohmann::json::exception& error) {
+  if (error.id == kNumberOverflow) {
+    return fail("a number within the range of double (a string may hold more)", quote(last_token));
+  }
+  // The message ends in what the parser makes of it: "…- invalid literal; last read: 'nan'".
+  const std::string_view message = error.what();
+  const std::string_view reason = message.substr(std::min(message.find(" - ") + 3, message.size()));
+  const std::string_view why = reason.substr(0, reason.find(';'));
+  if (why == "unexpected end of input") {
+    return fail("the rest of the JSON text", "the end of the file");
+  }
+  return fail("valid JSON", quote(end_of_what_was_read()) + " (" +
+                                std::string(why.substr(0, 2 * kLongestQuote)) + ")");
+}
+
+std::string_view JsonEvents::end_of_what_was_read() const {
+  constexpr std::size_t kEnough = kLongestQuote / 2;
+  const std::string_view text = source_.text;
+  std::string_view read = text.substr(0, static_cast<std::size_t>(position_ - text.data()));
+  if (read.size() > kEnough) read.remove_prefix(read.size() - kEnough);
+  const std::size_t line_start = read.find_last_of('\n', read.size() - 2) + 1;
+  return read.size() < 2 ? read : read.substr(line_start);
+}
+
+Status JsonEvents::check_whole() const {
+  const auto fail_at = [this](Key key, std::string expected, std::string found) {
+    return tl::unexpected(
+        FormatError{source_.name, line_of_[key], std::move(expected), std::move(found)});
+  };
+  for (const Key key : {kVersion, kDimension, kPoints}) {
+    if (line_of_[key] == 0) {
+      return fail_at(key, "the key " + quote(kNames[key]), "an object without it");
+    }
+  }
+  const PointFile& points = file_.points;
+  if (!points.points.empty() && points.points.front().size() != points.dimension) {
+    return fail_at(
+        kDimension,
+        "the dimension " + std::to_string(points.points.front().size()) + ", which the points have",
+        std::to_string(points.dimension));
+  }
+  if (line_of_[kWeights] > 0 && file_.weights.size() != points.points.size()) {
+    return fail_at(kWeights,
+                   "one weight for each of " + std::to_string(points.points.size()) + " points",
+                   std::to_string(file_.weights.size()));
+  }
+  return {};
+}
+
+Result<JsonFile> JsonEvents::finish() {
+  if (!error_.expected.empty()) return tl::unexpected(error_);
+  if (Status whole = check_whole(); !whole) return tl::unexpected(whole.error());
+  file_.has_simplices = line_of_[kSimplices] > 0;
+  file_.simplices.first_index = file_.points.first_index;
+  file_.simplices.vertices_per_simplex = size_of_each(file_.simplices.simplices);
+  return std::move(file_);
+}
+
+}  // namespace circumspect::formats

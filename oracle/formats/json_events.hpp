@@ -1,0 +1,77 @@
+// Reads the JSON schema from the events of a parser: object begins, key, number … Every event is
+// held against what the schema wants at this place, so that nothing else is ever stored.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "oracle/formats/json.hpp"
+
+namespace circumspect::formats {
+
+// The interface is the one that nlohmann::json::sax_parse calls: true goes on, false stops.
+class JsonEvents {
+ public:
+  // `position` points behind the last character that the parser has taken from the source.
+  // Requires: both outlive this object.
+  JsonEvents(const Source& source, const char* const& position, NumberReading reading);
+
+  bool null() { return mismatch("null"); }
+  bool boolean(bool value) { return mismatch(value ? "true" : "false"); }
+  bool number_integer(std::int64_t value) { return number(std::to_string(value)); }
+  bool number_unsigned(std::uint64_t value) { return number(std::to_string(value)); }
+  bool number_float(double value, const std::string& text);
+  bool string(const std::string& value);
+  bool binary(const nlohmann::json::binary_t&) { return mismatch("binary data"); }
+  bool start_object(std::size_t);
+  bool key(const std::string& name);
+  bool end_object();
+  bool start_array(std::size_t);
+  bool end_array();
+  bool parse_error(std::size_t, const std::string& last_token,
+                   const nlohmann::json::exception& error);
+
+  // After the last event: what was read, or what is wrong with it.
+  Result<JsonFile> finish();
+
+ private:
+  enum Key { kVersion, kDimension, kPoints, kWeights, kSimplices, kFirstIndex, kComment, kKeys };
+  static constexpr std::array<std::string_view, kKeys> kNames = {
+      "circumspect", "dimension", "points", "weights", "simplices", "first_index", "comment"};
+
+  bool number(std::string_view text);
+  bool integer(std::string_view text, Vertex& value);
+  bool exact(std::string_view text, std::vector<Rational>& values);
+  bool version(std::string_view text);
+  bool dimension(std::string_view text);
+  bool end_of_point();
+  bool end_of_simplex();
+  Status check_whole() const;
+
+  bool is_list(Key key) const { return key == kPoints || key == kWeights || key == kSimplices; }
+  // What the schema wants at this place.
+  std::string wanted() const;
+  bool mismatch(const std::string& found) { return fail(wanted(), found); }
+  bool fail(const std::string& expected, const std::string& found);
+  std::size_t line();
+  // The last characters that the parser took, of their line, for messages.
+  std::string_view end_of_what_was_read() const;
+
+  const Source& source_;
+  const char* const& position_;
+  NumberReading reading_;
+  JsonFile file_;
+  FormatError error_;
+  int depth_ = 0;                                // of objects and arrays that are open
+  Key key_ = kKeys;                              // whose value is being read
+  std::array<std::size_t, kKeys> line_of_ = {};  // 0: the key was not seen
+  // Lines are counted on the way: the text before `counted_` ends on line `line_`.
+  const char* counted_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace circumspect::formats

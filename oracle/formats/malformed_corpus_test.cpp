@@ -1,0 +1,59 @@
+// Every file of corpus/malformed gets the message that its table expects.
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "oracle/formats/mesh_files.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+const std::string kFolder = CIRCUMSPECT_CORPUS_DIR "/malformed/";
+
+// A line of expected.tsv: a mesh, options of the command, and a part of the message.
+struct Row {
+  std::string file;
+  std::string options;
+  std::string message;
+};
+
+std::vector<Row> rows() {
+  std::vector<Row> result;
+  std::ifstream table(kFolder + "expected.tsv");
+  Row row;
+  while (std::getline(table, row.file, '\t') && std::getline(table, row.options, '\t') &&
+         std::getline(table, row.message)) {
+    result.push_back(row);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("malformed files get the message that is expected") {
+  REQUIRE(rows().size() > 30);
+  for (const Row& row : rows()) {
+    CAPTURE(row.file);
+    MeshRequest request{kFolder + row.file};
+    if (row.options == "--coordinates decimal") request.reading = NumberReading::kDecimal;
+    const Result<RawMesh> mesh = read_mesh(request);
+    REQUIRE(!mesh.has_value());
+    const std::string message = mesh.error().to_string();
+    CHECK_MESSAGE(message.find(row.message) != std::string::npos, message);
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("no malformed file is left out of the table") {
+  // A mesh in two files stands in the table once.
+  std::set<std::string> listed;
+  for (const Row& row : rows()) listed.insert(std::filesystem::path(row.file).stem());
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    if (entry.path().filename() == "expected.tsv" || entry.path().extension() == ".md") continue;
+    CHECK_MESSAGE(listed.count(entry.path().stem()) == 1, entry.path().string());
+  }
+}
+
+}  // namespace circumspect::formats

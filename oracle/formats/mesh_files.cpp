@@ -1,0 +1,284 @@
+#include "oracle/formats/mesh_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <string_view>
+
+#include "oracle/formats/ele.hpp"
+#include "oracle/formats/json.hpp"
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/node.hpp"
+#include "oracle/formats/off.hpp"
+#include "oracle/formats/qhull.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// What one file of a mesh holds.
+struct Contents {
+  SimplexFile simplices = {};
+  std::optional<RawPoints> points = {};
+};
+
+Result<RawPoints> points_alone(const Source& source, Result<PointFile> file) {
+  if (!file) return tl::unexpected(file.error());
+  return RawPoints{std::move(*file), {}, source.name};
+}
+
+Result<Contents> simplices_alone(Result<SimplexFile> file) {
+  if (!file) return tl::unexpected(file.error());
+  return Contents{std::move(*file), {}};
+}
+
+Result<RawPoints> points_of_node(const Source& source, NumberReading reading) {
+  return points_alone(source, read_node(source, reading));
+}
+
+Result<RawPoints> points_of_qhull(const Source& source, NumberReading reading) {
+  return points_alone(source, read_qhull_points(source, reading));
+}
+
+Result<RawPoints> points_of_off(const Source& source, NumberReading reading) {
+  Result<OffFile> file = read_off(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  return points_alone(source, std::move(file->points));
+}
+
+Result<RawPoints> points_of_json(const Source& source, NumberReading reading) {
+  Result<JsonFile> file = read_json(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  return RawPoints{std::move(file->points), std::move(file->weights), source.name};
+}
+
+Result<Contents> mesh_of_ele(const Source& source, NumberReading) {
+  return simplices_alone(read_ele(source));
+}
+
+Result<Contents> mesh_of_qhull(const Source& source, NumberReading) {
+  return simplices_alone(read_qhull_simplices(source));
+}
+
+Result<Contents> mesh_of_off(const Source& source, NumberReading reading) {
+  Result<OffFile> file = read_off(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  const SimplexFile& faces = file->faces;
+  for (std::size_t i = 0; i < faces.simplices.size(); ++i) {
+    if (faces.simplices[i].size() == 3) continue;
+    return tl::unexpected(
+        FormatError{source.name, faces.lines[i], "a triangle",
+                    "a face with " + std::to_string(faces.simplices[i].size()) + " vertices"});
+  }
+  RawPoints points{std::move(file->points), {}, source.name};
+  return Contents{std::move(file->faces), std::move(points)};
+}
+
+Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
+  Result<JsonFile> file = read_json(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  if (!file->has_simplices) {
+    return tl::unexpected(
+        FormatError{source.name, 0, "a mesh, with the key \"simplices\"", "points alone"});
+  }
+  RawPoints points{std::move(file->points), std::move(file->weights), source.name};
+  return Contents{std::move(file->simplices), std::move(points)};
+}
+
+// What files of an extension hold, and what stands beside them.
+struct Format {
+  std::string_view extension;
+  Result<RawPoints> (*points)(const Source&, NumberReading);
+  Result<Contents> (*mesh)(const Source&, NumberReading);
+  std::string_view points_beside;     // the extension of the file with the points of this mesh
+  std::string_view simplices_beside;  // the extension of the file with simplices of these points
+};
+
+constexpr std::array kFormats = {
+    Format{".node", points_of_node, nullptr, "", ".ele"},
+    Format{".ele", nullptr, mesh_of_ele, ".node", ""},
+    Format{".neigh", nullptr, nullptr, "", ""},
+    Format{".json", points_of_json, mesh_of_json, "", ""},
+    Format{".off", points_of_off, mesh_of_off, "", ""},
+    Format{".qhull", points_of_qhull, nullptr, "", ".qhull-i"},
+    Format{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
+};
+
+const Format* format_of(std::string_view extension) {
+  const auto* const found =
+      std::find_if(kFormats.begin(), kFormats.end(),
+                   [extension](const Format& format) { return format.extension == extension; });
+  return found == kFormats.end() ? nullptr : found;
+}
+
+std::string with_extension(const std::string& path, std::string_view extension_beside) {
+  return path.substr(0, path.size() - extension(path).size()) + std::string(extension_beside);
+}
+
+bool looks_like_json(const Source& source) {
+  const std::size_t first = source.text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string::npos && source.text[first] == '{';
+}
+
+// How many tokens stand on the first two lines that have any, and the very first of them.
+struct Beginning {
+  explicit Beginning(const Source& source) {
+    Lines lines(source);
+    if (!lines.next()) return;
+    first_token = lines.tokens()[0];
+    on_first_line = lines.size();
+    if (lines.next()) on_second_line = lines.size();
+  }
+  std::string_view first_token;
+  std::size_t on_first_line = 0;
+  std::size_t on_second_line = 0;
+};
+
+// The format of points in a file whose name does not say it.
+const Format* sniff_points(const Source& source) {
+  if (looks_like_json(source)) return format_of(".json");
+  const Beginning beginning(source);
+  if (is_off_keyword(beginning.first_token)) return format_of(".off");
+  return format_of(beginning.on_second_line == 1 ? ".qhull" : ".node");
+}
+
+// The same for a mesh; null if it cannot be known. A list of simplices counts only where the user
+// says which points it is about.
+const Format* sniff_mesh(const Source& source, bool has_points) {
+  if (looks_like_json(source)) return format_of(".json");
+  const Beginning beginning(source);
+  if (is_off_keyword(beginning.first_token)) return format_of(".off");
+  if (!has_points || beginning.on_first_line == 0) return nullptr;
+  return format_of(beginning.on_first_line == 1 ? ".qhull-i" : ".ele");
+}
+
+// The file in which the simplices are: of points, the one beside them.
+std::string file_of_simplices(const std::string& path) {
+  const Format* const format = format_of(extension(path));
+  if (format == nullptr || format->simplices_beside.empty()) return path;
+  return with_extension(path, format->simplices_beside);
+}
+
+// Reads a file that goes with another, and says so if it is missing.
+Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view points_beside,
+                                     NumberReading reading) {
+  const std::string path = with_extension(mesh, points_beside);
+  if (exists(path)) return read_points(path, reading);
+  return tl::unexpected(FormatError{path, 0, "a file with the points of " + mesh,
+                                    "no file of that name (--points names another)"});
+}
+
+Result<Source> load_mesh(const std::string& asked, const std::string& path) {
+  if (path == asked || exists(path)) return load(path);
+  return tl::unexpected(
+      FormatError{path, 0, "a file with the simplices of " + asked, "no file of that name"});
+}
+
+Vertex difference_or_nearest(Vertex a, Vertex b) {
+  Vertex difference = 0;
+  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
+  return a < 0 ? std::numeric_limits<Vertex>::min() : std::numeric_limits<Vertex>::max();
+}
+
+// What has more vertices than any simplex of this dimension is none, and not meant as one. Fewer
+// vertices, or differing numbers of them, are the mesh's own fault and left to the checkers.
+Status check_sizes(const RawMesh& mesh) {
+  const SimplexFile& file = mesh.simplices;
+  const std::size_t most = mesh.points.dimension + 1;
+  for (std::size_t i = 0; i < file.simplices.size(); ++i) {
+    if (file.simplices[i].size() <= most) continue;
+    return tl::unexpected(FormatError{
+        mesh.mesh_name, file.lines[i],
+        "at most " + std::to_string(most) + " vertices of a simplex in dimension " +
+            std::to_string(mesh.points.dimension),
+        std::to_string(file.simplices[i].size()) +
+            " (elements of second order and facets that are no simplices are not judged)"});
+  }
+  return {};
+}
+
+Status read_neighbors(const std::string& mesh, RawMesh& result) {
+  const std::string path = with_extension(mesh, ".neigh");
+  if (extension(mesh) != ".ele" || !exists(path)) return {};
+  const Result<Source> source = load(path);
+  if (!source) return tl::unexpected(source.error());
+  Result<NeighborFile> file = read_neigh(*source);
+  if (!file) return tl::unexpected(file.error());
+  result.neighbors = std::move(*file);
+  return {};
+}
+
+// The simplices, and the points if they are in the same file; `format` tells which it is.
+Result<Contents> read_contents(const MeshRequest& request, const std::string& path,
+                               std::string& name, const Format*& format) {
+  const Result<Source> source = load_mesh(request.mesh, path);
+  if (!source) return tl::unexpected(source.error());
+  name = source->name;
+  format = format_of(extension(path));
+  if (format == nullptr) format = sniff_mesh(*source, request.points.has_value());
+  if (format != nullptr && format->mesh != nullptr) return format->mesh(*source, request.reading);
+  const std::string_view first = Beginning(*source).first_token;
+  return tl::unexpected(FormatError{
+      name, 1, "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off; JSON or OFF text)",
+      first.empty() ? "nothing" : quote(first)});
+}
+
+Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& path,
+                                 const Format& format, Contents& contents) {
+  if (request.points) return read_points(*request.points, request.reading);
+  if (contents.points) return std::move(*contents.points);
+  return read_points_beside(path, format.points_beside, request.reading);
+}
+
+}  // namespace
+
+std::string extension(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
+  const std::size_t dot = path.rfind('.');
+  // A dot that begins a name hides the file and ends nothing.
+  if (dot == std::string::npos || dot <= start) return "";
+  std::string end = path.substr(dot);
+  for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return end;
+}
+
+Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
+  const Result<Source> source = load(path);
+  if (!source) return tl::unexpected(source.error());
+  const Format* format = format_of(extension(path));
+  if (format == nullptr) format = sniff_points(*source);
+  if (format->points != nullptr) return format->points(*source, reading);
+  return tl::unexpected(FormatError{source->name, 0,
+                                    "a file of points (.node, .json, .off, .qhull)",
+                                    "a " + std::string(format->extension) + " file"});
+}
+
+Result<RawMesh> read_mesh(const MeshRequest& request) {
+  if (request.mesh == "-" && request.points == "-") {
+    return tl::unexpected(
+        FormatError{"<stdin>", 0, "the mesh or its points on standard input", "both"});
+  }
+  const std::string path = file_of_simplices(request.mesh);
+  RawMesh mesh;
+  const Format* format = nullptr;
+  Result<Contents> contents = read_contents(request, path, mesh.mesh_name, format);
+  if (!contents) return tl::unexpected(contents.error());
+  Result<RawPoints> points = points_of_mesh(request, path, *format, *contents);
+  if (!points) return tl::unexpected(points.error());
+  mesh.points = std::move(points->points);
+  mesh.weights = std::move(points->weights);
+  mesh.points_name = std::move(points->name);
+  mesh.first_index = mesh.points.first_index;
+  mesh.simplices = std::move(contents->simplices);
+  if (Status sizes = check_sizes(mesh); !sizes) return tl::unexpected(sizes.error());
+  for (Simplex& simplex : mesh.simplices.simplices) {
+    for (Vertex& v : simplex) v = difference_or_nearest(v, mesh.first_index);
+  }
+  if (request.with_neighbors) {
+    if (Status read = read_neighbors(path, mesh); !read) return tl::unexpected(read.error());
+  }
+  return mesh;
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,53 @@
+// Finds what belongs together the way users name it, and reads it: the points of x.1.ele are in
+// x.1.node. Files are told apart by their extension, or by what they hold if that says nothing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/formats/neigh.hpp"
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/simplex_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace circumspect::formats {
+
+// The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
+std::string extension(const std::string& path);
+
+struct RawPoints {
+  PointFile points;
+  std::vector<Rational> weights = {};  // empty, or one a point
+  std::string name = {};               // of the file, for messages
+};
+
+// Reads points of any format; "-" is standard input.
+Result<RawPoints> read_points(const std::string& path, NumberReading reading);
+
+struct MeshRequest {
+  std::string mesh;                        // a file; of .node and .qhull, the simplices beside it
+  std::optional<std::string> points = {};  // instead of those beside or inside the mesh
+  NumberReading reading = NumberReading::kDouble;
+  bool with_neighbors = false;  // read the .neigh beside an .ele, if there is one
+};
+
+struct RawMesh {
+  PointFile points;
+  std::vector<Rational> weights = {};
+  // Vertices are counted from 0, by taking the index of the first point from each; one that names
+  // no point still names none. No simplex has more vertices than the points have coordinates, plus
+  // one.
+  SimplexFile simplices = {};
+  Vertex first_index = 0;  // the user's index of the first point
+  std::string points_name = {};
+  std::string mesh_name = {};
+  std::optional<NeighborFile> neighbors = {};
+};
+
+// Reads a mesh and its points. Errors: a file that is missing or malformed; elements of second
+// order, faces that are no triangles and facets that are no simplices, none of which can be judged.
+Result<RawMesh> read_mesh(const MeshRequest& request);
+
+}  // namespace circumspect::formats

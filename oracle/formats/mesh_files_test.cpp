@@ -1,0 +1,183 @@
+// A mesh is found the way its users name things.
+#include "oracle/formats/mesh_files.hpp"
+
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "oracle/formats/scratch_folder_test.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+const std::string kSquareFrom1 = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+const std::string kTwoFrom1 = "2 3\n1 1 2 3\n2 1 3 4\n";
+const std::string kSquareQhull = "2\n4\n0 0\n1 0\n1 1\n0 1\n";
+const std::string kTwoQhull = "2\n0 1 2\n0 2 3\n";
+const std::string kJson =
+    "{\"circumspect\": 1, \"dimension\": 2, \"points\": [[0,0],[1,0],[1,1],[0,1]],\n"
+    "\"weights\": [0,0,0,1], \"simplices\": [[0,1,2],[0,2,3]]}";
+const std::string kOff = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+const std::vector<Simplex> kTwo = {{0, 1, 2}, {0, 2, 3}};
+
+Result<RawMesh> mesh_of(const std::string& path) {
+  return read_mesh({path, std::nullopt, NumberReading::kDouble});
+}
+Result<RawMesh> mesh_of(const std::string& path, const std::string& points) {
+  return read_mesh({path, points, NumberReading::kDouble});
+}
+std::string error_of(const Result<RawMesh>& mesh) {
+  return mesh ? "no error" : mesh.error().to_string();
+}
+
+}  // namespace
+
+TEST_CASE("extensions") {
+  CHECK(extension("a/x.1.ELE") == ".ele");
+  CHECK(extension("a.b/x") == "");
+  CHECK(extension(".node") == "");
+  CHECK(extension("a/.node") == "");
+  CHECK(extension("a/.x.node") == ".node");
+  CHECK(extension("-") == "");
+  CHECK(extension("x.qhull-i") == ".qhull-i");
+  CHECK(extension("") == "");
+}
+
+TEST_CASE("x.1.ele has its points in x.1.node; x.1.node its simplices in x.1.ele") {
+  const ScratchFolder folder;
+  const std::string node = folder.write("x.1.node", kSquareFrom1);
+  const std::string ele = folder.write("x.1.ele", kTwoFrom1);
+  for (const std::string& asked : {ele, node}) {
+    const auto mesh = mesh_of(asked);
+    REQUIRE(mesh);
+    CHECK(mesh->points.points.size() == 4);
+    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->simplices.first_index == 1);
+    CHECK(mesh->first_index == 1);
+    CHECK(mesh->mesh_name == ele);
+    CHECK(mesh->points_name == node);
+    CHECK(!mesh->neighbors);
+  }
+}
+
+TEST_CASE("neighbours are read where they are wanted and there") {
+  const ScratchFolder folder;
+  folder.write("x.node", kSquareFrom1);
+  const std::string ele = folder.write("x.ele", kTwoFrom1);
+  MeshRequest request{ele};
+  request.with_neighbors = true;
+  CHECK(!read_mesh(request)->neighbors);
+  folder.write("x.neigh", "2 3\n1 -1 2 -1\n2 -1 -1 1\n");
+  REQUIRE(read_mesh(request)->neighbors);
+  CHECK(read_mesh(request)->neighbors->neighbors[0] == std::vector<Vertex>{-1, 2, -1});
+  folder.write("x.neigh", "2 x\n");
+  CHECK(!read_mesh(request));
+  CHECK(mesh_of(ele));
+}
+
+TEST_CASE("points of another file and another base") {
+  const ScratchFolder folder;
+  const std::string ele = folder.write("x.ele", "2 3\n0 0 1 2\n1 0 2 3\n");
+  const std::string qhull = folder.write("y.qhull", kSquareQhull);
+  const std::string text = folder.write("y.txt", kSquareQhull);
+  const std::string json = folder.write("y.json", kJson);
+  for (const std::string& points : {qhull, text, json}) {
+    const auto mesh = mesh_of(ele, points);
+    REQUIRE(mesh);
+    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->points_name == points);
+    CHECK(mesh->weights.size() == (points == json ? 4 : 0));
+  }
+  CHECK(mesh_of(json, qhull)->weights.empty());
+}
+
+TEST_CASE("an index that names no point still names none") {
+  const ScratchFolder folder;
+  folder.write("x.node", "1 1\n5 0\n");
+  const auto mesh =
+      mesh_of(folder.write("x.ele", "3 1\n0 -9223372036854775808\n1 9223372036854775807\n2 4\n"));
+  REQUIRE(mesh);
+  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{std::numeric_limits<Vertex>::min()},
+                                                          {std::numeric_limits<Vertex>::max() - 5},
+                                                          {-1}});
+}
+
+TEST_CASE("json, off and qhull") {
+  const ScratchFolder folder;
+  const std::string qhull = folder.write("x.qhull", kSquareQhull);
+  const std::string facets = folder.write("x.qhull-i", kTwoQhull);
+  const std::string json = folder.write("x.json", kJson);
+  const std::string off = folder.write("x.off", kOff);
+  for (const std::string& asked :
+       {qhull, facets, json, off, folder.write("a", kJson), folder.write("b", "\n" + kOff)}) {
+    const auto mesh = mesh_of(asked);
+    REQUIRE_MESSAGE(mesh.has_value(), error_of(mesh));
+    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->points.points.size() == 4);
+    CHECK(mesh->first_index == 0);
+  }
+  CHECK(mesh_of(json)->weights.size() == 4);
+  CHECK(mesh_of(facets)->points_name == qhull);
+}
+
+TEST_CASE("files without a telling name are known by what they hold") {
+  const ScratchFolder folder;
+  const NumberReading reading = NumberReading::kDouble;
+  CHECK(read_points(folder.write("a", kJson), reading)->weights.size() == 4);
+  CHECK(read_points(folder.write("b.xyz", kOff), reading)->points.dimension == 3);
+  CHECK(read_points(folder.write("c.txt", kSquareQhull), reading)->points.points.size() == 4);
+  CHECK(read_points(folder.write("d", kSquareFrom1), reading)->points.first_index == 1);
+  const std::string points = folder.write("p.node", kSquareFrom1);
+  CHECK(mesh_of(folder.write("e", kTwoFrom1), points)->simplices.simplices == kTwo);
+  CHECK(mesh_of(folder.write("f", kTwoQhull), points));
+}
+
+TEST_CASE("what cannot be found or judged") {
+  const ScratchFolder folder;
+  const std::string ele = folder.write("x.ele", kTwoFrom1);
+  CHECK(error_of(mesh_of(ele)) == folder.path("x.node") + ": expected a file with the points of " +
+                                      ele +
+                                      ", found no file of that name (--points names another)");
+  const std::string lone = folder.write("y.node", kSquareFrom1);
+  CHECK(error_of(mesh_of(lone)) == folder.path("y.ele") +
+                                       ": expected a file with the simplices of " + lone +
+                                       ", found no file of that name");
+  CHECK(error_of(mesh_of(folder.path("none.ele"))) ==
+        folder.path("none.ele") + ": expected a file, found no file of that name");
+  CHECK(error_of(mesh_of(lone, ele)) != "no error");
+  const std::string unknown = folder.write("x.vtk", "# vtk DataFile\nASCII");
+  const std::string known =
+      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off; JSON or OFF text)";
+  CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"ASCII\"");
+  CHECK(error_of(mesh_of("-", "-")) ==
+        "<stdin>: expected the mesh or its points on standard input, found both");
+  const auto points = read_points(ele, NumberReading::kDouble);
+  REQUIRE(!points);
+  CHECK(points.error().to_string() ==
+        ele + ": expected a file of points (.node, .json, .off, .qhull), found a .ele file");
+  const std::string bare =
+      folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
+  CHECK(error_of(mesh_of(bare)) ==
+        bare + ": expected a mesh, with the key \"simplices\", found points alone");
+}
+
+TEST_CASE("simplices that are none are named by their line") {
+  const ScratchFolder folder;
+  const std::string node = folder.write("x.node", kSquareFrom1);
+  const std::string ele = folder.write("x.ele", "1 6\n1 1 2 3 4 1 2\n");
+  CHECK(error_of(mesh_of(ele)) ==
+        ele +
+            ":2: expected at most 3 vertices of a simplex in dimension 2, found 6 (elements of "
+            "second order and facets that are no simplices are not judged)");
+  const std::string facets = folder.write("y.qhull-i", "2\n0 1 2\n0 1 2 3\n");
+  CHECK(error_of(mesh_of(facets, node)) ==
+        facets +
+            ":3: expected at most 3 vertices of a simplex in dimension 2, found 4 (elements "
+            "of second order and facets that are no simplices are not judged)");
+  CHECK(mesh_of(folder.write("z.qhull-i", "2\n0 1 2\n0 1\n"), node));
+  const std::string off =
+      folder.write("x.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  CHECK(error_of(mesh_of(off)) == off + ":7: expected a triangle, found a face with 4 vertices");
+}
+
+}  // namespace circumspect::formats

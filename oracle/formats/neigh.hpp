@@ -1,0 +1,30 @@
+// Which simplices are neighbours, as Triangle and TetGen write it: .neigh.
+//
+//     simplices k                                   k: neighbours of each
+//     index n0 … n(k-1)                             one line a simplex
+//
+// Neighbour i shares the facet opposite vertex i of the .ele file; -1: there is none.
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "oracle/formats/source.hpp"
+#include "reference/predicates/configuration.hpp"
+
+namespace circumspect::formats {
+
+struct NeighborFile {
+  std::vector<std::vector<Vertex>> neighbors = {};  // indices of simplices exactly as in the file
+  std::size_t neighbors_per_simplex = 0;
+  Vertex first_index = 0;  // the user's index of the first simplex
+
+  friend bool operator==(const NeighborFile&, const NeighborFile&) = default;
+};
+
+Result<NeighborFile> read_neigh(const Source& source);
+
+// Requires: every simplex has neighbors_per_simplex neighbours, at least 1.
+void write_neigh(std::ostream& out, const NeighborFile& file);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,24 @@
+// Points as Triangle and TetGen write them: .node.
+//
+//     points dimension [attributes [markers]]       markers: 0 or 1
+//     index x y … attributes… [marker]              one line a point
+#pragma once
+
+#include <ostream>
+
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace circumspect::formats {
+
+// Points of dimension 1 to kLargestDimension. The first index may be any integer, the others
+// follow one by one; a marker may be any token.
+Result<PointFile> read_node(const Source& source, NumberReading reading);
+
+// Coordinates and attributes are written so that reading them as doubles gives the same numbers.
+// Requires: all points have `dimension` coordinates; attributes and markers are empty or one a
+// point, all rows of attributes have one length.
+void write_node(std::ostream& out, const PointFile& file);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,176 @@
+#include "oracle/formats/off.hpp"
+
+#include <algorithm>
+
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/rows.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+bool take_prefix(std::string_view& text, std::string_view prefix) {
+  if (text.substr(0, prefix.size()) != prefix) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+// What the keyword [ST][C][N][4][n]OFF says about the lines of points.
+struct Keyword {
+  bool has_more_columns = false;  // textures, colours, normals behind the coordinates
+  bool has_fourth = false;        // one more coordinate
+  bool has_dimension = false;     // given by a number of its own
+};
+
+bool parse_keyword(std::string_view token, Keyword& keyword) {
+  for (const std::string_view prefix : {"ST", "C", "N"}) {
+    if (take_prefix(token, prefix)) keyword.has_more_columns = true;
+  }
+  keyword.has_fourth = take_prefix(token, "4");
+  keyword.has_dimension = take_prefix(token, "n");
+  return token == "OFF";
+}
+
+// The numbers of the header follow one another, on the line of the keyword or on later ones.
+class Header {
+ public:
+  explicit Header(Lines& lines) : lines_(lines) {}
+
+  // The column of the next number, on a later line if this one is used up.
+  Result<std::size_t> next(std::string_view what) {
+    if (column_ == lines_.size()) {
+      lines_.next();
+      column_ = 0;
+    }
+    if (lines_.size() == 0) return lines_.fail_at(0, std::string(what));
+    return lines_.count(column_++, what);
+  }
+
+  // Requires that nothing is left on the line, but for a number of edges that nobody needs.
+  Status finish() {
+    if (column_ < lines_.size()) {
+      const Result<std::size_t> edges = lines_.count(column_++, "the number of edges");
+      if (!edges) return tl::unexpected(edges.error());
+    }
+    if (column_ == lines_.size()) return {};
+    return lines_.fail_at(column_, "the end of the line after the counts");
+  }
+
+ private:
+  Lines& lines_;
+  std::size_t column_ = 1;  // behind the keyword
+};
+
+// How the file is laid out, as its header says.
+struct Layout {
+  std::size_t dimension = 3;
+  bool has_more_columns = false;
+  std::size_t points = 0;
+  std::size_t faces = 0;
+};
+
+Result<Layout> read_header(Lines& lines) {
+  Keyword keyword;
+  if (!lines.next() || !parse_keyword(lines.tokens()[0], keyword)) {
+    return lines.fail_at(0, "the keyword OFF");
+  }
+  if (lines.size() > 1 && lines.tokens()[1] == "BINARY") {
+    return lines.fail_at(1, "an OFF file in text");
+  }
+  Layout layout;
+  layout.has_more_columns = keyword.has_more_columns;
+  Header header(lines);
+  if (keyword.has_dimension) {
+    const Result<std::size_t> dimension = header.next("the dimension");
+    if (!dimension) return tl::unexpected(dimension.error());
+    if (*dimension < 1 || *dimension >= kLargestDimension) {
+      return lines.fail("a dimension from 1 to " + std::to_string(kLargestDimension - 1),
+                        std::to_string(*dimension));
+    }
+    layout.dimension = *dimension;
+  }
+  if (keyword.has_fourth) ++layout.dimension;
+  const Result<std::size_t> points = header.next("the number of points");
+  if (!points) return tl::unexpected(points.error());
+  const Result<std::size_t> faces = header.next("the number of faces");
+  if (!faces) return tl::unexpected(faces.error());
+  if (Status end = header.finish(); !end) return tl::unexpected(end.error());
+  layout.points = *points;
+  layout.faces = *faces;
+  return layout;
+}
+
+// Goes to line `done` of `count` lines of one kind.
+Status next_of(Lines& lines, const std::string& one, std::size_t done, std::size_t count) {
+  if (lines.next()) return {};
+  return lines.fail(one + " " + std::to_string(done + 1) + " of " + std::to_string(count),
+                    "the end of the file");
+}
+
+Result<Point> read_point(const Lines& lines, const Layout& layout, NumberReading reading) {
+  const bool fits =
+      layout.has_more_columns ? lines.size() >= layout.dimension : lines.size() == layout.dimension;
+  if (!fits) {
+    return lines.fail(std::to_string(layout.dimension) + " coordinates",
+                      std::to_string(lines.size()));
+  }
+  return lines.numbers(0, layout.dimension, reading);
+}
+
+Result<Simplex> read_face(const Lines& lines) {
+  const Result<std::size_t> size = lines.count(0, "the number of vertices of a face");
+  if (!size) return tl::unexpected(size.error());
+  if (*size == 0) return lines.fail_at(0, "a face of at least 1 vertex");
+  if (*size > lines.size() - 1) {
+    return lines.fail("a face of " + std::to_string(*size) + " vertices",
+                      std::to_string(lines.size() - 1));
+  }
+  return lines.integers(1, *size, "a vertex");
+}
+
+}  // namespace
+
+bool is_off_keyword(std::string_view token) {
+  Keyword keyword;
+  return parse_keyword(token, keyword);
+}
+
+Result<OffFile> read_off(const Source& source, NumberReading reading) {
+  Lines lines(source);
+  const Result<Layout> layout = read_header(lines);
+  if (!layout) return tl::unexpected(layout.error());
+  OffFile file;
+  file.points.dimension = layout->dimension;
+  for (std::size_t i = 0; i < layout->points; ++i) {
+    const Status line = next_of(lines, "point", i, layout->points);
+    if (!line) return tl::unexpected(line.error());
+    Result<Point> point = read_point(lines, *layout, reading);
+    if (!point) return tl::unexpected(point.error());
+    file.points.points.push_back(std::move(*point));
+  }
+  for (std::size_t i = 0; i < layout->faces; ++i) {
+    const Status line = next_of(lines, "face", i, layout->faces);
+    if (!line) return tl::unexpected(line.error());
+    Result<Simplex> face = read_face(lines);
+    if (!face) return tl::unexpected(face.error());
+    file.faces.simplices.push_back(std::move(*face));
+    file.faces.lines.push_back(lines.line());
+  }
+  if (lines.next()) return lines.fail_at(0, "the end of the file after the last face");
+  file.faces.vertices_per_simplex = size_of_each(file.faces.simplices);
+  return file;
+}
+
+void write_off(std::ostream& out, const OffFile& file) {
+  const std::vector<Point>& points = file.points.points;
+  const bool in_space = file.points.dimension == 3;
+  std::string text = in_space ? "OFF\n" : "nOFF\n" + std::to_string(file.points.dimension) + "\n";
+  text +=
+      std::to_string(points.size()) + " " + std::to_string(file.faces.simplices.size()) + " 0\n";
+  out << text;
+  for (const Point& point : points) out << joined(point) + "\n";
+  for (const Simplex& face : file.faces.simplices) {
+    out << std::to_string(face.size()) + " " + joined(face) + "\n";
+  }
+}
+
+}  // namespace circumspect::formats

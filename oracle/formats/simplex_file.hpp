@@ -1,0 +1,26 @@
+// What a list of simplices holds, in any format.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/complex/simplex.hpp"
+
+namespace circumspect::formats {
+
+struct SimplexFile {
+  std::vector<Simplex> simplices = {};   // indices of points exactly as in the file
+  std::vector<std::size_t> lines = {};   // the line on which each stands, for messages
+  std::size_t vertices_per_simplex = 0;  // 0 if they differ
+  Vertex first_index = 0;                // the user's index of the first simplex
+};
+
+// The number of vertices that all simplices have; 0 if they differ or there are none.
+inline std::size_t size_of_each(const std::vector<Simplex>& simplices) {
+  for (const Simplex& simplex : simplices) {
+    if (simplex.size() != simplices.front().size()) return 0;
+  }
+  return simplices.empty() ? 0 : simplices.front().size();
+}
+
+}  // namespace circumspect::formats

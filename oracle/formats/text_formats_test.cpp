@@ -1,0 +1,251 @@
+// Every text format: what is read, what is refused and with which words.
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "oracle/formats/ele.hpp"
+#include "oracle/formats/neigh.hpp"
+#include "oracle/formats/node.hpp"
+#include "oracle/formats/off.hpp"
+#include "oracle/formats/qhull.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+constexpr NumberReading kDouble = NumberReading::kDouble;
+constexpr NumberReading kDecimal = NumberReading::kDecimal;
+
+Source named(const std::string& text) { return {"f", text}; }
+
+template <class T>
+std::string complaint(const Result<T>& result) {
+  return result ? "no error" : result.error().to_string();
+}
+
+std::string node_error(const std::string& text, NumberReading reading = kDouble) {
+  return complaint(read_node(named(text), reading));
+}
+std::string ele_error(const std::string& text) { return complaint(read_ele(named(text))); }
+std::string off_error(const std::string& text) { return complaint(read_off(named(text), kDouble)); }
+std::string qhull_error(const std::string& text) {
+  return complaint(read_qhull_points(named(text), kDouble));
+}
+
+template <class File, class Write>
+std::string written(const File& file, Write write) {
+  std::ostringstream out;
+  write(out, file);
+  return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("node: indices from 1, comments, tabs, CRLF, attributes, markers, no last newline") {
+  const auto file = read_node(
+      named("# made by hand\r\n\r\n2 3 1 1 # header\r\n1\t0 0.5 -1e2\t1/3 7\r\n  2 1 2 3 4 -1#"),
+      kDouble);
+  REQUIRE(file);
+  CHECK(file->dimension == 3);
+  CHECK(file->first_index == 1);
+  CHECK(file->points == std::vector<Point>{{0, Rational(1, 2), -100}, {1, 2, 3}});
+  CHECK(file->attributes == std::vector<std::vector<Rational>>{{Rational(1, 3)}, {4}});
+  CHECK(file->markers == std::vector<std::string>{"7", "-1"});
+}
+
+TEST_CASE("node: a short header, any first index, no points, a byte order mark") {
+  const auto plane = read_node(named("1 2\n0 3 4"), kDouble);
+  REQUIRE(plane);
+  CHECK(plane->first_index == 0);
+  CHECK(plane->points == std::vector<Point>{{3, 4}});
+  CHECK(plane->attributes.empty());
+  CHECK(plane->markers.empty());
+  CHECK(read_node(named("1 2\n-7 3 4"), kDouble)->first_index == -7);
+  CHECK(read_node(named("0 2 0 0\n"), kDouble)->points.empty());
+  CHECK(read_node(named("\xEF\xBB\xBF"
+                        "1 1\n0 5\n"),
+                  kDouble)
+            ->points.size() == 1);
+}
+
+TEST_CASE("node: 0.1 as a double and at its word") {
+  CHECK(read_node(named("1 1\n0 0.1"), kDecimal)->points[0][0] == Rational(1, 10));
+  CHECK(read_node(named("1 1\n0 0.1"), kDouble)->points[0][0] == exact_value(0.1));
+}
+
+TEST_CASE("node: headers that cannot be") {
+  const std::string header = "a header \"points dimension [attributes [markers]]\"";
+  CHECK(node_error("") == "f:1: expected " + header + ", found the end of the file");
+  CHECK(node_error(" \n\t\n# only this\n") ==
+        "f:3: expected " + header + ", found the end of the file");
+  CHECK(node_error("4") == "f:1: expected " + header + ", found the end of the line");
+  CHECK(node_error("4 2 0 0 9") ==
+        "f:1: expected " + header + " and the end of the line, found \"9\"");
+  CHECK(node_error("four 2") == "f:1: expected the number of points, an integer, found \"four\"");
+  CHECK(node_error("-3 2") == "f:1: expected the number of points, 0 or more, found \"-3\"");
+  CHECK(node_error("99999999999999999999 2") ==
+        "f:1: expected the number of points, an integer that fits 64 bits, found "
+        "\"99999999999999999999\"");
+  CHECK(node_error("1 0") == "f:1: expected a dimension from 1 to 16, found \"0\"");
+  CHECK(node_error("1 17") == "f:1: expected a dimension from 1 to 16, found \"17\"");
+  CHECK(node_error("1 2 0 2") == "f:1: expected 0 or 1 markers, found \"2\"");
+}
+
+TEST_CASE("node: counts that the data belie") {
+  CHECK(node_error("3 2\n0 0 0\n1 1 1\n") ==
+        "f:3: expected point 3 of 3, found the end of the file");
+  CHECK(node_error("999999999999 2\n0 0 0\n") ==
+        "f:2: expected point 2 of 999999999999, found the end of the file");
+  CHECK(node_error("1 2 9223372036854775807 1\n0 0 0\n") ==
+        "f:2: expected 9223372036854775811 columns (an index, 2 coordinates, "
+        "9223372036854775807 attributes, a marker), found 3");
+  CHECK(node_error("1 2\n0 0 0\n1 1 1\n") ==
+        "f:3: expected the end of the file after 1 points, found \"1\"");
+}
+
+TEST_CASE("node: lines that cannot be") {
+  CHECK(node_error("1 2\n0 0\n") == "f:2: expected 3 columns (an index, 2 coordinates), found 2");
+  CHECK(node_error("1 2\n0 0 0 0\n") ==
+        "f:2: expected 3 columns (an index, 2 coordinates), found 4");
+  CHECK(node_error("2 1\n0 0\n2 0\n") ==
+        "f:3: expected index 1, one more than the line before, found \"2\"");
+  CHECK(node_error("1 1\n0.5 0\n") ==
+        "f:2: expected the index of a point, an integer, found \"0.5\"");
+  CHECK(node_error("2 1\n9223372036854775807 0\n9223372036854775808 0") ==
+        "f:3: expected the index of a point, an integer that fits 64 bits, found "
+        "\"9223372036854775808\"");
+  CHECK(node_error("2 1\n9223372036854775807 0\n0 0") ==
+        "f:3: expected indices that fit 64 bits, found \"0\"");
+}
+
+TEST_CASE("node: tokens that are no numbers") {
+  const std::string finite = "f:2: expected a finite number, found ";
+  CHECK(node_error("1 1\n0 nan") == finite + "\"nan\"");
+  CHECK(node_error("1 1\n0 -inf") == finite + "\"-inf\"");
+  CHECK(node_error("1 1\n0 1,5") == finite + "\"1,5\"");
+  CHECK(node_error(std::string("1 1\n0 \0\xff\"", 9)) == finite + "\"\\x00\\xff\"\"");
+  CHECK(node_error("1 1\n0 1/0") == "f:2: expected a denominator other than zero, found \"1/0\"");
+  CHECK(node_error("1 1\n0 1e400") ==
+        "f:2: expected a number within the range of double (--coordinates decimal reads more), "
+        "found \"1e400\"");
+  CHECK(node_error("1 1\n0 1e999999999", kDecimal) ==
+        "f:2: expected an exponent between -1000 and 1000, found \"1e999999999\"");
+  CHECK(node_error("1 1\n0 " + std::string(10001, '1')) ==
+        "f:2: expected a number of at most 10000 characters, found \"" + std::string(40, '1') +
+            "...\"");
+}
+
+TEST_CASE("ele: vertices as written, attributes counted, elements of second order whole") {
+  const auto file = read_ele(named("2 3 1\n5 10 -1 12 0.5\n6 1 2 3 x\n"));
+  REQUIRE(file);
+  CHECK(file->vertices_per_simplex == 3);
+  CHECK(file->first_index == 5);
+  CHECK(file->simplices == std::vector<Simplex>{{10, -1, 12}, {1, 2, 3}});
+  CHECK(file->lines == std::vector<std::size_t>{2, 3});
+  CHECK(read_ele(named("1 6\n1 1 2 3 4 5 6\n"))->simplices[0].size() == 6);
+}
+
+TEST_CASE("ele: what is refused") {
+  CHECK(ele_error("") ==
+        "f:1: expected a header \"simplices vertices-of-each [attributes]\", found the end of the "
+        "file");
+  CHECK(ele_error("1 0") == "f:1: expected simplices of at least 1 vertex, found \"0\"");
+  CHECK(ele_error("1 3\n0 1 2 3.0\n") == "f:2: expected a vertex, an integer, found \"3.0\"");
+  CHECK(ele_error("1 3\n0 1 2 9223372036854775808\n") ==
+        "f:2: expected a vertex, an integer that fits 64 bits, found \"9223372036854775808\"");
+  CHECK(ele_error("1 3\n0 1 2\n") == "f:2: expected 4 columns (an index, 3 vertices), found 3");
+  CHECK(ele_error("1 999999999999\n0 1 2\n") ==
+        "f:2: expected 1000000000000 columns (an index, 999999999999 vertices), found 3");
+  CHECK(ele_error("2 3\n0 1 2 3\n") == "f:2: expected simplex 2 of 2, found the end of the file");
+  CHECK(ele_error("2 3\n0 1 2 3\n5 1 2 3\n") ==
+        "f:3: expected index 1, one more than the line before, found \"5\"");
+}
+
+TEST_CASE("neigh: neighbours as written") {
+  const std::string text = "2 4\n1 -1 2 -1 -1\n2 1 -1 -1 -1\n";
+  const auto file = read_neigh(named(text));
+  REQUIRE(file);
+  CHECK(file->first_index == 1);
+  CHECK(file->neighbors == std::vector<std::vector<Vertex>>{{-1, 2, -1, -1}, {1, -1, -1, -1}});
+  CHECK(written(*file, write_neigh) == text);
+  CHECK(complaint(read_neigh(named("1 0\n0\n"))) ==
+        "f:1: expected at least 1 neighbour of each, found \"0\"");
+  CHECK(complaint(read_neigh(named("1 2\n0 1 x\n"))) ==
+        "f:2: expected a neighbour, an integer, found \"x\"");
+  CHECK(complaint(read_neigh(named("1 2 3\n"))) ==
+        "f:1: expected a header \"simplices neighbours-of-each\" and the end of the line, found "
+        "\"3\"");
+}
+
+TEST_CASE("off: points and faces, with comments and colours") {
+  const auto file = read_off(
+      named("OFF # a square\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3\n"),
+      kDouble);
+  REQUIRE(file);
+  CHECK(file->points.dimension == 3);
+  CHECK(file->points.points.size() == 4);
+  CHECK(file->faces.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(file->faces.lines == std::vector<std::size_t>{7, 8});
+  CHECK(file->faces.vertices_per_simplex == 3);
+}
+
+TEST_CASE("off: variants of the header") {
+  CHECK(read_off(named("OFF 1 0\n1 2 3"), kDouble)->points.points.size() == 1);
+  CHECK(read_off(named("nOFF\n2\n1 0 0\n1 2"), kDouble)->points.dimension == 2);
+  CHECK(read_off(named("nOFF 2\n1 0 0\n1 2"), kDouble)->points.dimension == 2);
+  CHECK(read_off(named("4OFF\n1 0 0\n1 2 3 4"), kDouble)->points.dimension == 4);
+  CHECK(read_off(named("STCNOFF\n1 0 0\n1 2 3 4 5 6 7 8 9 0 1 2"), kDouble)->points.dimension == 3);
+  const auto mixed = read_off(named("OFF\n0 2 0\n3 0 1 2\n4 0 1 2 3\n"), kDouble);
+  CHECK(mixed->faces.vertices_per_simplex == 0);
+}
+
+TEST_CASE("off: what is refused") {
+  CHECK(off_error("") == "f:1: expected the keyword OFF, found the end of the file");
+  CHECK(off_error("PLY\n") == "f:1: expected the keyword OFF, found \"PLY\"");
+  CHECK(off_error("OFF BINARY\n") == "f:1: expected an OFF file in text, found \"BINARY\"");
+  CHECK(off_error("OFF\n") == "f:1: expected the number of points, found the end of the file");
+  CHECK(off_error("nOFF\n16\n") == "f:2: expected a dimension from 1 to 15, found 16");
+  CHECK(off_error("OFF\n1 0 0 0\n") ==
+        "f:2: expected the end of the line after the counts, found \"0\"");
+  CHECK(off_error("OFF\n1 0 0\n1 2\n") == "f:3: expected 3 coordinates, found 2");
+  CHECK(off_error("OFF\n1 0 0\n1 2 3 4\n") == "f:3: expected 3 coordinates, found 4");
+  CHECK(off_error("OFF\n2 0 0\n1 2 3\n") ==
+        "f:3: expected point 2 of 2, found the end of the file");
+  CHECK(off_error("OFF\n0 1 0\n4 0 1 2\n") == "f:3: expected a face of 4 vertices, found 3");
+  CHECK(off_error("OFF\n0 1 0\n0\n") == "f:3: expected a face of at least 1 vertex, found \"0\"");
+  CHECK(off_error("OFF\n0 2 0\n1 0\n") == "f:3: expected face 2 of 2, found the end of the file");
+  CHECK(off_error("OFF\n0 1 0\n1 z\n") == "f:3: expected a vertex, an integer, found \"z\"");
+  CHECK(off_error("OFF\n0 0 0\n1 z\n") ==
+        "f:3: expected the end of the file after the last face, found \"1\"");
+}
+
+TEST_CASE("qhull: points and facets") {
+  const auto points = read_qhull_points(named("2 rbox c D2\n3\n0 0\n1 0\n 0 1\n"), kDouble);
+  REQUIRE(points);
+  CHECK(points->points == std::vector<Point>{{0, 0}, {1, 0}, {0, 1}});
+  CHECK(written(*points, write_qhull_points) == "2\n3\n0 0\n1 0\n0 1\n");
+  const auto facets = read_qhull_simplices(named("2\n2 0 1 \n0 1 3 4 \n"));
+  REQUIRE(facets);
+  CHECK(facets->simplices == std::vector<Simplex>{{2, 0, 1}, {0, 1, 3, 4}});
+  CHECK(facets->vertices_per_simplex == 0);
+  CHECK(written(*facets, write_qhull_simplices) == "2\n2 0 1\n0 1 3 4\n");
+}
+
+TEST_CASE("qhull: what is refused") {
+  CHECK(qhull_error("") == "f:1: expected the dimension, found the end of the file");
+  CHECK(qhull_error("0\n0\n") == "f:1: expected a dimension from 1 to 16, found \"0\"");
+  CHECK(qhull_error("2\n") == "f:1: expected the number of points, found the end of the file");
+  CHECK(qhull_error("2\n1 1\n") ==
+        "f:2: expected the end of the line after the number of points, found \"1\"");
+  CHECK(qhull_error("2\n1\n0 0 0\n") == "f:3: expected 2 coordinates, found 3");
+  CHECK(qhull_error("2\n2\n0 0\n") == "f:3: expected point 2 of 2, found the end of the file");
+  CHECK(qhull_error("2\n1\n0 0\n1 1\n") ==
+        "f:4: expected the end of the file after the last point, found \"1\"");
+  CHECK(complaint(read_qhull_simplices(named("1\n0 1 b\n"))) ==
+        "f:2: expected a vertex, an integer, found \"b\"");
+  CHECK(complaint(read_qhull_simplices(named("3\n0 1 2\n"))) ==
+        "f:2: expected facet 2 of 3, found the end of the file");
+  CHECK(complaint(read_qhull_simplices(named("1\n0 1 2\n0 1 2\n"))) ==
+        "f:3: expected the end of the file after the last facet, found \"0\"");
+}
+
+}  // namespace circumspect::formats
