@@ -9,6 +9,13 @@
 
 namespace circumspect {
 
+// Which simplex is across the facet opposite each vertex, as a program lists it.
+struct Neighbors {
+  // One row a simplex, one entry a vertex: the index of a simplex, counted from first_index, or −1.
+  std::vector<std::vector<Vertex>> rows;
+  Vertex first_index = 0;
+};
+
 // Simplices name points by their index from 0; an index that names no point stays in place, for the
 // checker to report. `labels` translates back: the user's own index of each point.
 struct Mesh {
@@ -16,9 +23,7 @@ struct Mesh {
   std::vector<Simplex> simplices;
   std::vector<Vertex> labels = {};  // empty: the index itself
   Vertex first_index = 0;           // the user's index of the first point, and of the first simplex
-  // If the user lists neighbours: for vertex i of a simplex the index, from 0, of the simplex across
-  // the opposite facet; negative for none. One row a simplex, one entry a vertex.
-  std::optional<std::vector<std::vector<Vertex>>> neighbors = {};
+  std::optional<Neighbors> neighbors = {};
 
   // The user's own index of a vertex, whether it names a point or not.
   Vertex label(Vertex v) const {

@@ -33,7 +33,8 @@ void report(const Mesh& mesh, Rule rule, const Simplex& simplex, std::optional<S
                .face = std::move(facet),
                .vertices = {q},
                .values = {{"squared distance from centre", distance},
-                          {"squared radius", ball.squared_radius}},
+                          {"squared radius", ball.squared_radius},
+                          {"squared radius less squared distance", ball.squared_radius - distance}},
                .ball = ball},
               margin);
 }

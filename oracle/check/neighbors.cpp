@@ -5,19 +5,18 @@
 namespace circumspect::check {
 namespace {
 
+// `across` is the place of the true neighbour in the list of simplices, or −1.
 void judge_link(const Mesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
-  const Vertex listed = (*mesh.neighbors)[use.simplex][use.opposite];
-  if (listed == across) return;
-  Witness witness{.simplices = {mesh.simplices[use.simplex]}, .face = use.facet};
-  // A neighbour is named by its vertices, so that nobody has to count simplices.
-  const auto show = [&](const std::string& what, Vertex simplex) {
-    const bool exists = simplex >= 0 && simplex < static_cast<Vertex>(mesh.simplices.size());
-    if (exists) witness.simplices.push_back(mesh.simplices[static_cast<std::size_t>(simplex)]);
-    witness.values.push_back(
-        {what, Rational(static_cast<long>(simplex < 0 ? simplex : simplex + mesh.first_index))});
-  };
-  show("neighbour listed", listed);
-  show("neighbour across the face", across);
+  const Vertex first_index = mesh.neighbors->first_index;
+  const Vertex expected = across < 0 ? -1 : across + first_index;
+  const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
+  if (listed == expected) return;
+  Witness witness{.simplices = {mesh.simplices[use.simplex]},
+                  .face = use.facet,
+                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
+                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+  // The true neighbour by its vertices, so that nobody has to count simplices.
+  if (across >= 0) witness.simplices.push_back(mesh.simplices[static_cast<std::size_t>(across)]);
   verdict.add(Rule::kWrongNeighbor, witness);
 }
 

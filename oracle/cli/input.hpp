@@ -1,0 +1,46 @@
+// From files to meshes and point sets: what stands between the formats and the checkers.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/mesh.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace circumspect::cli {
+
+enum class Duplicates { kReject, kMerge };
+
+// What every subcommand that reads points lets its users choose.
+struct InputOptions {
+  NumberReading coordinates = NumberReading::kDouble;
+  Duplicates duplicates = Duplicates::kReject;
+  std::optional<std::string> points = {};  // --points FILE
+  bool neighbors = false;                  // --neighbors
+};
+
+void add_coordinates_option(CLI::App& command, InputOptions& options);
+void add_duplicates_option(CLI::App& command, InputOptions& options);
+
+// A mesh that can be judged, or one line that says what is wrong with the input.
+struct LoadedMesh {
+  std::string name;
+  Mesh mesh;
+};
+tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
+                                                const InputOptions& options);
+
+// The points alone, as a mesh without simplices. If `merged` is given, it receives the duplicates
+// that were merged, by places in the file counted from 0.
+tl::expected<LoadedMesh, std::string> load_points(const std::string& path,
+                                                  const InputOptions& options,
+                                                  std::vector<Duplicate>* merged = nullptr);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,185 @@
+// circumspect inspect INPUT
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "oracle/cli/input.hpp"
+#include "oracle/cli/output.hpp"
+#include "oracle/cli/subcommands.hpp"
+#include "oracle/report/json.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/complex/circumball.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/genericity.hpp"
+#include "reference/exact/write_number.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct InspectOptions {
+  std::vector<std::string> inputs;
+  std::size_t subsets = 200'000;
+  InputOptions input;
+  OutputOptions output;
+};
+
+// What Definition 4.2 says of a set, as far as it was looked at.
+struct Genericity {
+  enum class Answer { kGeneric, kNotGeneric, kUndecided } answer;
+  Simplex cospherical = {};  // k+2 points on one sphere, if not generic
+  bool unique = true;        // is there only one Delaunay triangulation?
+};
+
+// (n choose r), or `cap` if that is less.
+std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
+  if (r > n) return 0;
+  std::size_t result = 1;
+  for (std::size_t i = 1; i <= r; ++i) {
+    result = result * (n - r + i) / i;
+    if (result > cap) return cap;
+  }
+  return result;
+}
+
+// An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size of
+// the set; the other balls take a look at every (k+2)-subset.
+Genericity genericity(const PointSet& points, std::size_t subsets) {
+  const auto empty_ball =
+      delaunay::cospherical_points_of_an_empty_ball(points, delaunay::bowyer_watson(points));
+  if (empty_ball) return {Genericity::Answer::kNotGeneric, *empty_ball, false};
+  const auto size = static_cast<std::size_t>(points.dimension() + 2);
+  if (subsets != 0 && binomial(points.size(), size, subsets + 1) > subsets) {
+    return {Genericity::Answer::kUndecided};
+  }
+  const auto any_ball = delaunay::cospherical_points(points);
+  if (any_ball) return {Genericity::Answer::kNotGeneric, *any_ball};
+  return {Genericity::Answer::kGeneric};
+}
+
+// The ball whose sphere the cospherical points share: that of an affine basis of them.
+Ball common_ball(const PointSet& points, const Simplex& cospherical) {
+  Simplex basis;
+  for (const std::size_t i : affine_hull(coordinates(points, cospherical)).basis) {
+    basis.push_back(cospherical[i]);
+  }
+  return circumball(points, basis);
+}
+
+std::string_view word(Genericity::Answer answer) {
+  switch (answer) {
+    case Genericity::Answer::kGeneric:
+      return "generic";
+    case Genericity::Answer::kNotGeneric:
+      return "not-generic";
+    case Genericity::Answer::kUndecided:
+      return "generic-undecided";
+  }
+  return "";
+}
+
+struct Facts {
+  const LoadedMesh& input;
+  std::size_t points_read;
+  std::vector<Duplicate> duplicates;
+  Genericity genericity;
+};
+
+std::string text(const Facts& facts) {
+  const Mesh& mesh = facts.input.mesh;
+  std::string out;
+  for (const Duplicate& duplicate : facts.duplicates) {
+    out += fmt::format("duplicate: points {} and {} are equal\n", duplicate.kept + mesh.first_index,
+                       duplicate.again + mesh.first_index);
+  }
+  const Genericity& genericity = facts.genericity;
+  if (!genericity.cospherical.empty()) {
+    const Ball ball = common_ball(mesh.points, genericity.cospherical);
+    std::string centre;
+    for (const Rational& x : ball.centre) centre += " " + to_decimal(x);
+    out += fmt::format("cospherical: points {} on {} of centre ~{} radius ~ {}\n",
+                       report::labels(mesh, genericity.cospherical),
+                       genericity.unique ? "a sphere" : "an empty sphere", centre,
+                       square_root_to_decimal(ball.squared_radius));
+  }
+  if (genericity.answer == Genericity::Answer::kUndecided) {
+    out += "generic: undecided, more subsets than --subsets; no empty ball has too many points\n";
+  }
+  return out + fmt::format("inspected: {} {} points {} duplicates dimension {} of {} {} {}\n",
+                           facts.input.name, facts.points_read, facts.duplicates.size(),
+                           mesh.points.dimension(), mesh.points.ambient_dimension(),
+                           word(genericity.answer), genericity.unique ? "unique" : "not-unique");
+}
+
+report::Json json(const Facts& facts) {
+  const Mesh& mesh = facts.input.mesh;
+  report::Json repeated = report::Json::array();
+  for (const Duplicate& duplicate : facts.duplicates) {
+    repeated.push_back({duplicate.kept + mesh.first_index, duplicate.again + mesh.first_index});
+  }
+  report::Json object = {{"input", facts.input.name},
+                         {"points", facts.points_read},
+                         {"duplicates", repeated},
+                         {"ambient_dimension", mesh.points.ambient_dimension()},
+                         {"dimension", mesh.points.dimension()},
+                         {"generic", word(facts.genericity.answer)},
+                         {"unique", facts.genericity.unique}};
+  if (!facts.genericity.cospherical.empty()) {
+    report::Json vertices = report::Json::array();
+    report::Json coordinates = report::Json::object();
+    for (const Vertex v : facts.genericity.cospherical) {
+      vertices.push_back(mesh.label(v));
+      coordinates[std::to_string(mesh.label(v))] = report::point(mesh.points[v]);
+    }
+    object["cospherical"] = {
+        {"vertices", vertices},
+        {"ball", report::ball(common_ball(mesh.points, facts.genericity.cospherical))},
+        {"coordinates", coordinates}};
+  }
+  return object;
+}
+
+void inspect_one(const std::string& path, const InspectOptions& options, Output& output) {
+  // Duplicates are one of the facts asked for: they are merged and reported, not rejected.
+  InputOptions merging = options.input;
+  merging.duplicates = Duplicates::kMerge;
+  std::vector<Duplicate> repeated;
+  const auto loaded = load_points(path, merging, &repeated);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "input", path, loaded.error());
+    return;
+  }
+  const PointSet& points = loaded->mesh.points;
+  const Facts facts{*loaded, points.size() + repeated.size(), repeated,
+                    genericity(points, options.subsets)};
+  if (output.wants_text()) output.text(text(facts));
+  if (output.wants_json()) output.json(json(facts));
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<InspectOptions>();
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Facts about a point set: dimension, duplicates, genericity with a witness");
+  command->footer(
+      "Example:\n"
+      "  circumspect inspect points.node\n\n"
+      "A set is generic if no k+2 of its points lie on one sphere (k the dimension of its affine\n"
+      "hull). 'unique' says that there is only one Delaunay triangulation.");
+  command->add_option("input", options->inputs, "Points: .node, .json, .off, or Qhull's form")
+      ->required();
+  command
+      ->add_option("--subsets", options->subsets,
+                   "Look at no more than N subsets for genericity (default 200000; 0: all)")
+      ->option_text("N");
+  add_coordinates_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] {
+    Output output(options->output);
+    for (const std::string& input : options->inputs) inspect_one(input, *options, output);
+    exit_code = output.finish();
+  });
+}
+
+}  // namespace circumspect::cli

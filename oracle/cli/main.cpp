@@ -1,0 +1,52 @@
+// circumspect: the exact oracle for Delaunay triangulations.
+#include <exception>
+#include <new>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "oracle/cli/exit_code.hpp"
+#include "oracle/cli/subcommands.hpp"
+#include "reference/exact/write_number.hpp"
+
+namespace {
+
+using circumspect::cli::ExitCode;
+
+std::string version() {
+  return fmt::format("circumspect {} ({}, {{fmt}} {}.{}.{}, CLI11 {})", CIRCUMSPECT_VERSION,
+                     circumspect::number_libraries(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                     FMT_VERSION % 100, CLI11_VERSION);
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app{
+      "The exact oracle for Delaunay triangulations: judges any mesh, exactly, with a witness."};
+  app.name("circumspect");
+  app.set_version_flag("--version", version());
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  ExitCode exit_code = ExitCode::kHolds;
+  circumspect::cli::add_check(app, exit_code);
+  circumspect::cli::add_build(app, exit_code);
+  circumspect::cli::add_inspect(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ExitCode::kHolds : ExitCode::kUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "circumspect: out of memory\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "circumspect: internal error, please report it: {}\n", error.what());
+  }
+  return static_cast<int>(ExitCode::kInternalError);
+}

@@ -1,0 +1,65 @@
+#include "oracle/cli/output.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace circumspect::cli {
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  const std::map<std::string, OutputFormat> formats = {{"text", OutputFormat::kText},
+                                                       {"json", OutputFormat::kJson}};
+  command
+      .add_option("--format", options.format, "What stdout is: text (default) or one JSON document")
+      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case).description(""))
+      ->option_text("text|json");
+  command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+}
+
+void Output::text(const std::string& text) const {
+  if (wants_text()) fmt::print("{}", text);
+}
+
+void Output::error(ExitCode code, const std::string& subject, const std::string& name,
+                   const std::string& message) {
+  fmt::print(stderr, "circumspect: {}\n", message);
+  if (wants_json()) json({{subject, name}, {"error", message}});
+  exit_with(code);
+}
+
+ExitCode Output::finish() const {
+  if (wants_json()) {
+    const report::Json document = {{"circumspect", 1}, {"results", results_}};
+    // Names of files may be any bytes; what is not UTF-8 is replaced.
+    fmt::print("{}\n", document.dump(2, ' ', false, report::Json::error_handler_t::replace));
+  }
+  if (std::fflush(stdout) != 0) {
+    fmt::print(stderr, "circumspect: could not write to standard output\n");
+    return ExitCode::kInternalError;
+  }
+  return code_;
+}
+
+std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (path == "-") {
+    write(std::cout);
+    std::cout.flush();
+    return std::cout ? "" : "could not write to standard output";
+  }
+  const std::string unfinished = path + ".unfinished";
+  std::ofstream stream(unfinished, std::ios::binary);
+  if (stream) write(stream);
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(unfinished, path, error);
+  if (stream && !error) return "";
+  std::filesystem::remove(unfinished, error);
+  return fmt::format("{}: expected a place that can be written to", path);
+}
+
+}  // namespace circumspect::cli

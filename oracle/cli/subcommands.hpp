@@ -1,0 +1,16 @@
+// The subcommands. Each adds itself to the command line and runs when it is chosen.
+#pragma once
+
+#include "oracle/cli/exit_code.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace circumspect::cli {
+
+void add_check(CLI::App& app, ExitCode& exit_code);
+void add_build(CLI::App& app, ExitCode& exit_code);
+void add_inspect(CLI::App& app, ExitCode& exit_code);
+
+}  // namespace circumspect::cli

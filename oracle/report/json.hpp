@@ -1,0 +1,28 @@
+// Verdicts for programs. The schema stands in oracle/report/README.md.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "oracle/check/check.hpp"
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+
+namespace circumspect::report {
+
+using Json = nlohmann::ordered_json;
+
+// An exact value as {"exact": "1/3", "decimal": "0.3333333333333333"}.
+Json value(const Rational& value);
+
+// Exact coordinates as texts: ["1/3", "2"].
+Json point(const Point& point);
+
+// Centre and squared radius exactly, and the radius as a correctly rounded decimal.
+Json ball(const Ball& ball);
+
+// One judged mesh.
+Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by);
+
+}  // namespace circumspect::report

@@ -1,0 +1,118 @@
+#include "oracle/report/text.hpp"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "oracle/report/wording.hpp"
+#include "reference/exact/write_number.hpp"
+
+namespace circumspect::report {
+namespace {
+
+constexpr std::size_t kLongestExact = 60;
+
+// "3/4 = 0.75" where the fraction is exactly that decimal's double, "1/3 ~ 0.3333333333333333" where
+// it is not, "7" for an integer, "~ 0.1234" where the fraction would not fit a line.
+std::string value_text(const Rational& value) {
+  const std::string exact = to_string(value);
+  const std::string decimal = to_decimal(value);
+  if (exact == decimal) return exact;
+  if (exact.size() > kLongestExact) return "~ " + decimal;
+  return exact + " ~ " + decimal;
+}
+
+// A coordinate that is a double stands as the shortest decimal that names it, as in the user's file.
+std::string coordinate_text(const Rational& x) {
+  const std::string exact = to_text_of_double_or_fraction(x);
+  return exact.size() > kLongestExact ? "~ " + to_decimal(x) : exact;
+}
+
+std::string point_text(const Point& point) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + coordinate_text(point[i]);
+  }
+  return text + ")";
+}
+
+void describe(const Violation& violation, const Mesh& mesh, std::string& out) {
+  const Witness& witness = violation.witness;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, "{}: {}\n", identifier(violation.rule), meaning(violation.rule));
+  for (const Simplex& simplex : witness.simplices) {
+    fmt::format_to(to, "  simplex  {}\n", labels(mesh, simplex));
+  }
+  if (witness.face) {
+    fmt::format_to(to, "  face     {}\n",
+                   witness.face->empty() ? "(the empty one)" : labels(mesh, *witness.face));
+  }
+  for (const Vertex v : witness.vertices) {
+    fmt::format_to(to, "  vertex   {}{}\n", mesh.label(v),
+                   mesh.points.names(v) ? " at " + point_text(mesh.points[v]) : std::string());
+  }
+  if (witness.point) fmt::format_to(to, "  point    {}\n", point_text(*witness.point));
+  if (witness.ball) {
+    fmt::format_to(to, "  ball     centre {} radius ~ {}\n", point_text(witness.ball->centre),
+                   square_root_to_decimal(witness.ball->squared_radius));
+  }
+  for (const NamedValue& value : witness.values) {
+    fmt::format_to(to, "  {}: {}\n", value.name, value_text(value.value));
+  }
+}
+
+std::string first_witness(const Verdict& verdict, const Mesh& mesh, Rule rule) {
+  for (const Violation& violation : verdict.violations()) {
+    if (violation.rule != rule) continue;
+    const Witness& witness = violation.witness;
+    std::string text;
+    if (witness.face) {
+      text += " face " + labels(mesh, *witness.face);
+    } else if (!witness.simplices.empty()) {
+      text += " simplex " + labels(mesh, witness.simplices.front());
+    }
+    if (!witness.vertices.empty()) text += " vertex " + labels(mesh, witness.vertices);
+    return text;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name) {
+  if (verdict.holds()) {
+    std::string line =
+        fmt::format("holds: {} {} {} points {} {}", circumspect::name(verdict.claim()), mesh_name,
+                    verdict.points, verdict.simplices, simplices_noun(verdict.dimension));
+    if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
+    if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
+    return line;
+  }
+  std::string line = fmt::format("fails: {} {}", circumspect::name(verdict.claim()), mesh_name);
+  bool first = true;
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    line += fmt::format("{}{} {}", first ? " " : " also ", identifier(rule), tally.count);
+    if (first) line += first_witness(verdict, mesh, rule);
+    first = false;
+  }
+  return line;
+}
+
+std::string explanation(const Verdict& verdict, const Mesh& mesh) {
+  std::string text;
+  for (const Violation& violation : verdict.violations()) describe(violation, mesh, text);
+  std::size_t counted = 0;
+  for (const auto& [rule, tally] : verdict.tallies()) counted += tally.count;
+  const std::size_t dropped = counted - verdict.violations().size();
+  if (dropped > 0) {
+    text += fmt::format("… and {} more (--max-errors 0 shows all)\n", dropped);
+  }
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    if (!tally.worst_margin) continue;
+    text += fmt::format("{}: worst relative margin {}\n", identifier(rule),
+                        to_decimal(*tally.worst_margin));
+  }
+  return text;
+}
+
+}  // namespace circumspect::report
