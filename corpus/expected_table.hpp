@@ -1,0 +1,84 @@
+// The rows of expected.tsv, and the meshes they are about, for the tests in this folder.
+#pragma once
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/check/check.hpp"
+#include "oracle/formats/mesh_files.hpp"
+
+namespace circumspect::corpus {
+
+// One line: the path of a mesh below corpus/, a claim with further options, and the rules that the
+// mesh breaks under them, none if it holds.
+struct Row {
+  std::string path;
+  Claim claim = Claim::kDelaunay;
+  check::Options options = {.max_violations = 1};
+  bool with_neighbors = false;
+  std::set<std::string> broken = {};
+  std::string text = {};  // the line, for messages
+};
+
+inline std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+inline Row row_of(const std::string& line) {
+  const std::vector<std::string> cells = split(line, '\t');
+  Row row{.path = cells.at(0), .text = line};
+  const std::vector<std::string> words = split(cells.at(1), ' ');
+  if (words.at(0) == name(Claim::kTriangulation)) row.claim = Claim::kTriangulation;
+  for (const std::string& word : words) {
+    if (word == "--oriented") row.options.oriented = true;
+    if (word == "--neighbors") row.with_neighbors = true;
+    if (word == "definition") row.options.by = check::By::kDefinition;
+  }
+  if (cells.at(2) != "holds") {
+    const std::vector<std::string> rules = split(cells.at(2), ',');
+    row.broken = {rules.begin(), rules.end()};
+  }
+  return row;
+}
+
+inline std::vector<Row> expected_rows() {
+  std::ifstream file(CIRCUMSPECT_CORPUS_DIR "/expected.tsv");
+  std::vector<Row> rows;
+  for (std::string line; std::getline(file, line);) rows.push_back(row_of(line));
+  return rows;
+}
+
+// Throws if it cannot be read: the corpus holds no malformed mesh.
+inline Mesh mesh_of(const Row& row) {
+  formats::MeshRequest request;
+  request.mesh = CIRCUMSPECT_CORPUS_DIR "/" + row.path;
+  request.with_neighbors = row.with_neighbors;
+  auto raw = formats::read_mesh(request);
+  if (!raw) throw std::runtime_error(raw.error().to_string());
+  Mesh mesh{PointSet(std::move(raw->points.points)),
+            std::move(raw->simplices.simplices),
+            {},
+            raw->first_index};
+  if (!row.with_neighbors) return mesh;
+  mesh.neighbors = raw->neighbors.value().neighbors;
+  for (std::vector<Vertex>& one : *mesh.neighbors) {
+    for (Vertex& neighbor : one) neighbor = neighbor < 0 ? -1 : neighbor - mesh.first_index;
+  }
+  return mesh;
+}
+
+inline std::set<std::string> broken_rules(const Verdict& verdict) {
+  std::set<std::string> rules;
+  for (const auto& [rule, tally] : verdict.tallies()) rules.emplace(identifier(rule));
+  return rules;
+}
+
+}  // namespace circumspect::corpus
