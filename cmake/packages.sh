@@ -23,6 +23,7 @@ doctest-dev           runs the tests
 librapidcheck-dev     generates and shrinks test inputs
 libcgal-dev           a second opinion on the predicates, in tests only
 libboost-dev          headers that CGAL includes
+topcom                a second opinion on the number of triangulations, in tests only
 python3               runs tidy/tidy.py
 clang-format-14       checks the layout of the sources
 clang                 compiles the fuzz targets

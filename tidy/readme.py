@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Holds README.md to the truth: every `$ circumspect …` in it is run, and its output compared.
+
+    readme.py COMMAND            compare; exit 1 and show the difference if they differ
+    readme.py COMMAND --update   write the outputs into README.md
+"""
+import difflib
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+README = ROOT / "README.md"
+RULES = ROOT / "oracle" / "rule.cpp"
+
+
+def output_of(command, line):
+    """What the command prints, stdout and stderr, run at the root; files it writes go elsewhere."""
+    words = line.split()[1:]
+    with tempfile.TemporaryDirectory() as folder:
+        words = [f"{folder}/{word}" if word == "reference.ele" else word for word in words]
+        run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)
+        return (run.stdout + run.stderr).replace(f"{folder}/", "").splitlines()
+
+
+def with_outputs(command, text):
+    """The text, with the lines behind each `$ circumspect …` replaced by what it prints."""
+    lines = []
+    in_block = shown = False
+    for line in text.splitlines():
+        if line.startswith("```"):
+            in_block, shown = not in_block, False
+        elif in_block and line.startswith("$ circumspect "):
+            lines += [line, *output_of(command, line[2:])]
+            shown = True
+            continue
+        elif shown:
+            continue
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def rule_table():
+    """The rules as oracle/rule.cpp has them."""
+    source = re.sub(r'"\s*\n\s*"', "", RULES.read_text(encoding="utf-8"))
+    entries = re.findall(r'RuleEntry\{Rule::\w+,\s*"([^"]+)",\s*"([^"]+)"\}', source)
+    return ["| rule | what is wrong |", "| --- | --- |",
+            *(f"| `{identifier}` | {meaning} |" for identifier, meaning in entries)]
+
+
+def with_rule_table(text):
+    """The text with the table of rules brought up to date."""
+    lines, inside = [], False
+    for line in text.splitlines():
+        if line == "| rule | what is wrong |":
+            inside = True
+            lines += rule_table()
+        elif not (inside and line.startswith("|")):
+            inside = False
+            lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    command = str(pathlib.Path(sys.argv[1]).resolve())
+    text = README.read_text(encoding="utf-8")
+    true_text = with_rule_table(with_outputs(command, text))
+    if "--update" in sys.argv[2:]:
+        README.write_text(true_text, encoding="utf-8")
+        return 0
+    difference = list(difflib.unified_diff(text.splitlines(), true_text.splitlines(), "README.md",
+                                           "what the command prints", lineterm=""))
+    print("\n".join(difference) if difference else "README.md shows what the command prints")
+    return 1 if difference else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
