@@ -36,7 +36,9 @@ inline Row row_of(const std::string& line) {
   const std::vector<std::string> cells = split(line, '\t');
   Row row{.path = cells.at(0), .text = line};
   const std::vector<std::string> words = split(cells.at(1), ' ');
-  if (words.at(0) == name(Claim::kTriangulation)) row.claim = Claim::kTriangulation;
+  for (const Claim claim : {Claim::kTriangulation, Claim::kWeightedDelaunay}) {
+    if (words.at(0) == name(claim)) row.claim = claim;
+  }
   for (const std::string& word : words) {
     if (word == "--oriented") row.options.oriented = true;
     if (word == "--neighbors") row.with_neighbors = true;
@@ -63,15 +65,18 @@ inline Mesh mesh_of(const Row& row) {
   request.with_neighbors = row.with_neighbors;
   auto raw = formats::read_mesh(request);
   if (!raw) throw std::runtime_error(raw.error().to_string());
-  Mesh mesh{PointSet(std::move(raw->points.points)),
+  std::vector<Rational> weights;
+  if (row.claim == Claim::kWeightedDelaunay) {
+    for (const std::vector<Rational>& attributes : raw->points.attributes) {
+      weights.push_back(attributes.at(0));
+    }
+  }
+  Mesh mesh{PointSet(std::move(raw->points.points), std::move(weights)),
             std::move(raw->simplices.simplices),
             {},
             raw->first_index};
   if (!row.with_neighbors) return mesh;
-  mesh.neighbors = raw->neighbors.value().neighbors;
-  for (std::vector<Vertex>& one : *mesh.neighbors) {
-    for (Vertex& neighbor : one) neighbor = neighbor < 0 ? -1 : neighbor - mesh.first_index;
-  }
+  mesh.neighbors = Neighbors{raw->neighbors.value().neighbors, raw->neighbors->first_index};
   return mesh;
 }
 

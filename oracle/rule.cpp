@@ -37,6 +37,11 @@ constexpr std::array kRules = {
               "circumball on the other"},
     RuleEntry{Rule::kVertexInBall, "delaunay.vertex-in-ball",
               "a point lies strictly inside the circumball of a simplex"},
+    RuleEntry{Rule::kVertexSubmerged, "weighted.vertex-submerged",
+              "a vertex lies strictly above the lower hull of the lifted points: it must not be a "
+              "vertex"},
+    RuleEntry{Rule::kPointBelowPlane, "weighted.point-below-plane",
+              "a lifted point lies strictly below the witness plane of a simplex"},
 };
 
 const RuleEntry& entry(Rule rule) {

@@ -23,6 +23,8 @@ enum class Rule {
   kCoveredTwice,
   kFacetNotLocal,
   kVertexInBall,
+  kVertexSubmerged,
+  kPointBelowPlane,
 };
 
 struct RuleEntry {

@@ -3,7 +3,15 @@
 namespace circumspect {
 
 std::string_view name(Claim claim) {
-  return claim == Claim::kTriangulation ? "triangulation" : "delaunay";
+  switch (claim) {
+    case Claim::kTriangulation:
+      return "triangulation";
+    case Claim::kDelaunay:
+      return "delaunay";
+    case Claim::kWeightedDelaunay:
+      return "weighted-delaunay";
+  }
+  return "";
 }
 
 Verdict::Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations)

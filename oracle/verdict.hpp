@@ -12,7 +12,7 @@
 
 namespace circumspect {
 
-enum class Claim { kTriangulation, kDelaunay };
+enum class Claim { kTriangulation, kDelaunay, kWeightedDelaunay };
 std::string_view name(Claim claim);
 
 struct Violation {

@@ -152,6 +152,21 @@ def other_dimensions():
     yield delaunay("random-3d", "20 random points", random_points(20, 3, 2))
 
 
+def weighted():
+    claims = [("weighted-delaunay", "holds")]
+    yield Entry("accept/weighted-submerged", "a light point in the middle of a square is no vertex: its lifted companion is above the plane",
+                [(0, 0), (4, 0), (0, 4), (4, 4), (1, 1)], [(0, 1, 3), (0, 3, 2)], claims, weights=[0, 0, 0, 0, -9])
+    yield Entry("accept/weighted-on-plane", "a point whose lifted companion lies on the lower hull without being extreme: a vertex or, as here, not",
+                [(0, 0), (4, 0), (0, 4), (1, 1)], [(0, 1, 2)], claims, weights=[0, 0, 0, -6])
+    yield Entry("accept/weighted-on-plane-used", "the same point as a vertex", [(0, 0), (4, 0), (0, 4), (1, 1)],
+                [(0, 1, 3), (0, 3, 2), (3, 1, 2)], claims, weights=[0, 0, 0, -6])
+    points = [tuple(int(100 * x) for x in p) for p in random_points(30, 3, 15)]
+    weights = [(7 * i) % 11 * 100 for i in range(30)]
+    weight_of = dict(zip(points, weights))
+    mesh = regular_triangulation(PointSet(points, lambda p: sum(x * x for x in p) - weight_of[p]))
+    yield Entry("accept/weighted-random", "30 random integer points with weights", points, mesh, claims, weights=weights)
+
+
 def entries():
-    for group in (book, degenerate, other_triangulations, neighbors, floating_point, planar, other_dimensions):
+    for group in (book, degenerate, other_triangulations, neighbors, floating_point, planar, other_dimensions, weighted):
         yield from group()

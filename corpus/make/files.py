@@ -15,6 +15,7 @@ class Entry:
     base: int = 1      # the first index
     form: str = "ele"  # ele (with .node), off, qhull (points, with the simplices in .qhull-i), json
     neighbors: list = None  # for a .neigh file: see neighbor_rows
+    weights: list = None   # the first attribute of the .node file, as tetgen -w reads it
     marks: int = 0     # boundary markers 0, 1, 2 ... in the .node file, to be skipped by readers
 
     @property
@@ -27,11 +28,12 @@ def number(x):
     return str(int(x)) if isinstance(x, float) and x.is_integer() and abs(x) < 1e16 else str(x)
 
 
-def write_node(path, points, dimension, base=1, marks=0):
-    lines = [f"{len(points)} {dimension} 0 {int(marks > 0)}"]
+def write_node(path, points, dimension, base=1, marks=0, weights=None):
+    lines = [f"{len(points)} {dimension} {int(weights is not None)} {int(marks > 0)}"]
     for i, p in enumerate(points):
+        weight = [number(weights[i])] if weights else []
         mark = [str(i % marks)] if marks else []
-        lines.append(" ".join([str(i + base), *map(number, p), *mark]))
+        lines.append(" ".join([str(i + base), *map(number, p), *weight, *mark]))
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -90,7 +92,7 @@ def write(entry, dimension=3):
     stem.parent.mkdir(parents=True, exist_ok=True)
     named = lambda extension: stem.with_name(stem.name + extension)
     if entry.form == "ele":
-        write_node(named(".node"), points, dimension, entry.base, entry.marks)
+        write_node(named(".node"), points, dimension, entry.base, entry.marks, entry.weights)
         write_ele(named(".ele"), simplices, columns, entry.base)
         if entry.neighbors:
             write_neigh(named(".neigh"), entry.neighbors, entry.base)

@@ -245,6 +245,27 @@ def one_ulp_inside(points):
     return points, [oriented(s, t) for t in weights]
 
 
+def weighted_rules():
+    claims = lambda rule: [("weighted-delaunay", rule), ("weighted-delaunay --by definition", "weighted.point-below-plane")]
+    corners = [(0, 0), (4, 0), (0, 4), (4, 4), (1, 1)]
+    yield reject("weighted.point-below-plane", "a point so heavy that it has to be a vertex, and is none",
+                 corners, [(0, 1, 3), (0, 3, 2)], weights=[0, 0, 0, 0, 9], claims=claims("weighted.point-below-plane"))
+    yield reject("weighted.point-below-plane--unweighted", "weights all zero: a point inside the hull is a vertex, whatever its claim",
+                 [*TETRAHEDRON, (1, 1, 1)], [(0, 1, 2, 3)], weights=[0] * 5, claims=claims("weighted.point-below-plane"))
+    yield reject("weighted.vertex-submerged", "the centre of a tetrahedron, so light that it is submerged, as a vertex",
+                 [*TETRAHEDRON, (1, 1, 1)], [(4, 1, 2, 3), (0, 4, 2, 3), (0, 1, 4, 3), (0, 1, 2, 4)], weights=[0, 0, 0, 0, -20],
+                 claims=claims("weighted.vertex-submerged"))
+    yield reject("weighted.vertex-submerged--2d", "the same in the plane", [(0, 0), (6, 0), (0, 6), (2, 2)],
+                 [(3, 1, 2), (0, 3, 2), (0, 1, 3)], weights=[0, 0, 0, -20], claims=claims("weighted.vertex-submerged"))
+    yield reject("delaunay.facet-not-local--weighted", "a Delaunay triangulation whose weights turn the diagonal of a square",
+                 SQUARE, [(0, 1, 2), (0, 2, 3)], weights=[0, 5, 0, 5],
+                 claims=[("weighted-delaunay", "delaunay.facet-not-local"), ("delaunay", "holds")])
+    yield reject("triangulation.unused-point--weighted-outside", "a point outside the mesh: however light, it is a vertex",
+                 [(0, 0), (4, 0), (0, 4), (5, 5)], [(0, 1, 2)], weights=[0, 0, 0, -1000],
+                 claims=[("weighted-delaunay", "triangulation.unused-point"),
+                         ("weighted-delaunay --by definition", "triangulation.hull-not-convex,weighted.point-below-plane")])
+
+
 def entries():
-    for group in (simplex_rules, complex_rules, neighbor_rule, vertex_rules, hull_rules, covering, delaunay_rule):
+    for group in (simplex_rules, complex_rules, neighbor_rule, vertex_rules, hull_rules, covering, delaunay_rule, weighted_rules):
         yield from group()

@@ -1,18 +1,23 @@
-// Is every simplex Delaunay? Book: Definition 4.1 and Lemma 4.1 (the Delaunay Lemma).
+// Is every simplex Delaunay, or weighted Delaunay? Book: Definition 4.1, Lemma 4.1 (the Delaunay
+// Lemma), Section 5.2 (weights).
 #pragma once
 
+#include "oracle/check/ambiguity.hpp"
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
 
 namespace circumspect::check {
 
 // Both require sound simplices whose facets lie in one or two of them, two being on opposite sides.
-// Both set `unique` and `canonical` if the claim holds.
 
-// Lemma 4.1: every facet is locally Delaunay. Where the mesh is a triangulation, this is enough.
-void judge_facets_locally_delaunay(const Mesh& mesh, Verdict& verdict);
+// Lemma 4.1: every facet is locally Delaunay. Where the mesh is a triangulation, this is enough for
+// its vertices (see judge_submerged_points for the other points of a weighted set). A facet that is
+// not breaks delaunay.facet-not-local, or weighted.vertex-submerged if the two simplices show that
+// a vertex of it lies strictly above the lower hull.
+void judge_facets_locally_delaunay(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
 
-// Definition 4.1: no open circumball of a simplex contains a point of S.
-void judge_balls_empty(const Mesh& mesh, Verdict& verdict);
+// Definition 4.1: no open circumball of a simplex contains a point of S (delaunay.vertex-in-ball);
+// weighted: no lifted point of S lies strictly below a witness plane (weighted.point-below-plane).
+void judge_balls_empty(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
 
 }  // namespace circumspect::check

@@ -85,17 +85,23 @@ bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict) {
   return sound;
 }
 
-void judge_vertex_set(const Mesh& mesh, Verdict& verdict) {
+std::vector<Vertex> unused_points(const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   for (const Simplex& simplex : mesh.simplices) {
     for (const Vertex v : simplex) {
       if (mesh.points.names(v)) used[static_cast<std::size_t>(v)] = true;
     }
   }
+  std::vector<Vertex> unused;
   for (Vertex v = 0; mesh.points.names(v); ++v) {
-    if (!used[static_cast<std::size_t>(v)]) {
-      verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
-    }
+    if (!used[static_cast<std::size_t>(v)]) unused.push_back(v);
+  }
+  return unused;
+}
+
+void judge_vertex_set(const Mesh& mesh, Verdict& verdict) {
+  for (const Vertex v : unused_points(mesh)) {
+    verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
   }
 }
 

@@ -2,6 +2,8 @@
 // against each other.
 #pragma once
 
+#include <vector>
+
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
 
@@ -11,6 +13,9 @@ namespace circumspect::check {
 // simplex.degenerate, then complex.duplicate-simplex and, if `oriented`, simplex.orientation. True
 // if the simplices can be worked with: nothing but their order of vertices is wrong with them.
 bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict);
+
+// The points that are a vertex of no simplex, ascending.
+std::vector<Vertex> unused_points(const Mesh& mesh);
 
 // triangulation.unused-point: the vertices must be all the points.
 void judge_vertex_set(const Mesh& mesh, Verdict& verdict);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "oracle/cli/input.hpp"
@@ -38,12 +39,17 @@ const std::map<std::string, Construction>& constructions() {
   return table;
 }
 
+// The empty set has no simplices, but a file of them still says how many vertices each has.
+std::size_t vertices_of_each(const Triangulation& triangulation) {
+  return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
+}
+
 // Positively oriented, so that programs that care find det[p_0 − p_d; …] > 0; vertices by the
 // user's own indices.
 formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
   formats::SimplexFile file;
   file.first_index = mesh.first_index;
-  file.vertices_per_simplex = static_cast<std::size_t>(triangulation.dimension() + 1);
+  file.vertices_per_simplex = vertices_of_each(triangulation);
   for (const Simplex& simplex : triangulation.simplices()) {
     Simplex own = positively_oriented(mesh.points, simplex);
     for (Vertex& v : own) v = mesh.label(v);
@@ -61,6 +67,7 @@ formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& trian
   }
   formats::NeighborFile file;
   file.first_index = mesh.first_index;
+  file.neighbors_per_simplex = vertices_of_each(triangulation);
   for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
   for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
     if (group.size() != 2) return;
@@ -74,13 +81,15 @@ formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& trian
   return file;
 }
 
+// The document lists the points itself, without those that were merged, so that vertices are counted
+// among these.
 formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation) {
   formats::JsonFile file;
-  file.points.dimension = mesh.points.ambient_dimension();
+  file.points.dimension = std::max<std::size_t>(mesh.points.ambient_dimension(), 1);
   file.points.points = mesh.points.points();
   file.points.first_index = mesh.first_index;
   file.has_simplices = true;
-  file.simplices = simplex_file(mesh, triangulation);
+  file.simplices = simplex_file({mesh.points, {}, {}, mesh.first_index}, triangulation);
   return file;
 }
 
@@ -136,7 +145,8 @@ ExitCode run(const BuildOptions& options) {
   if (options.output_file == "-" || options.neighbors_file == "-") spoken.quiet = true;
   Output output(spoken);
   build_delaunay(options, output);
-  return output.exit_code();
+  // Where the mesh is the JSON document, only an error needs another one.
+  return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
 }
 
 }  // namespace

@@ -57,10 +57,14 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "- for JSON on stdin")
       ->required();
   const std::map<std::string, Claim> claims = {{"triangulation", Claim::kTriangulation},
-                                               {"delaunay", Claim::kDelaunay}};
-  command->add_option("--claim", options->claim, "What is claimed of the mesh (default: delaunay)")
+                                               {"delaunay", Claim::kDelaunay},
+                                               {"weighted-delaunay", Claim::kWeightedDelaunay}};
+  command
+      ->add_option("--claim", options->claim,
+                   "What is claimed of the mesh (default: delaunay); weights are the first "
+                   "attribute of a .node file, as for tetgen -w, or the key weights of JSON")
       ->transform(CLI::CheckedTransformer(claims, CLI::ignore_case).description(""))
-      ->option_text("triangulation|delaunay");
+      ->option_text("triangulation|delaunay|weighted-delaunay");
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},
@@ -77,12 +81,14 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--max-errors", options->check.max_violations,
                    "How many witnesses are kept (default 20; 0: all)")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->option_text("N");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     Output output(options->output);
+    options->input.weighted = options->claim == Claim::kWeightedDelaunay;
     for (const std::string& mesh : options->meshes) check_one(mesh, *options, output);
     exit_code = output.finish();
   });

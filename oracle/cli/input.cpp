@@ -45,24 +45,69 @@ std::string duplicates_message(const std::string& name, const std::vector<Duplic
       repeated.size() > 1 ? fmt::format(" and {} more duplicates", repeated.size() - 1) : "");
 }
 
-tl::expected<Mesh, std::string> assemble(const std::string& points_name, std::vector<Point> points,
-                                         std::vector<Simplex> simplices, Vertex first_index,
-                                         Duplicates policy) {
+// The weights of the points: what JSON says, or the first attribute, as TetGen's option -w reads it.
+tl::expected<std::vector<Rational>, std::string> weights_of(const std::string& name,
+                                                            const formats::PointFile& file,
+                                                            const std::vector<Rational>& weights) {
+  if (!weights.empty() || file.points.empty()) return weights;
+  std::vector<Rational> first_attributes;
+  for (const std::vector<Rational>& attributes : file.attributes) {
+    if (!attributes.empty()) first_attributes.push_back(attributes.front());
+  }
+  if (first_attributes.size() == file.points.size()) return first_attributes;
+  return tl::unexpected(fmt::format(
+      "{}: expected a weight for each point (the first attribute of a .node file, the key "
+      "\"weights\" of JSON), found none",
+      name));
+}
+
+// Of equal points the heaviest counts.
+std::vector<Rational> merged_weights(const std::vector<Rational>& weights,
+                                     const DistinctPoints& distinct) {
+  if (weights.empty()) return {};
+  std::vector<std::optional<Rational>> largest(distinct.points.size());
+  for (std::size_t v = 0; v < weights.size(); ++v) {
+    std::optional<Rational>& here = largest[static_cast<std::size_t>(distinct.place_of[v])];
+    if (!here || *here < weights[v]) here = weights[v];
+  }
+  std::vector<Rational> merged;
+  for (const std::optional<Rational>& weight : largest) merged.push_back(*weight);
+  return merged;
+}
+
+struct RawInput {
+  std::string points_name;
+  formats::PointFile points;
+  std::vector<Rational> weights;
+  std::vector<Simplex> simplices;
+};
+
+tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& options) {
+  std::vector<Rational> weights;
+  if (options.weighted) {
+    auto found = weights_of(raw.points_name, raw.points, raw.weights);
+    if (!found) return tl::unexpected(found.error());
+    weights = std::move(*found);
+  }
+  std::vector<Point>& points = raw.points.points;
+  const Vertex first_index = raw.points.first_index;
   const std::vector<Duplicate> repeated = duplicates(points);
   if (repeated.empty()) {
-    return Mesh{PointSet(std::move(points)), std::move(simplices), {}, first_index};
+    return Mesh{
+        PointSet(std::move(points), std::move(weights)), std::move(raw.simplices), {}, first_index};
   }
-  if (policy == Duplicates::kReject) {
-    return tl::unexpected(duplicates_message(points_name, repeated, first_index));
+  if (options.duplicates == Duplicates::kReject) {
+    return tl::unexpected(duplicates_message(raw.points_name, repeated, first_index));
   }
   DistinctPoints distinct = merge(points, repeated, first_index);
   const auto named = static_cast<Vertex>(points.size());
-  for (Simplex& simplex : simplices) {
+  for (Simplex& simplex : raw.simplices) {
     for (Vertex& v : simplex) {
       if (v >= 0 && v < named) v = distinct.place_of[static_cast<std::size_t>(v)];
     }
   }
-  return Mesh{PointSet(std::move(distinct.points)), std::move(simplices),
+  std::vector<Rational> merged = merged_weights(weights, distinct);
+  return Mesh{PointSet(std::move(distinct.points), std::move(merged)), std::move(raw.simplices),
               std::move(distinct.labels), first_index};
 }
 
@@ -110,8 +155,10 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options) {
   auto raw = formats::read_mesh({path, options.points, options.coordinates, options.neighbors});
   if (!raw) return tl::unexpected(raw.error().to_string());
-  auto mesh = assemble(raw->points_name, std::move(raw->points.points),
-                       std::move(raw->simplices.simplices), raw->first_index, options.duplicates);
+  raw->points.first_index = raw->first_index;
+  auto mesh = assemble({raw->points_name, std::move(raw->points), std::move(raw->weights),
+                        std::move(raw->simplices.simplices)},
+                       options);
   if (!mesh) return tl::unexpected(mesh.error());
   if (options.neighbors) {
     const std::string fault = attach_neighbors(*mesh, path, raw->neighbors);
@@ -126,8 +173,7 @@ tl::expected<LoadedMesh, std::string> load_points(const std::string& path,
   auto raw = formats::read_points(path, options.coordinates);
   if (!raw) return tl::unexpected(raw.error().to_string());
   if (merged != nullptr) *merged = duplicates(raw->points.points);
-  auto mesh = assemble(raw->name, std::move(raw->points.points), {}, raw->points.first_index,
-                       options.duplicates);
+  auto mesh = assemble({raw->name, std::move(raw->points), std::move(raw->weights), {}}, options);
   if (!mesh) return tl::unexpected(mesh.error());
   return LoadedMesh{path, std::move(*mesh)};
 }

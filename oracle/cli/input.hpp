@@ -24,6 +24,7 @@ struct InputOptions {
   Duplicates duplicates = Duplicates::kReject;
   std::optional<std::string> points = {};  // --points FILE
   bool neighbors = false;                  // --neighbors
+  bool weighted = false;                   // the claim or the construction is about weights
 };
 
 void add_coordinates_option(CLI::App& command, InputOptions& options);
@@ -36,6 +37,10 @@ struct LoadedMesh {
 };
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options);
+
+// Errors besides those of the formats: duplicates, unless they are merged (weighted: into the one with
+// the largest weight, since all others are submerged below it); weights asked for and not there;
+// neighbours asked for and not there, or of another mesh.
 
 // The points alone, as a mesh without simplices. If `merged` is given, it receives the duplicates
 // that were merged, by places in the file counted from 0.

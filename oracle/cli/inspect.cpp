@@ -172,6 +172,7 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--subsets", options->subsets,
                    "Look at no more than N subsets for genericity (default 200000; 0: all)")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->option_text("N");
   add_coordinates_option(*command, options->input);
   add_output_options(*command, options->output);

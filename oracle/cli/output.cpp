@@ -51,15 +51,26 @@ std::string write_file(const std::string& path, const std::function<void(std::os
     std::cout.flush();
     return std::cout ? "" : "could not write to standard output";
   }
+  const std::string failure =
+      fmt::format("{}: expected a place that can be written to", path);
+  std::error_code error;
+  const std::filesystem::file_status there = std::filesystem::status(path, error);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+      !std::filesystem::is_directory(there)) {
+    // A device or a pipe must not be replaced by a file.
+    std::ofstream stream(path, std::ios::binary);
+    if (stream) write(stream);
+    stream.close();
+    return stream ? "" : failure;
+  }
   const std::string unfinished = path + ".unfinished";
   std::ofstream stream(unfinished, std::ios::binary);
   if (stream) write(stream);
   stream.close();
-  std::error_code error;
   if (stream) std::filesystem::rename(unfinished, path, error);
   if (stream && !error) return "";
   std::filesystem::remove(unfinished, error);
-  return fmt::format("{}: expected a place that can be written to", path);
+  return failure;
 }
 
 }  // namespace circumspect::cli

@@ -1,0 +1,17 @@
+// The points of a weighted set that are no vertices: are they submerged? Book: Section 2.8 by way of
+// Section 5.2 (weighted Delaunay triangulations).
+#pragma once
+
+#include "oracle/check/ambiguity.hpp"
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+
+namespace circumspect::check {
+
+// Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
+// outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
+// that simplex (else weighted.point-below-plane). Requires: the mesh is a triangulation of its
+// vertices.
+void judge_submerged_points(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
+
+}  // namespace circumspect::check
