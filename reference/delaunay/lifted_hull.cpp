@@ -1,0 +1,84 @@
+#include "reference/delaunay/lifted_hull.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "reference/complex/subsets.hpp"
+#include "reference/delaunay/least_vertex.hpp"
+#include "reference/predicates/in_ball.hpp"
+#include "reference/predicates/orientation.hpp"
+
+namespace circumspect::delaunay {
+namespace {
+
+// All points whose lifted companions lie on the witness plane of the simplex; none if one of them
+// lies below it.
+Face points_on_supporting_plane(const PointSet& points, const Simplex& simplex) {
+  Face cell;
+  for (const Vertex q : all_vertices(points)) {
+    const int below = contains(simplex, q) ? 0 : in_ball(points.configuration(), simplex, q);
+    if (below > 0) return {};
+    if (below == 0) cell.push_back(q);
+  }
+  return cell;
+}
+
+// The lifted companions S⁺, at the heights |p|² − w.
+PointSet lifted(const PointSet& points) {
+  std::vector<Point> companions = points.points();
+  for (std::size_t v = 0; v < companions.size(); ++v) {
+    const Rational height = squared_length(companions[v]) - points.weight(static_cast<Vertex>(v));
+    companions[v].push_back(height);
+  }
+  return PointSet(std::move(companions));
+}
+
+// Does the facet of conv S⁺ face downwards? It does if it is not vertical and the others are above.
+bool is_downward_facing(const PointSet& points, const PointSet& companions, const Face& facet) {
+  const Simplex simplex = flat_through(companions, facet).basis;
+  if (orientation(points.configuration(), simplex) == 0) return false;
+  Vertex elsewhere = 0;
+  while (std::binary_search(facet.begin(), facet.end(), elsewhere)) ++elsewhere;
+  return in_ball(points.configuration(), simplex, elsewhere) < 0;
+}
+
+}  // namespace
+
+PolyhedralComplex delaunay_subdivision_by_definition(const PointSet& points) {
+  const int k = points.dimension();
+  std::set<Face> cells;
+  if (points.empty()) return PolyhedralComplex(points, k, {}, facets_by_definition);
+  Simplex subset = first_subset(static_cast<std::size_t>(k) + 1);
+  do {
+    if (orientation(points.configuration(), subset) == 0) continue;
+    const Face cell = points_on_supporting_plane(points, subset);
+    if (!cell.empty()) cells.insert(cell);
+  } while (next_subset(subset, points.size()));
+  return PolyhedralComplex(points, k, {cells.begin(), cells.end()}, facets_by_definition);
+}
+
+PolyhedralComplex delaunay_subdivision(const PointSet& points) {
+  const int k = points.dimension();
+  if (points.empty()) return PolyhedralComplex(points, k, {}, facets_by_wrapping);
+  const PointSet companions = lifted(points);
+  const Face all = all_vertices(points);
+  std::vector<Face> cells;
+  if (companions.dimension() == k) {
+    cells.push_back(all);  // all lifted points lie on one hyperplane: a single cell
+  } else {
+    for (const Face& facet : facets_by_wrapping(companions, all)) {
+      if (is_downward_facing(points, companions, facet)) cells.push_back(facet);
+    }
+  }
+  return PolyhedralComplex(points, k, std::move(cells), facets_by_wrapping);
+}
+
+Triangulation lifted_hull_by_definition(const PointSet& points) {
+  return least_vertex_triangulation(points, delaunay_subdivision_by_definition(points));
+}
+
+Triangulation lifted_hull(const PointSet& points) {
+  return least_vertex_triangulation(points, delaunay_subdivision(points));
+}
+
+}  // namespace circumspect::delaunay
