@@ -1,0 +1,68 @@
+// Bistellar flips in any dimension. Book: Section 4.4, Figures 4.6 and 4.7.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "reference/complex/point_set.hpp"
+#include "reference/complex/star_index.hpp"
+
+namespace circumspect::delaunay {
+
+// A basic flip of dimension j: the two triangulations of j+2 points of a j-flat of which no j+1
+// lie in a flat of lower dimension. There are no others. Simplices are ascending, in lexicographic
+// order.
+//
+// Why two: those points have one affine dependence (up to a factor), which parts them into the
+// points with a positive and those with a negative coefficient; the convex hulls of the two parts
+// meet in one point (Radon). A triangulation holds the one part as a face, in which case it consists
+// of the simplices that omit one point of the other, or the other way round. For any heights, one
+// of the two is the lower and one the upper side of the lifted points, the W-simplex of the book.
+struct BasicFlip {
+  std::vector<Simplex> deleted;  // T_D
+  std::vector<Simplex> created;  // T_C
+
+  BasicFlip reverse() const { return {created, deleted}; }
+};
+
+// The flip among the k+2 points W = simplex ∪ {apex} that deletes the simplex; or if some vertices
+// of W take no part in the affine dependence (the W-simplex has vertical facets, whatever the
+// heights), the flip of dimension j < k that deletes a face of the simplex.
+// - Apex beyond a facet f of the simplex: removes f, and the simplex f * apex too.
+// - Apex inside the simplex: inserts it. The j-face that holds it is parted into j+1 j-simplices.
+// Requires: the simplex is a k-simplex, k the dimension of the set; the apex is not its vertex.
+BasicFlip basic_flip(const PointSet& points, const Simplex& simplex, Vertex apex);
+
+// What a basic flip does to a triangulation: it exchanges T_D * Z for T_C * Z, where Z is the set of
+// the (k−j−1)-simplices that join T_D to the rest. Of a flip with j = k, Z holds only the empty
+// simplex.
+struct ExtendedFlip {
+  std::vector<Simplex> deleted;  // T_D * Z
+  std::vector<Simplex> created;  // T_C * Z
+
+  // "2-3" and so on: the numbers of simplices deleted and created.
+  std::string name() const;
+};
+
+// The members of T_D * Z that the triangulation lacks; never empty.
+struct BlockedFlip {
+  std::vector<Simplex> missing;
+};
+
+// The flip in a triangulation T, or what blocks it. A suitable Z must hold every ζ such that τ * ζ is
+// in T for some τ in T_D, for T_D * Z is to contain every simplex of T with a face in T_D; and no
+// other, for T_D * Z is to be part of T. So Z is the union of the links of T_D, and the flip is
+// possible iff these are all equal.
+// Requires: at least one simplex of T_D is a face of T.
+tl::expected<ExtendedFlip, BlockedFlip> extended_flip(const StarIndex& triangulation,
+                                                      const BasicFlip& flip);
+
+// The flip that removes a facet: W are the vertices of the two simplices that share it. Whether the
+// facet is locally Delaunay plays no part.
+// Requires: the facet is in the triangulation, and not on the hull.
+BasicFlip flip_of_facet(const PointSet& points, const StarIndex& triangulation,
+                        const Simplex& facet);
+
+}  // namespace circumspect::delaunay

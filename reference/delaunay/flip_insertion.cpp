@@ -1,0 +1,94 @@
+#include "reference/delaunay/flip_insertion.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "reference/predicates/in_ball.hpp"
+#include "reference/predicates/orientation.hpp"
+#include "reference/predicates/perturbation.hpp"
+
+namespace circumspect::delaunay {
+namespace {
+
+// On which side of the facet opposite a vertex does u lie: 1 that vertex's, −1 beyond it, 0 on it?
+// The sign of the barycentric coordinate of u at that vertex.
+int side_of_facet(const PointSet& points, const Simplex& simplex, std::size_t place, Vertex u) {
+  return orientation(points.configuration(), simplex) *
+         orientation(points.configuration(), with_vertex_replaced(simplex, place, u));
+}
+
+// The face of the simplex whose relative interior holds u; nothing if u is outside the simplex.
+std::optional<Simplex> face_holding(const PointSet& points, const Simplex& simplex, Vertex u) {
+  Simplex face;
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    const int side = side_of_facet(points, simplex, place, u);
+    if (side < 0) return std::nullopt;
+    if (side > 0) face.push_back(simplex[place]);
+  }
+  return face;
+}
+
+// Does u⁺ lie below the lifted simplex? The answer is the same for every simplex that holds u.
+bool lies_below(const PointSet& points, const Simplex& simplex, Vertex u, FlipTest test) {
+  const Configuration& configuration = points.configuration();
+  return (test == FlipTest::kPerturbed ? perturbed_in_ball(configuration, simplex, u)
+                                       : in_ball(configuration, simplex, u)) > 0;
+}
+
+// The joins of u with the hull facets that have u strictly on their outer side.
+std::vector<Simplex> cone_over_visible_hull_facets(const PointSet& points,
+                                                   const StarIndex& triangulation, Vertex u) {
+  std::vector<Simplex> cone;
+  for (const Simplex& simplex : triangulation.simplices()) {
+    for (std::size_t place = 0; place < simplex.size(); ++place) {
+      if (side_of_facet(points, simplex, place, u) >= 0) continue;
+      const Simplex facet = facet_opposite(simplex, place);
+      if (triangulation.star(facet).size() == 1) cone.push_back(join(facet, {u}));
+    }
+  }
+  return cone;
+}
+
+}  // namespace
+
+VertexInsertion insert_vertex_by_flips(const PointSet& points, StarIndex& triangulation, Vertex u,
+                                       FlipTest test) {
+  VertexInsertion insertion;
+  std::vector<Simplex> created;
+  for (const Simplex& simplex : triangulation.simplices()) {
+    const std::optional<Simplex> face = face_holding(points, simplex, u);
+    if (!face) continue;
+    insertion.dimension_of_face = face->size() - 1;
+    insertion.is_submerged = !lies_below(points, simplex, u, test);
+    if (insertion.is_submerged) return insertion;
+    const auto split = extended_flip(triangulation, basic_flip(points, simplex, u));
+    triangulation.replace(split.value().deleted, split.value().created);
+    created = split.value().created;
+    break;
+  }
+  if (!insertion.dimension_of_face) {
+    created = cone_over_visible_hull_facets(points, triangulation, u);
+    triangulation.replace({}, created);
+  }
+  insertion.run = flip_until_done(points, triangulation, facets_of(created), test);
+  return insertion;
+}
+
+Triangulation flip_insertion(const PointSet& points) {
+  const int k = points.dimension();
+  if (points.empty()) return Triangulation(k, {});
+  Simplex first;
+  for (const std::size_t v : points.configuration().hull().basis) {
+    first.push_back(static_cast<Vertex>(v));
+  }
+  StarIndex triangulation({first});
+  for (Vertex u = 0; points.names(u); ++u) {
+    if (contains(first, u)) continue;
+    if (insert_vertex_by_flips(points, triangulation, u).run.is_stuck()) {
+      throw std::logic_error("flip_insertion: stuck, which is impossible");
+    }
+  }
+  return triangulation.triangulation(k);
+}
+
+}  // namespace circumspect::delaunay
