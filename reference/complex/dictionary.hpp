@@ -4,9 +4,10 @@
 
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
+#include "reference/complex/facet_table.hpp"
+#include "reference/complex/oriented_facet.hpp"
 #include "reference/complex/simplex.hpp"
 
 namespace circumspect {
@@ -14,24 +15,6 @@ namespace circumspect {
 // The ghost vertex g: one symbolic vertex outside every hull facet. Book: Section 3.4.
 inline constexpr Vertex kGhost = -1;
 bool is_ghost(const Simplex& simplex);
-
-// A facet with a front. In the plane and in space an order of the vertices says which side is the
-// front; a single point (k = 1) has only one order, so the side is kept apart.
-struct OrientedFacet {
-  Simplex vertices;       // ascending
-  bool reversed = false;  // is the front that of an odd permutation of `vertices`?
-
-  // The face uvw of the book: the front is where x makes uvwx positively oriented.
-  static OrientedFacet of(const Simplex& vertices_in_order);
-  // The facet of a positively oriented simplex opposite one of its vertices, which is in front.
-  static OrientedFacet opposite(const Simplex& simplex, std::size_t place);
-
-  OrientedFacet reverse() const { return {vertices, !reversed}; }
-  bool operator==(const OrientedFacet&) const = default;
-};
-
-// The simplex that joins a facet to an apex in front of it, positively oriented.
-Simplex join(const OrientedFacet& facet, Vertex apex);
 
 // Book: Figure 5.1. Every simplex is stored once for each of its facets, keyed on the facet with
 // the simplex in front. Simplices are given by their vertices with positive orientation, one of
@@ -62,11 +45,10 @@ class SimplexDictionary {
   std::size_t size() const { return size_; }
 
  private:
-  struct Hash {
-    std::size_t operator()(const OrientedFacet& facet) const;
-  };
-  std::unordered_map<OrientedFacet, Vertex, Hash> apex_in_front_;
-  std::unordered_map<Vertex, OrientedFacet> facet_at_vertex_;
+  FacetTable apex_in_front_;
+  // For vertex v, in place v + 1 (the ghost comes first), a facet of the simplex added last at v
+  // that has v for a vertex; empty if there never was one.
+  std::vector<OrientedFacet> facet_at_vertex_;
   std::size_t size_ = 0;
 };
 

@@ -1,45 +1,100 @@
-// The Bowyer–Watson algorithm: incremental insertion with ghost simplices. Book: Section 5.2.
+// The Bowyer–Watson algorithm: incremental insertion with ghost simplices. Book: Section 5.2; orders
+// of insertion and point location in Sections 5.3 to 5.5.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "reference/complex/dictionary.hpp"
 #include "reference/complex/point_set.hpp"
 #include "reference/complex/triangulation.hpp"
+#include "reference/delaunay/conflict.hpp"
+#include "reference/delaunay/insertion_order.hpp"
+#include "reference/delaunay/statistics.hpp"
 
 namespace circumspect::delaunay {
+
+// What the insertion of one vertex changes, with ghosts; all simplices positively oriented.
+struct Insertion {
+  Vertex vertex;
+  // The simplices that were in conflict with the vertex: their union is the cavity.
+  std::vector<Simplex> deleted;
+  // One for each facet of the cavity, with the vertex for its apex.
+  std::vector<Simplex> created;
+};
+
+// The first k+1 affinely independent vertices of a sequence, k the dimension of the set: with what
+// incremental insertion starts. Requires: the sequence has that many.
+Simplex first_independent(const PointSet& points, const std::vector<Vertex>& sequence);
 
 // The canonical (weighted) Delaunay triangulation of the points inserted so far, with its ghosts.
 class BowyerWatson {
  public:
-  // Starts with k+1 affinely independent points and a ghost simplex on each facet of theirs.
-  // Requires: points.dimension() ≥ 1.
+  // Starts with a simplex and a ghost simplex on each of its facets; if none is given, with the
+  // first k+1 affinely independent points. With another conflict test than the canonical one it
+  // makes another Delaunay triangulation.
+  // Requires: points.dimension() = k ≥ 1; first_simplex has k+1 affinely independent vertices.
   explicit BowyerWatson(const PointSet& points);
+  BowyerWatson(const PointSet& points, const Simplex& first_simplex,
+               ConflictTest conflict_test = is_in_conflict);
 
   // The vertices that the start has inserted.
   const Simplex& first_simplex() const { return first_simplex_; }
 
   // Inserts u. In a weighted set u may be submerged: then nothing changes and false comes back.
-  // Point location is a linear scan. Requires: u not inserted before.
+  // Vertices that u submerges vanish. Point location is a linear scan.
+  // Requires: u not inserted before.
   bool insert(Vertex u);
 
-  // InsertVertex3D(u, vwxy) of the book, in any dimension.
-  // Requires: the simplex is in the triangulation and in conflict with u.
-  void insert(Vertex u, const Simplex& in_conflict);
+  // InsertVertex3D(u, vwxy) of the book, in any dimension. The answer holds until the next
+  // insertion. Requires: the simplex is in the triangulation and in conflict with u.
+  const Insertion& insert(Vertex u, const Simplex& in_conflict);
 
   // The solid simplices.
   Triangulation triangulation() const;
   const SimplexDictionary& dictionary() const { return dictionary_; }
 
+  // The solid simplex created last.
+  const Simplex& most_recent_solid() const { return most_recent_solid_; }
+  const Insertion& last_insertion() const { return last_insertion_; }
+
+  // Point location counts in the same place.
+  const Statistics& statistics() const { return statistics_; }
+  Statistics& statistics() { return statistics_; }
+
  private:
-  void dig_cavity(Vertex u, std::vector<OrientedFacet> facets);
+  bool is_conflict(const Simplex& simplex, Vertex u);
+  void dig_cavity(Vertex u);
+  void add(Simplex simplex);
+  void remove(const Simplex& simplex);
 
   const PointSet& points_;
+  ConflictTest conflict_test_;
   Simplex first_simplex_;
   SimplexDictionary dictionary_;
+  Simplex most_recent_solid_;
+  Insertion last_insertion_ = {};
+  std::vector<OrientedFacet> facets_to_pass_;
+  Statistics statistics_;
 };
 
-// Inserts all points in the order given by their indices. Any number of points, any dimension.
+enum class PointLocation {
+  kLinearScan,     // Section 5.2 leaves it open
+  kConflictGraph,  // Section 5.4
+  kWalking,        // Section 5.5
+};
+
+struct BowyerWatsonOptions {
+  InsertionOrder order = InsertionOrder::kAsGiven;
+  PointLocation location = PointLocation::kLinearScan;
+  std::uint64_t seed = 0;  // of the random orders
+};
+
+// Inserts all points. Any number of points, any dimension; one answer, whatever the options.
+Triangulation bowyer_watson(const PointSet& points, const BowyerWatsonOptions& options,
+                            Statistics* statistics = nullptr);
+
+// In the order given by their indices.
 Triangulation bowyer_watson(const PointSet& points);
 
 }  // namespace circumspect::delaunay

@@ -11,4 +11,10 @@ namespace circumspect::delaunay {
 // halfspace of its solid facet? Requires: the simplex positively oriented, q not its vertex.
 bool is_in_conflict(const PointSet& points, const Simplex& simplex, Vertex q);
 
+// The same without the perturbation: a point on the sphere, or in the facet's plane on its
+// circumsphere, is not in conflict. Book: Chapter 5, Exercise 3 (Del S beside Del S[ω]).
+bool is_in_unperturbed_conflict(const PointSet& points, const Simplex& simplex, Vertex q);
+
+using ConflictTest = bool (*)(const PointSet& points, const Simplex& simplex, Vertex q);
+
 }  // namespace circumspect::delaunay

@@ -6,28 +6,45 @@
 namespace circumspect {
 namespace {
 
-// The 2 by 2 minor of two rows and two columns.
-Integer minor2(const SquareMatrix& m, std::size_t top, std::size_t left, std::size_t right) {
-  Integer result = m(top, left) * m(top + 1, right);
-  result -= m(top, right) * m(top + 1, left);
-  return result;
+// The 2 by 2 minor of rows `top` and `top` + 1 and two columns. It goes into a number that the
+// caller has, as do all intermediate values here: an allocation takes as long as a product.
+void minor2(const SquareMatrix& m, std::size_t top, std::size_t left, std::size_t right,
+            Integer& result) {
+  result = m(top, left) * m(top + 1, right);
+  subtract_product(result, m(top, right), m(top + 1, left));
 }
 
 Integer determinant3(const SquareMatrix& m) {
-  Integer result = m(0, 0) * minor2(m, 1, 1, 2);
-  result -= m(0, 1) * minor2(m, 1, 0, 2);
-  result += m(0, 2) * minor2(m, 1, 0, 1);
+  Integer result;
+  Integer minor;
+  minor2(m, 1, 1, 2, minor);
+  result = m(0, 0) * minor;
+  minor2(m, 1, 0, 2, minor);
+  subtract_product(result, m(0, 1), minor);
+  minor2(m, 1, 0, 1, minor);
+  add_product(result, m(0, 2), minor);
   return result;
 }
 
-// Laplace's expansion along the first two rows: complementary 2 by 2 minors.
+// Laplace's expansion along the first two rows: complementary 2 by 2 minors, those of two columns
+// whose sum is even with a minus sign.
 Integer determinant4(const SquareMatrix& m) {
-  Integer result = minor2(m, 0, 0, 1) * minor2(m, 2, 2, 3);
-  result -= minor2(m, 0, 0, 2) * minor2(m, 2, 1, 3);
-  result += minor2(m, 0, 0, 3) * minor2(m, 2, 1, 2);
-  result += minor2(m, 0, 1, 2) * minor2(m, 2, 0, 3);
-  result -= minor2(m, 0, 1, 3) * minor2(m, 2, 0, 2);
-  result += minor2(m, 0, 2, 3) * minor2(m, 2, 0, 1);
+  Integer result;
+  Integer upper;
+  Integer lower;
+  for (std::size_t left = 0; left < 3; ++left) {
+    for (std::size_t right = left + 1; right < 4; ++right) {
+      minor2(m, 0, left, right, upper);
+      // The other two columns.
+      const std::size_t other = left == 0 ? (right == 1 ? 2 : 1) : 0;
+      minor2(m, 2, other, 6 - left - right - other, lower);
+      if ((left + right) % 2 == 1) {
+        add_product(result, upper, lower);
+      } else {
+        subtract_product(result, upper, lower);
+      }
+    }
+  }
   return result;
 }
 
@@ -54,8 +71,11 @@ Integer determinant_by_laplace(const SquareMatrix& m) {
       return 1;
     case 1:
       return m(0, 0);
-    case 2:
-      return minor2(m, 0, 0, 1);
+    case 2: {
+      Integer result;
+      minor2(m, 0, 0, 1, result);
+      return result;
+    }
     case 3:
       return determinant3(m);
     default:

@@ -20,6 +20,14 @@ Integer least_common_multiple(const Integer& a, const Integer& b) {
   return result;
 }
 
+void add_product(Integer& sum, const Integer& a, const Integer& b) {
+  mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+}
+
+void subtract_product(Integer& sum, const Integer& a, const Integer& b) {
+  mpz_submul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+}
+
 Integer exact_quotient(const Integer& dividend, const Integer& divisor) {
   Integer result;
   mpz_divexact(result.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());

@@ -28,6 +28,10 @@ std::size_t bit_length(const Integer& value);
 // Least common multiple, always positive. Requires: a, b nonzero.
 Integer least_common_multiple(const Integer& a, const Integer& b);
 
+// sum += a · b and sum −= a · b, without a number in between.
+void add_product(Integer& sum, const Integer& a, const Integer& b);
+void subtract_product(Integer& sum, const Integer& a, const Integer& b);
+
 // Quotient of a division that is known to leave no remainder.
 Integer exact_quotient(const Integer& dividend, const Integer& divisor);
 
