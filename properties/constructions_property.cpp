@@ -6,10 +6,9 @@
 #include <doctest/doctest.h>
 
 #include "oracle/check/check.hpp"
+#include "properties/every_construction.hpp"
 #include "properties/generators/point_sets.hpp"
 #include "properties/run.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
 
 namespace circumspect::properties {
 namespace {
@@ -25,15 +24,23 @@ void assert_accepted(const PointSet& points, const Triangulation& triangulation)
   }
 }
 
+// Every construction returns the canonical triangulation.
+void assert_agreement(const PointSet& points, std::uint64_t seed) {
+  const Triangulation expected = delaunay::by_definition(points);
+  for (const NamedConstruction& construction : every_construction(seed)) {
+    RC_LOG(construction.name);
+    RC_ASSERT(construction.construct(points) == expected);
+  }
+}
+
 TEST_CASE(
     "D2 by definition and Bowyer-Watson agree, and both checkers accept, on degenerate sets") {
-  for (const std::size_t d : {1u, 2u, 3u, 4u}) {
+  for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);
     // 1,000 sets of up to 9 points in the dimensions that people mesh in.
-    CHECK(holds("one canonical triangulation", d == 2 || d == 3 ? 500 : 100, [d] {
-      const PointsCase set =
-          *generators::unweighted(d == 1 ? generators::any_point_set(d, 9)
-                                         : generators::degenerate_point_set(d, d == 4 ? 8 : 9));
+    CHECK(holds("one canonical triangulation", d == 1 ? 100 : 500, [d] {
+      const PointsCase set = *generators::unweighted(
+          d == 1 ? generators::any_point_set(d, 9) : generators::degenerate_point_set(d, 9));
       const PointSet points(set.points);
       const Triangulation expected = delaunay::by_definition(points);
       RC_ASSERT(delaunay::bowyer_watson(points) == expected);
@@ -42,15 +49,26 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("D2 the constructions agree on sets of every family, with weights and without") {
+TEST_CASE("D2 every construction, order and point location agrees on degenerate sets") {
+  for (const std::size_t d : {1u, 2u, 3u, 4u}) {
+    CAPTURE(d);
+    CHECK(holds("one canonical triangulation", d == 4 ? 40 : 100, [d] {
+      const PointsCase set =
+          *generators::unweighted(d == 1 ? generators::any_point_set(d, 9)
+                                         : generators::degenerate_point_set(d, d == 4 ? 11 : 14));
+      assert_agreement(PointSet(set.points), *rc::gen::arbitrary<std::uint64_t>());
+    }));
+  }
+}
+
+TEST_CASE("D2 D10 every construction agrees on sets of every family, with weights and without") {
   for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);
-    CHECK(holds("one canonical triangulation", 150, [d] {
-      const auto sets = generators::any_point_set(d, 9);
+    CHECK(holds("one canonical triangulation", 60, [d] {
+      const auto sets = generators::any_point_set(d, 12);
       const PointsCase set =
-          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, 9));
-      const PointSet points(set.points, set.weights);
-      RC_ASSERT(delaunay::bowyer_watson(points) == delaunay::by_definition(points));
+          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, 12));
+      assert_agreement(PointSet(set.points, set.weights), *rc::gen::arbitrary<std::uint64_t>());
     }));
   }
 }

@@ -24,7 +24,8 @@ bool judge_simplex(const Mesh& mesh, const Simplex& simplex, int& orientation_of
     verdict.add(Rule::kUnknownVertex, {.simplices = {simplex}, .vertices = {*unknown}});
     return false;
   }
-  if (static_cast<int>(simplex.size()) != points.dimension() + 1) {
+  // Nothing is a simplex of the empty set, not even one without vertices.
+  if (simplex.empty() || static_cast<int>(simplex.size()) != points.dimension() + 1) {
     verdict.add(Rule::kWrongDimension,
                 {.simplices = {simplex},
                  .values = {{"vertices", Rational(static_cast<long>(simplex.size()))},

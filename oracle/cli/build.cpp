@@ -1,132 +1,113 @@
-// circumspect build WHAT INPUT
+// circumspect build WHAT INPUT: one triangulation. What is more than that has files of its own.
 #include <iostream>
 #include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <fmt/format.h>
 
+#include "oracle/check/check.hpp"
+#include "oracle/check/simplices.hpp"
+#include "oracle/cli/constructions.hpp"
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/mesh_output.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/ele.hpp"
-#include "oracle/formats/json.hpp"
-#include "oracle/formats/neigh.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/complex/facets.hpp"
-#include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/lexicographic.hpp"
 
 namespace circumspect::cli {
 namespace {
 
-using Construction = Triangulation (*)(const PointSet&);
-
 struct BuildOptions {
+  std::string what;  // delaunay, weighted-delaunay, lexicographic
   std::string points;
   std::string output_file;
   std::string neighbors_file;
   std::string algorithm = "bowyer-watson";
+  delaunay::BowyerWatsonOptions bowyer_watson = {delaunay::InsertionOrder::kBrioHilbert,
+                                                 delaunay::PointLocation::kWalking, 0};
+  bool statistics = false;
   InputOptions input;
   OutputOptions output;
 };
 
-const std::map<std::string, Construction>& constructions() {
-  static const std::map<std::string, Construction> table = {
-      {"bowyer-watson", delaunay::bowyer_watson}, {"by-definition", delaunay::by_definition}};
-  return table;
+std::string statistics_text(const delaunay::Statistics& statistics) {
+  return fmt::format(
+      "created: {} solid and {} ghost simplices\n"
+      "deleted: {} solid and {} ghost simplices\n"
+      "point location: {} conflicts filed, {} walk steps\n"
+      "conflict tests: {}\n",
+      statistics.solid_simplices_created, statistics.ghost_simplices_created,
+      statistics.solid_simplices_deleted, statistics.ghost_simplices_deleted,
+      statistics.conflicts_created, statistics.walk_steps, statistics.conflict_tests);
 }
 
-// The empty set has no simplices, but a file of them still says how many vertices each has.
-std::size_t vertices_of_each(const Triangulation& triangulation) {
-  return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
+// The points of a weighted set that are no vertices: submerged, or on the lower hull without being
+// extreme.
+std::string not_vertices_text(const Mesh& mesh, const Triangulation& triangulation) {
+  const std::vector<Vertex> unused = check::unused_points({mesh.points, triangulation.simplices()});
+  return unused.empty() ? "" : "not vertices: " + report::labels(mesh, unused) + "\n";
 }
 
-// Positively oriented, so that programs that care find det[p_0 − p_d; …] > 0; vertices by the
-// user's own indices.
-formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
-  formats::SimplexFile file;
-  file.first_index = mesh.first_index;
-  file.vertices_per_simplex = vertices_of_each(triangulation);
-  for (const Simplex& simplex : triangulation.simplices()) {
-    Simplex own = positively_oriented(mesh.points, simplex);
-    for (Vertex& v : own) v = mesh.label(v);
-    file.simplices.push_back(own);
-  }
-  return file;
+// "unique canonical" and the like: what is known of the triangulation beside its size.
+std::string facts(const BuildOptions& options, const Mesh& mesh,
+                  const Triangulation& triangulation) {
+  if (options.what == "lexicographic") return "";
+  const bool unique =
+      options.what == "delaunay"
+          ? !delaunay::cospherical_points_of_an_empty_ball(mesh.points, triangulation)
+          : *check::weighted_delaunay({mesh.points, triangulation.simplices()}).unique;
+  return unique ? " unique canonical" : " not-unique canonical";
 }
 
-// neighbors[s][i]: the simplex across the facet opposite vertex i of simplex s, in the order in
-// which simplex_file lists both; −1 on the hull.
-formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& triangulation) {
-  std::vector<Simplex> simplices;
-  for (const Simplex& simplex : triangulation.simplices()) {
-    simplices.push_back(positively_oriented(mesh.points, simplex));
-  }
-  formats::NeighborFile file;
-  file.first_index = mesh.first_index;
-  file.neighbors_per_simplex = vertices_of_each(triangulation);
-  for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
-    if (group.size() != 2) return;
-    const auto link = [&](const FacetUse& from, const FacetUse& to) {
-      file.neighbors[from.simplex][from.opposite] =
-          static_cast<Vertex>(to.simplex) + mesh.first_index;
-    };
-    link(group[0], group[1]);
-    link(group[1], group[0]);
-  });
-  return file;
+Triangulation construct(const BuildOptions& options, const PointSet& points,
+                        delaunay::Statistics& statistics) {
+  if (options.what == "lexicographic") return delaunay::lexicographic(points);
+  return constructions().at(options.algorithm)(points, {options.bowyer_watson, &statistics});
 }
 
-// The document lists the points itself, without those that were merged, so that vertices are counted
-// among these.
-formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation) {
-  formats::JsonFile file;
-  file.points.dimension = std::max<std::size_t>(mesh.points.ambient_dimension(), 1);
-  file.points.points = mesh.points.points();
-  file.points.first_index = mesh.first_index;
-  file.has_simplices = true;
-  file.simplices = simplex_file({mesh.points, {}, {}, mesh.first_index}, triangulation);
-  return file;
+// Writes the files asked for; false if one could not be written.
+bool write_files(const BuildOptions& options, const Mesh& mesh, const Triangulation& triangulation,
+                 Output& output) {
+  const auto write = [&](const std::string& path, const auto& writer) {
+    if (path.empty()) return true;
+    const std::string failure = write_file(path, writer);
+    if (!failure.empty()) output.error(ExitCode::kUsage, "points", options.points, failure);
+    return failure.empty();
+  };
+  return write(options.output_file,
+               [&](std::ostream& stream) {
+                 formats::write_ele(stream, simplex_file(mesh, triangulation));
+               }) &&
+         write(options.neighbors_file, [&](std::ostream& stream) {
+           formats::write_neigh(stream, neighbor_file(mesh, triangulation));
+         });
 }
 
-void build_delaunay(const BuildOptions& options, Output& output) {
+void build_triangulation(const BuildOptions& options, Output& output) {
   const auto loaded = load_points(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
   const Mesh& mesh = loaded->mesh;
-  const Triangulation triangulation = constructions().at(options.algorithm)(mesh.points);
-  const auto write = [&](const std::string& path, const auto& writer) {
-    const std::string failure = write_file(path, writer);
-    if (!failure.empty()) output.error(ExitCode::kUsage, "points", options.points, failure);
-    return failure.empty();
-  };
-  if (!options.output_file.empty() && !write(options.output_file, [&](std::ostream& stream) {
-        formats::write_ele(stream, simplex_file(mesh, triangulation));
-      })) {
-    return;
-  }
-  if (!options.neighbors_file.empty() && !write(options.neighbors_file, [&](std::ostream& stream) {
-        formats::write_neigh(stream, neighbor_file(mesh, triangulation));
-      })) {
-    return;
-  }
+  delaunay::Statistics statistics;
+  const Triangulation triangulation = construct(options, mesh.points, statistics);
+  if (!write_files(options, mesh, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
     std::cout.flush();
-    return;
   }
-  const bool unique =
-      !delaunay::cospherical_points_of_an_empty_ball(mesh.points, triangulation).has_value();
-  output.text(fmt::format("built: delaunay {} {} points {} {} {} canonical\n", loaded->name,
+  if (!output.wants_text()) return;
+  if (options.statistics) output.text(statistics_text(statistics));
+  if (mesh.points.is_weighted()) output.text(not_vertices_text(mesh, triangulation));
+  output.text(fmt::format("built: {} {} {} points {} {}{}\n", options.what, loaded->name,
                           mesh.points.size(), triangulation.simplices().size(),
                           report::simplices_noun(triangulation.dimension()),
-                          unique ? "unique" : "not-unique"));
+                          facts(options, mesh, triangulation)));
 }
 
 ExitCode run(const BuildOptions& options) {
@@ -134,49 +115,102 @@ ExitCode run(const BuildOptions& options) {
     fmt::print(stderr, "circumspect: expected -o OUT.ele or --format json, found neither\n");
     return ExitCode::kUsage;
   }
-  if (options.output_file == "-" && options.output.format == OutputFormat::kJson) {
+  const int on_stdout = (options.output_file == "-" ? 1 : 0) +
+                        (options.neighbors_file == "-" ? 1 : 0) +
+                        (options.output.format == OutputFormat::kJson ? 1 : 0);
+  if (on_stdout > 1) {
     fmt::print(stderr,
-               "circumspect: expected one thing for standard output, found two: "
-               "-o - and --format json\n");
+               "circumspect: expected one thing for standard output, found {} of -o -, "
+               "--neighbors - and --format json\n",
+               on_stdout);
     return ExitCode::kUsage;
   }
   OutputOptions spoken = options.output;
   // The mesh itself goes to stdout: then nothing else does.
   if (options.output_file == "-" || options.neighbors_file == "-") spoken.quiet = true;
   Output output(spoken);
-  build_delaunay(options, output);
+  build_triangulation(options, output);
   // Where the mesh is the JSON document, only an error needs another one.
   return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
 }
 
-}  // namespace
+void add_algorithm_options(CLI::App& command, BuildOptions& options) {
+  using delaunay::InsertionOrder;
+  using delaunay::PointLocation;
+  std::vector<std::string> names;
+  for (const auto& [name, construction] : constructions()) names.push_back(name);
+  command
+      .add_option("--algorithm", options.algorithm,
+                  "All give the same set of simplices (default: bowyer-watson)")
+      ->check(CLI::IsMember(names).description(""))
+      ->option_text(construction_names());
+  const std::map<std::string, InsertionOrder> orders = {
+      {"as-given", InsertionOrder::kAsGiven},
+      {"random", InsertionOrder::kRandom},
+      {"brio-hilbert", InsertionOrder::kBrioHilbert},
+      {"brio-z-order", InsertionOrder::kBrioZOrder}};
+  command
+      .add_option("--order", options.bowyer_watson.order,
+                  "In which order Bowyer-Watson inserts (default: brio-hilbert)")
+      ->transform(CLI::CheckedTransformer(orders, CLI::ignore_case).description(""))
+      ->option_text("as-given|random|brio-hilbert|brio-z-order");
+  const std::map<std::string, PointLocation> locations = {
+      {"linear-scan", PointLocation::kLinearScan},
+      {"conflict-graph", PointLocation::kConflictGraph},
+      {"walking", PointLocation::kWalking}};
+  command
+      .add_option("--location", options.bowyer_watson.location,
+                  "How Bowyer-Watson locates points (default: walking)")
+      ->transform(CLI::CheckedTransformer(locations, CLI::ignore_case).description(""))
+      ->option_text("linear-scan|conflict-graph|walking");
+  command.add_option("--seed", options.bowyer_watson.seed, "Of the random orders (default: 0)")
+      ->option_text("N");
+  command.add_flag("--statistics", options.statistics,
+                   "Say what Bowyer-Watson created, deleted, filed, walked and tested");
+}
 
-void add_build(CLI::App& app, ExitCode& exit_code) {
+CLI::App* add_triangulation(CLI::App& build, const std::string& what,
+                            const std::string& description, ExitCode& exit_code) {
   const auto options = std::make_shared<BuildOptions>();
-  CLI::App* build = app.add_subcommand("build", "Make a reference");
-  build->require_subcommand(1);
-  CLI::App* command = build->add_subcommand(
-      "delaunay", "The canonical Delaunay triangulation of a point set of any dimension");
-  command->footer(
+  options->what = what;
+  options->input.weighted = what == "weighted-delaunay";
+  CLI::App* command = build.add_subcommand(what, description);
+  command->footer(fmt::format(
       "Example:\n"
-      "  circumspect build delaunay points.node -o reference.ele\n\n"
+      "  circumspect build {} points.node -o reference.ele\n\n"
       "Writes one simplex a line with k+1 vertices, k the dimension of the points' affine hull,\n"
-      "positively oriented, indices as in the input.");
+      "positively oriented, indices as in the input.",
+      what));
   command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
       ->required();
   command->add_option("-o,--output", options->output_file, "Where to write the .ele file; - stdout")
       ->option_text("OUT.ele");
   command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
       ->option_text("OUT.neigh");
-  command
-      ->add_option("--algorithm", options->algorithm,
-                   "All give the same set of simplices (default: bowyer-watson)")
-      ->check(CLI::IsMember({"bowyer-watson", "by-definition"}).description(""))
-      ->option_text("bowyer-watson|by-definition");
+  if (what != "lexicographic") add_algorithm_options(*command, *options);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
+  return command;
+}
+
+}  // namespace
+
+void add_build(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* build = app.add_subcommand("build", "Make a reference");
+  build->require_subcommand(1);
+  add_triangulation(*build, "delaunay",
+                    "The canonical Delaunay triangulation of a point set of any dimension",
+                    exit_code);
+  add_triangulation(*build, "weighted-delaunay",
+                    "The canonical weighted Delaunay triangulation; weights are the first "
+                    "attribute of a .node file, as for tetgen -w, or the key weights of JSON",
+                    exit_code);
+  add_triangulation(*build, "lexicographic",
+                    "The lexicographic triangulation, which is not Delaunay in general", exit_code);
+  add_build_subdivision(*build, exit_code);
+  add_build_all_triangulations(*build, exit_code);
 }
 
 }  // namespace circumspect::cli

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/inspect_simplex.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/report/json.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct InspectOptions {
   std::vector<std::string> inputs;
   std::size_t subsets = 200'000;
+  std::vector<std::string> simplices;  // "1 2 3", by the user's indices
   InputOptions input;
   OutputOptions output;
 };
@@ -152,8 +154,21 @@ void inspect_one(const std::string& path, const InspectOptions& options, Output&
   const PointSet& points = loaded->mesh.points;
   const Facts facts{*loaded, points.size() + repeated.size(), repeated,
                     genericity(points, options.subsets)};
+  report::Json answers = report::Json::array();
+  for (const std::string& vertices : options.simplices) {
+    const auto answer = inspect_simplex(loaded->mesh, vertices);
+    if (!answer) {
+      output.error(ExitCode::kUsage, "input", path, answer.error());
+      return;
+    }
+    output.text(answer->text + "\n");
+    answers.push_back(answer->json);
+  }
   if (output.wants_text()) output.text(text(facts));
-  if (output.wants_json()) output.json(json(facts));
+  if (!output.wants_json()) return;
+  report::Json result = json(facts);
+  if (!answers.empty()) result["simplices"] = answers;
+  output.json(result);
 }
 
 }  // namespace
@@ -174,6 +189,11 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
                    "Look at no more than N subsets for genericity (default 200000; 0: all)")
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->option_text("N");
+  command
+      ->add_option("--simplex", options->simplices,
+                   "Is this simplex, of any dimension, Delaunay? strongly? (\"1 2 3\")")
+      ->option_text("VERTICES")
+      ->allow_extra_args(false);
   add_coordinates_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {

@@ -51,8 +51,7 @@ std::string write_file(const std::string& path, const std::function<void(std::os
     std::cout.flush();
     return std::cout ? "" : "could not write to standard output";
   }
-  const std::string failure =
-      fmt::format("{}: expected a place that can be written to", path);
+  const std::string failure = fmt::format("{}: expected a place that can be written to", path);
   std::error_code error;
   const std::filesystem::file_status there = std::filesystem::status(path, error);
   if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&

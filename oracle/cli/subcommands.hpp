@@ -13,4 +13,8 @@ void add_check(CLI::App& app, ExitCode& exit_code);
 void add_build(CLI::App& app, ExitCode& exit_code);
 void add_inspect(CLI::App& app, ExitCode& exit_code);
 
+// Subcommands of build.
+void add_build_subdivision(CLI::App& build, ExitCode& exit_code);
+void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code);
+
 }  // namespace circumspect::cli

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kLongestExact = 60;
 
-// "3/4 = 0.75" where the fraction is exactly that decimal's double, "1/3 ~ 0.3333333333333333" where
-// it is not, "7" for an integer, "~ 0.1234" where the fraction would not fit a line.
+// "7" for an integer, "3/4 ~ 0.75" for a fraction with the nearest double, "~ 0.1234" where the
+// fraction would not fit a line.
 std::string value_text(const Rational& value) {
   const std::string exact = to_string(value);
   const std::string decimal = to_decimal(value);

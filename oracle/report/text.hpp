@@ -9,7 +9,7 @@
 namespace circumspect::report {
 
 // One line, stable: "holds: delaunay x.1.ele 1000 points 6573 tetrahedra unique canonical", or
-// "fails: delaunay x.1.ele delaunay.facet-not-local 3 facet 3 7 9 vertex 12": the first broken
+// "fails: delaunay x.1.ele delaunay.facet-not-local 3 face 3 7 9 vertex 12": the first broken
 // rule, how often, its first witness, then "also RULE COUNT" for every further rule.
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name);
 

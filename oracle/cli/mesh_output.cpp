@@ -1,0 +1,63 @@
+#include "oracle/cli/mesh_output.hpp"
+
+#include <algorithm>
+
+#include "reference/complex/facets.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+// The empty set has no simplices, but a file of them still says how many vertices each has.
+std::size_t vertices_of_each(const Triangulation& triangulation) {
+  return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
+}
+
+}  // namespace
+
+formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
+  formats::SimplexFile file;
+  file.first_index = mesh.first_index;
+  file.vertices_per_simplex = vertices_of_each(triangulation);
+  for (const Simplex& simplex : triangulation.simplices()) {
+    Simplex own = positively_oriented(mesh.points, simplex);
+    for (Vertex& v : own) v = mesh.label(v);
+    file.simplices.push_back(own);
+  }
+  return file;
+}
+
+formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& triangulation) {
+  std::vector<Simplex> simplices;
+  for (const Simplex& simplex : triangulation.simplices()) {
+    simplices.push_back(positively_oriented(mesh.points, simplex));
+  }
+  formats::NeighborFile file;
+  file.first_index = mesh.first_index;
+  file.neighbors_per_simplex = vertices_of_each(triangulation);
+  for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
+  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+    if (group.size() != 2) return;
+    const auto link = [&](const FacetUse& from, const FacetUse& to) {
+      file.neighbors[from.simplex][from.opposite] =
+          static_cast<Vertex>(to.simplex) + mesh.first_index;
+    };
+    link(group[0], group[1]);
+    link(group[1], group[0]);
+  });
+  return file;
+}
+
+formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation) {
+  formats::JsonFile file;
+  file.points.dimension = std::max<std::size_t>(mesh.points.ambient_dimension(), 1);
+  file.points.points = mesh.points.points();
+  file.points.first_index = mesh.first_index;
+  if (mesh.points.is_weighted()) {
+    for (Vertex v = 0; mesh.points.names(v); ++v) file.weights.push_back(mesh.points.weight(v));
+  }
+  file.has_simplices = true;
+  file.simplices = simplex_file({mesh.points, {}, {}, mesh.first_index}, triangulation);
+  return file;
+}
+
+}  // namespace circumspect::cli

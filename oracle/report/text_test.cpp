@@ -1,0 +1,141 @@
+// Verdicts for people, word for word.
+#include "oracle/report/text.hpp"
+
+#include <doctest/doctest.h>
+
+#include "oracle/check/check.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::report {
+namespace {
+
+// A kite cut along its longer diagonal, in a file that counts from 1.
+Mesh kite() {
+  return {PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, Rational(-1, 3)}}), {{0, 1, 2}, {3, 1, 0}}, {}, 1};
+}
+
+TEST_CASE("verdict line: what holds, with numbers and facts") {
+  const Mesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
+  CHECK(verdict_line(check::delaunay(square), square, "x.1.ele") ==
+        "holds: delaunay x.1.ele 4 points 2 triangles not-unique canonical");
+  const Mesh other{square.points, {{0, 1, 3}, {1, 2, 3}}};
+  CHECK(verdict_line(check::delaunay(other), other, "x.1.ele") ==
+        "holds: delaunay x.1.ele 4 points 2 triangles not-unique not-canonical");
+  CHECK(verdict_line(check::triangulation(square), square, "a b") ==
+        "holds: triangulation a b 4 points 2 triangles");
+  const Mesh none{PointSet({}), {}};
+  CHECK(verdict_line(check::delaunay(none), none, "-") ==
+        "holds: delaunay - 0 points 0 simplices unique canonical");
+  const Mesh point{PointSet({{0, 0, 0}}), {{0}}};
+  CHECK(verdict_line(check::delaunay(point), point, "p") ==
+        "holds: delaunay p 1 points 1 vertices unique canonical");
+}
+
+TEST_CASE("verdict line: what fails, with the first rule's first witness in the user's indices") {
+  const Mesh mesh = kite();
+  CHECK(verdict_line(check::delaunay(mesh), mesh, "k.ele") ==
+        "fails: delaunay k.ele delaunay.facet-not-local 1 face 1 2 vertex 4");
+  CHECK(verdict_line(check::delaunay(mesh, {.by = check::By::kDefinition}), mesh, "k.ele") ==
+        "fails: delaunay k.ele delaunay.vertex-in-ball 2 simplex 1 2 3 vertex 4");
+  Mesh broken = kite();
+  broken.simplices = {{0, 1, 1}, {0, 1, 77}, {0, 3}};
+  CHECK(verdict_line(check::triangulation(broken), broken, "b") ==
+        "fails: triangulation b triangulation.unknown-vertex 1 simplex 1 2 78 vertex 78 also "
+        "simplex.wrong-dimension 1 also simplex.repeated-vertex 1 also triangulation.unused-point "
+        "1");
+  broken.labels = {10, 20, 30, 40};  // after duplicates were merged
+  broken.simplices = {{0, 1, 1}};
+  CHECK(verdict_line(check::triangulation(broken), broken, "b") ==
+        "fails: triangulation b simplex.repeated-vertex 1 simplex 10 20 20 vertex 20 also "
+        "triangulation.unused-point 2");
+}
+
+TEST_CASE("verdict line: a rule whose witnesses were all dropped is counted all the same") {
+  Verdict verdict(Claim::kTriangulation, kite(), 1);
+  verdict.add(Rule::kUnusedPoint, {.vertices = {2}});
+  verdict.count(Rule::kOverlap);
+  CHECK(verdict_line(verdict, kite(), "m") ==
+        "fails: triangulation m complex.overlap 1 also triangulation.unused-point 1");
+}
+
+TEST_CASE("explanation: nothing of a claim that holds") {
+  const Mesh mesh = kite();
+  CHECK(explanation(check::triangulation(mesh), mesh).empty());
+}
+
+TEST_CASE("explanation: a facet that is not locally Delaunay, with its ball") {
+  const Mesh mesh = kite();
+  CHECK(explanation(check::delaunay(mesh), mesh) ==
+        "delaunay.facet-not-local: a facet is not locally Delaunay: the apex on one side lies "
+        "strictly inside the circumball on the other\n"
+        "  simplex  1 2 3\n"
+        "  face     1 2\n"
+        "  vertex   4 at (0, -1/3)\n"
+        "  ball     centre (0, -1.5) radius ~ 2.5\n"
+        "  squared distance from centre: 49/36 ~ 1.3611111111111112\n"
+        "  squared radius: 25/4 ~ 6.25\n"
+        "  squared radius less squared distance: 44/9 ~ 4.888888888888889\n"
+        "delaunay.facet-not-local: worst relative margin 0.7822222222222223\n");
+}
+
+TEST_CASE("explanation: an overlap, with a common point; an unused point; what was dropped") {
+  const Mesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {3, 3}, {9, 9}, {8, 9}}),
+                  {{0, 1, 2}, {0, 1, 3}}};
+  const std::string unused = "triangulation.unused-point: a point is a vertex of no simplex\n";
+  CHECK(explanation(check::triangulation(mesh), mesh) ==
+        unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" + unused +
+            "  vertex   5 at (8, 9)\n  point    (8, 9)\n" +
+            "complex.overlap: two simplices meet in more than a common face\n"
+            "  simplex  0 1 2\n"
+            "  simplex  0 1 3\n"
+            "  point    (1, 1)\n");
+  CHECK(explanation(check::triangulation(mesh, {.max_violations = 1}), mesh) ==
+        unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" +
+            "… and 2 more (--max-errors 0 shows all)\n");
+}
+
+TEST_CASE("explanation: an index without a point has no place; the empty face is named") {
+  const Mesh unknown{PointSet({{0}, {1}, {2}}), {{0, 1}, {1, 5}}, {}, 1};
+  CHECK(explanation(check::triangulation(unknown), unknown) ==
+        "triangulation.unknown-vertex: a simplex has an index that names no point\n"
+        "  simplex  2 6\n"
+        "  vertex   6\n"
+        "triangulation.unused-point: a point is a vertex of no simplex\n"
+        "  vertex   3 at (2)\n  point    (2)\n");
+  const Mesh gap{PointSet({{0}, {1}, {2}, {3}}), {{0, 1}, {2, 3}}};
+  CHECK(explanation(check::triangulation(gap), gap) ==
+        "triangulation.hull-not-closed: a ridge of the boundary is not shared by exactly two "
+        "boundary facets\n"
+        "  simplex  0\n"
+        "  simplex  1\n"
+        "  simplex  2\n"
+        "  simplex  3\n"
+        "  face     (the empty one)\n");
+}
+
+TEST_CASE("explanation: a number too long to read is given by its decimal") {
+  Rational long_number(1);
+  for (int i = 0; i < 20; ++i) long_number = long_number / 12345 + 1;
+  const Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {long_number, 5}}), {{0, 1, 2}}};
+  const std::string text = explanation(check::triangulation(mesh), mesh);
+  CHECK(text.find("  vertex   3 at (~ 1.0000810110174985, 5)") != std::string::npos);
+  for (std::size_t line = 0; line < text.size();) {
+    const std::size_t end = text.find('\n', line);
+    CHECK(end - line < 200);
+    line = end + 1;
+  }
+}
+
+TEST_CASE("wording: simplices by dimension, the two ways by name") {
+  CHECK(simplices_noun(-1) == "simplices");
+  CHECK(simplices_noun(0) == "vertices");
+  CHECK(simplices_noun(1) == "edges");
+  CHECK(simplices_noun(2) == "triangles");
+  CHECK(simplices_noun(3) == "tetrahedra");
+  CHECK(simplices_noun(4) == "simplices");
+  CHECK(name(check::By::kLemma) == "lemma");
+  CHECK(name(check::By::kDefinition) == "definition");
+}
+
+}  // namespace
+}  // namespace circumspect::report

@@ -1,0 +1,45 @@
+// D2 at length: every construction, order and point location on thousands of degenerate sets.
+// Book: Theorem 4.4, Sections 4.2, 4.4, 5.2 to 5.6.
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "properties/every_construction.hpp"
+#include "properties/generators/point_sets.hpp"
+#include "properties/run.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+// By definition takes n^(k+2) predicates, so that the larger sets are held against gift-wrapping.
+void assert_agreement(std::size_t d, std::size_t max_points) {
+  const auto sets = generators::degenerate_point_set(d, max_points);
+  const generators::PointsCase set =
+      *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, max_points));
+  const PointSet points(set.points, set.weights);
+  const Triangulation expected =
+      points.size() <= 12 ? delaunay::by_definition(points) : delaunay::gift_wrapping(points);
+  for (const NamedConstruction& construction :
+       every_construction(*rc::gen::arbitrary<std::uint64_t>())) {
+    RC_LOG(construction.name);
+    RC_ASSERT(construction.construct(points) == expected);
+  }
+}
+
+TEST_CASE("D2 every construction agrees on 500 small degenerate sets in each dimension") {
+  for (const std::size_t d : {2u, 3u, 4u}) {
+    CAPTURE(d);
+    CHECK(holds("one canonical triangulation", 500, [d] { assert_agreement(d, 10); }));
+  }
+}
+
+TEST_CASE("D2 every construction agrees on larger degenerate sets") {
+  for (const std::size_t d : {2u, 3u, 4u}) {
+    CAPTURE(d);
+    CHECK(
+        holds("one canonical triangulation", 200, [d] { assert_agreement(d, d == 4 ? 16 : 30); }));
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::properties

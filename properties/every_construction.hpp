@@ -1,0 +1,52 @@
+// Every construction of the canonical Delaunay triangulation, with every option, for holding them
+// equal. A new algorithm is one line here.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
+
+namespace circumspect::properties {
+
+struct NamedConstruction {
+  std::string name;
+  std::function<Triangulation(const PointSet&)> construct;
+};
+
+// Bowyer–Watson in each order with each point location; `seed` is that of the random orders.
+inline std::vector<NamedConstruction> insertions(std::uint64_t seed) {
+  using delaunay::InsertionOrder;
+  using delaunay::PointLocation;
+  std::vector<NamedConstruction> all;
+  for (const InsertionOrder order : {InsertionOrder::kAsGiven, InsertionOrder::kRandom,
+                                     InsertionOrder::kBrioHilbert, InsertionOrder::kBrioZOrder}) {
+    for (const PointLocation location :
+         {PointLocation::kLinearScan, PointLocation::kConflictGraph, PointLocation::kWalking}) {
+      all.push_back({"Bowyer-Watson, order " + std::to_string(static_cast<int>(order)) +
+                         ", location " + std::to_string(static_cast<int>(location)),
+                     [=](const PointSet& points) {
+                       return delaunay::bowyer_watson(points, {order, location, seed});
+                     }});
+    }
+  }
+  return all;
+}
+
+inline std::vector<NamedConstruction> every_construction(std::uint64_t seed) {
+  std::vector<NamedConstruction> all = insertions(seed);
+  all.push_back({"gift-wrapping", [](const PointSet& p) { return delaunay::gift_wrapping(p); }});
+  all.push_back({"gift-wrapping by cells", delaunay::gift_wrapping_by_cells});
+  all.push_back({"lifted hull", delaunay::lifted_hull});
+  all.push_back({"lifted hull by definition", delaunay::lifted_hull_by_definition});
+  all.push_back({"insertion by flips", delaunay::flip_insertion});
+  return all;
+}
+
+}  // namespace circumspect::properties
