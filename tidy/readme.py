@@ -7,6 +7,7 @@
 import difflib
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -18,7 +19,7 @@ RULES = ROOT / "oracle" / "rule.cpp"
 
 def output_of(command, line):
     """What the command prints, stdout and stderr, run at the root; files it writes go elsewhere."""
-    words = line.split()[1:]
+    words = shlex.split(line)[1:]
     with tempfile.TemporaryDirectory() as folder:
         words = [f"{folder}/{word}" if word == "reference.ele" else word for word in words]
         run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)

@@ -22,7 +22,7 @@ ARROWS = {
     "oracle/check": ["oracle"],
     "oracle/formats": ["oracle"],
     "oracle/report": ["oracle/check", "oracle/formats"],
-    "oracle/cli": ["reference/delaunay", "oracle/report"],
+    "oracle/cli": ["reference/optimality", "oracle/report"],
     "properties/generators": ["reference/complex"],
     "properties/mutations": ["oracle"],
     "properties/triangulations": ["reference/delaunay", "properties/generators"],
