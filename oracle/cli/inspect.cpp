@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/inspect_counts.hpp"
 #include "oracle/cli/inspect_simplex.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
@@ -46,9 +47,9 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
 
 // An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size of
 // the set; the other balls take a look at every (k+2)-subset.
-Genericity genericity(const PointSet& points, std::size_t subsets) {
-  const auto empty_ball =
-      delaunay::cospherical_points_of_an_empty_ball(points, delaunay::bowyer_watson(points));
+Genericity genericity(const PointSet& points, const Triangulation& triangulation,
+                      std::size_t subsets) {
+  const auto empty_ball = delaunay::cospherical_points_of_an_empty_ball(points, triangulation);
   if (empty_ball) return {Genericity::Answer::kNotGeneric, *empty_ball, false};
   const auto size = static_cast<std::size_t>(points.dimension() + 2);
   if (subsets != 0 && binomial(points.size(), size, subsets + 1) > subsets) {
@@ -85,7 +86,20 @@ struct Facts {
   std::size_t points_read;
   std::vector<Duplicate> duplicates;
   Genericity genericity;
+  std::vector<SimplexCount> counts;
 };
+
+// "simplices: 19 of at most 28 edges, 18 of at most 40 triangles, 6 of at most 19 tetrahedra"
+std::string counts_text(const std::vector<SimplexCount>& counts) {
+  std::string text;
+  for (const SimplexCount& count : counts) {
+    text += fmt::format("{}{}{} {}", text.empty() ? "simplices: " : ", ", count.count,
+                        count.bound ? fmt::format(" of at most {}", *count.bound) : "",
+                        count.dimension > 3 ? fmt::format("{}-simplices", count.dimension)
+                                            : report::simplices_noun(count.dimension));
+  }
+  return text.empty() ? "" : text + "\n";
+}
 
 std::string text(const Facts& facts) {
   const Mesh& mesh = facts.input.mesh;
@@ -107,6 +121,7 @@ std::string text(const Facts& facts) {
   if (genericity.answer == Genericity::Answer::kUndecided) {
     out += "generic: undecided, more subsets than --subsets; no empty ball has too many points\n";
   }
+  out += counts_text(facts.counts);
   return out + fmt::format("inspected: {} {} points {} duplicates dimension {} of {} {} {}\n",
                            facts.input.name, facts.points_read, facts.duplicates.size(),
                            mesh.points.dimension(), mesh.points.ambient_dimension(),
@@ -126,6 +141,13 @@ report::Json json(const Facts& facts) {
                          {"dimension", mesh.points.dimension()},
                          {"generic", word(facts.genericity.answer)},
                          {"unique", facts.genericity.unique}};
+  report::Json counts = report::Json::array();
+  for (const SimplexCount& count : facts.counts) {
+    report::Json entry = {{"dimension", count.dimension}, {"count", count.count}};
+    if (count.bound) entry["bound"] = *count.bound;
+    counts.push_back(entry);
+  }
+  object["simplices_of_canonical_triangulation"] = counts;
   if (!facts.genericity.cospherical.empty()) {
     report::Json vertices = report::Json::array();
     report::Json coordinates = report::Json::object();
@@ -152,8 +174,11 @@ void inspect_one(const std::string& path, const InspectOptions& options, Output&
     return;
   }
   const PointSet& points = loaded->mesh.points;
+  const Triangulation triangulation = delaunay::bowyer_watson(
+      points, {delaunay::InsertionOrder::kBrioHilbert, delaunay::PointLocation::kWalking, 0});
   const Facts facts{*loaded, points.size() + repeated.size(), repeated,
-                    genericity(points, options.subsets)};
+                    genericity(points, triangulation, options.subsets),
+                    simplex_counts(triangulation, points.size())};
   report::Json answers = report::Json::array();
   for (const std::string& vertices : options.simplices) {
     const auto answer = inspect_simplex(loaded->mesh, vertices);
@@ -176,7 +201,8 @@ void inspect_one(const std::string& path, const InspectOptions& options, Output&
 void add_inspect(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand(
-      "inspect", "Facts about a point set: dimension, duplicates, genericity with a witness");
+      "inspect",
+      "Facts about a point set: dimension, duplicates, genericity with a witness, counts");
   command->footer(
       "Example:\n"
       "  circumspect inspect points.node\n\n"

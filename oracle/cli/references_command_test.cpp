@@ -115,5 +115,15 @@ TEST_CASE("inspect --simplex: strongly Delaunay, Delaunay, neither; and question
   CHECK(run({"inspect", points, "--simplex", ""}).exit_code == 2);
 }
 
+TEST_CASE("inspect counts the simplices of the canonical triangulation against the bounds") {
+  const ScratchFolder folder;
+  // Two skew lines with 3 points each: (3 − 1)(3 − 1) tetrahedra.
+  const std::string points =
+      folder.write("lines.node", "6 3\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 0 1\n5 0 1 1\n6 0 2 1\n");
+  const std::string out = run({"inspect", points}).out;
+  CHECK(out.find("simplices: 13 of at most 15 edges, 12 of at most 18 triangles, "
+                 "4 of at most 8 tetrahedra\n") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace circumspect::cli
