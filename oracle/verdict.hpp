@@ -21,8 +21,8 @@ struct Violation {
 };
 
 // How often a rule is broken, and how badly at worst. The margin is relative and unitless: the depth
-// r² − |q − o|² of a point in a ball over r², between 0 and 1. One near 0 tells a rounding error
-// from a bug.
+// r² − |q − o|² of a point in a ball over r², between 0 and 1 (weighted: plus its weight, and possibly
+// more than 1). One near 0 tells a rounding error from a bug.
 struct Tally {
   std::size_t count = 0;
   std::optional<Rational> worst_margin = {};

@@ -26,8 +26,8 @@ Verdict delaunay(const Mesh& mesh, const Options& options = {});
 
 // Is it a weighted Delaunay triangulation: a triangulation of some of the points, whose union is the
 // convex hull of all, such that no lifted point lies strictly below the witness plane of a simplex?
-// Points on the lower hull that are not extreme may be vertices or not. Without weights this is
-// whether the vertices are Delaunay and nothing but them lies in a closed ball's interior.
+// Points on the lower hull that are not extreme may be vertices or not. Book: Section 5.2. Where all
+// weights are equal, it is the claim `delaunay`.
 Verdict weighted_delaunay(const Mesh& mesh, const Options& options = {});
 
 Verdict judge(Claim claim, const Mesh& mesh, const Options& options = {});
