@@ -16,13 +16,13 @@ libexpected-dev       a value, or why there is none (tl::expected)
 libcli11-dev          command-line arguments
 libfmt-dev            formatted text
 nlohmann-json3-dev    JSON
+libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
+libboost-dev          spatial indexes, and headers that CGAL includes
 END
       ;;
     test) cat <<'END'
 doctest-dev           runs the tests
 librapidcheck-dev     generates and shrinks test inputs
-libcgal-dev           a second opinion on the predicates, in tests only
-libboost-dev          headers that CGAL includes
 topcom                a second opinion on the number of triangulations, in tests only
 python3               runs tidy/tidy.py
 clang-format-14       checks the layout of the sources
