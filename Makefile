@@ -7,13 +7,13 @@ SHELL       := /bin/bash
 .DEFAULT_GOAL := build
 
 JOBS         ?= $(shell nproc)
+MINUTES      ?= 30
 CLANG_FORMAT ?= clang-format-14
 COMMAND      := build/release/bin/circumspect
 SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
 export PYTHONDONTWRITEBYTECODE := 1
 
-# The same random inputs on every run of `make test`; `make soak` draws new ones.
-# RC_PARAMS=... overrides both; a failing property prints the value that repeats it.
+# The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
 .PHONY: build demo test test-style test-release test-sanitize soak bench format clean \
@@ -56,10 +56,12 @@ test-release test-sanitize: test-%:
 	@cmake --build --preset $* -j $(JOBS)
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
 
+# Every property and every soak test on new random inputs, round after round, for MINUTES; a failure
+# ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.
 soak: deps-test
 	@cmake --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset release -j $(JOBS)
-	@ctest --preset soak -j $(JOBS)
+	@properties/soak.sh build/release $(MINUTES)
 
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }

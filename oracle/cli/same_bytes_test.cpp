@@ -1,0 +1,29 @@
+// The same bytes whichever way a triangulation is built, in short; same_bytes_soak_test at length.
+#include "oracle/cli/same_bytes.hpp"
+
+#include <doctest/doctest.h>
+
+#include "properties/generators/point_sets.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+TEST_CASE("build: every algorithm, order, location and seed writes the same bytes") {
+  for (const std::size_t d : {2u, 3u, 4u}) {
+    CAPTURE(d);
+    CHECK(same_bytes(d, 5, generators::unweighted(generators::degenerate_point_set(d, 9))));
+  }
+}
+
+// If the help were worded differently, fewer ways might be tested than there are.
+TEST_CASE("build: the ways that are compared") {
+  CHECK(choices("--location") ==
+        std::vector<std::string>{"linear-scan", "conflict-graph", "walking"});
+  CHECK(every_way({"0", "1"}).size() ==
+        choices("--algorithm").size() - 1 +
+            choices("--order").size() * choices("--location").size() * 2);
+  CHECK_THROWS(choices("--format-of-nothing"));
+}
+
+}  // namespace
+}  // namespace circumspect::cli
