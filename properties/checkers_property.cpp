@@ -61,7 +61,7 @@ TEST_CASE("lemma and definition agree on altered meshes, valid or not") {
       delaunay_ones += judged(Claim::kDelaunay, mesh) ? 1u : 0u;
     }));
     // The property says nothing unless both answers come up.
-    CHECK(triangulations > 0);
+    CHECK(occurs(triangulations));
     if (d > 1) CHECK(triangulations > delaunay_ones);
   }
 }
@@ -80,7 +80,7 @@ TEST_CASE("lemma and definition report the same uniqueness and canonicity") {
       RC_ASSERT(by_lemma.canonical == by_definition.canonical);
       not_canonical += by_lemma.canonical == false ? 1u : 0u;
     }));
-    CHECK(not_canonical > 0);
+    CHECK(occurs(not_canonical));
   }
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("D7 flips insert the points of a grid, in simplices, in facets, on edg
       ++places[insertion.dimension_of_face.value_or(4) - 1];
     }
   }
-  for (const std::size_t often : places) CHECK(often > 0);
+  for (const std::size_t often : places) CHECK(occurs(often));
 }
 
 TEST_CASE("D2 insertion by flips makes the canonical triangulation, with weights and without") {

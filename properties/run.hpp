@@ -1,6 +1,8 @@
 // Running a RapidCheck property a stated number of times inside a doctest case.
 #pragma once
 
+#include <cstdlib>
+#include <iostream>
 #include <string>
 #include <utility>
 
@@ -23,6 +25,13 @@ bool holds(const std::string& description, int successes, Testable&& testable) {
   rc::detail::printResultMessage(result, std::cerr);
   std::cerr << "\n";
   return false;
+}
+
+// Has a kind of input been drawn that a property must not do without? The fixed inputs of `make test`
+// have all of them. A soak, which says so in its environment, draws new ones each round, where a rare
+// kind may well be missing once: it does not ask.
+inline bool occurs(std::size_t often) {
+  return often > 0 || std::getenv("CIRCUMSPECT_SOAK") != nullptr;
 }
 
 }  // namespace circumspect::properties

@@ -86,10 +86,10 @@ TEST_CASE(
       }
       RC_ASSERT(members.empty());
     }));
-    if (d <= 3) CHECK(seen.surfaced > 0);
-    CHECK(seen.dropped > 0);
-    CHECK(seen.on_hull > 0);
-    CHECK(seen.inside > 0);
+    if (d <= 3) CHECK(occurs(seen.surfaced));
+    CHECK(occurs(seen.dropped));
+    CHECK(occurs(seen.on_hull));
+    CHECK(occurs(seen.inside));
   }
 }
 
