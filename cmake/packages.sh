@@ -16,6 +16,7 @@ libexpected-dev       a value, or why there is none (tl::expected)
 libcli11-dev          command-line arguments
 libfmt-dev            formatted text
 nlohmann-json3-dev    JSON
+libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
 libboost-dev          spatial indexes, and headers that CGAL includes
 END

@@ -1,0 +1,50 @@
+// Does a piecewise linear complex have any triangulation without Steiner points, or any constrained
+// Delaunay triangulation? The former is NP-complete in general, the latter NP-hard where the complex
+// is not generic. Book: Section 4.5, Sections 5.6 and 5.9.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reference/existence/refutation.hpp"
+#include "reference/piecewise_linear/regions.hpp"
+
+namespace circumspect::existence {
+
+// The tetrahedra of a triangulation, ascending, in lexicographic order.
+struct Exists {
+  std::vector<Simplex> tetrahedra;
+};
+
+// There is none: the formula over the candidates cannot be satisfied, and its refutation has been
+// replayed.
+struct Impossible {
+  std::vector<Simplex> candidates;  // variable i + 1 is candidate i
+  Formula formula;
+  Refutation refutation;
+};
+
+// A limit was reached first.
+struct Unknown {
+  std::string limit;
+};
+
+using Existence = std::variant<Exists, Impossible, Unknown>;
+
+struct Limits {
+  std::size_t vertices = 60;  // of the complex; candidates grow with their fourth power
+  int conflicts = 1'000'000;  // of the solver; 0: none
+};
+
+// Is there any triangulation (Definition 4.4) of the polyhedra of the complex?
+// Requires: the complex is in space.
+Existence any_triangulation(const PiecewiseLinearComplex& complex, const Regions& regions,
+                            const Limits& limits = {});
+
+// Is there any constrained Delaunay triangulation (Definition 4.7), in the unperturbed sense?
+// Dangling polygons, which have planar CDTs always, do not matter.
+Existence any_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
+                  const Limits& limits = {});
+
+}  // namespace circumspect::existence

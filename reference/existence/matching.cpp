@@ -1,0 +1,196 @@
+#include "reference/existence/matching.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "reference/predicates/intersection.hpp"
+#include "reference/predicates/orientation.hpp"
+
+namespace circumspect::existence {
+namespace {
+
+constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
+
+// A facet of a tetrahedron: which, and on which side of it the tetrahedron is, as the sign of the
+// orientation of (facet, apex).
+struct SidedFacet {
+  Simplex facet;
+  int side;
+  auto operator<=>(const SidedFacet&) const = default;
+  SidedFacet other() const { return {facet, -side}; }
+  OrientedFacet oriented() const { return {facet, side < 0}; }
+};
+
+class Matching {
+ public:
+  Matching(const PiecewiseLinearComplex& complex, const Regions& regions,
+           const std::vector<Simplex>& tetrahedra)
+      : complex_(complex), regions_(regions), walls_(walls(complex)) {
+    formula_.variables = static_cast<int>(tetrahedra.size());
+    for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+      for (std::size_t place = 0; place < 4; ++place) {
+        const Simplex facet = facet_opposite(tetrahedra[i], place);
+        users_[{facet, side(facet, tetrahedra[i][place])}].push_back(static_cast<Literal>(i) + 1);
+      }
+    }
+  }
+
+  Formula formula() {
+    for (const auto& [facet, users] : users_) {
+      at_most_one(users);
+      match(facet, users);
+    }
+    cover_regions();
+    if (complex_.kind == DomainKind::kHull) cover_hull();
+    return std::move(formula_);
+  }
+
+ private:
+  int side(const Simplex& facet, Vertex v) const {
+    Simplex simplex = facet;
+    simplex.push_back(v);
+    return orientation(complex_.points.configuration(), kSpace, simplex);
+  }
+
+  void at_most_one(const std::vector<Literal>& tetrahedra) {
+    for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        formula_.clauses.push_back({-tetrahedra[i], -tetrahedra[j]});
+      }
+    }
+  }
+
+  bool is_on_hull(const SidedFacet& facet) const {
+    for (Vertex v = 0; complex_.points.names(v); ++v) {
+      if (side(facet.facet, v) == -facet.side) return false;
+    }
+    return true;
+  }
+
+  // The wall in which a facet lies, if any. A facet of a tetrahedron that respects the complex lies
+  // in a polygon as soon as its barycentre does.
+  std::optional<Simplex> wall_of(const Simplex& facet) const {
+    const Point centre = barycentre(coordinates(complex_.points, facet));
+    for (const Simplex& wall : walls_) {
+      if (std::any_of(facet.begin(), facet.end(), [&](Vertex v) { return side(wall, v) != 0; })) {
+        continue;
+      }
+      if (!intersection(coordinates(complex_.points, wall), {centre}).empty()) return wall;
+    }
+    return std::nullopt;
+  }
+
+  // The side of one facet that faces as a side of another one in its plane does.
+  int same_side(const SidedFacet& facet, const Simplex& coplanar) const {
+    for (Vertex v = 0; complex_.points.names(v); ++v) {
+      if (const int s = side(facet.facet, v); s != 0) {
+        return s == facet.side ? side(coplanar, v) : -side(coplanar, v);
+      }
+    }
+    assert(false);
+    return 0;
+  }
+
+  // Is some of the domain on the other side of a facet?
+  bool has_domain_beyond(const SidedFacet& facet) const {
+    if (complex_.kind == DomainKind::kHull) return !is_on_hull(facet);
+    const std::optional<Simplex> wall = wall_of(facet.facet);
+    if (!wall) return true;
+    const OrientedFacet beyond{*wall, same_side(facet, *wall) > 0};
+    return regions_.where(regions_.in_front_of(beyond)) == Where::kInside;
+  }
+
+  void match(const SidedFacet& facet, const std::vector<Literal>& users) {
+    const auto across = users_.find(facet.other());
+    if (!has_domain_beyond(facet)) return;
+    for (const Literal user : users) {
+      Clause clause = {-user};
+      if (across != users_.end()) {
+        clause.insert(clause.end(), across->second.begin(), across->second.end());
+      }
+      formula_.clauses.push_back(clause);
+    }
+  }
+
+  // Exactly one of the tetrahedra that reach a generic point of a facet from its side.
+  void cover(const SidedFacet& facet) {
+    for (long weight = 1;; ++weight) {
+      // Points along a curve in the facet, of which a line meets at most two.
+      const Rational a = Rational(1, 3 + weight), b = Rational(1, 3 + weight * weight);
+      const Point point = a * complex_.points[facet.facet[0]] +
+                          b * complex_.points[facet.facet[1]] +
+                          (1 - a - b) * complex_.points[facet.facet[2]];
+      if (const auto clause = that_reach(facet, point)) {
+        formula_.clauses.push_back(*clause);
+        at_most_one(*clause);
+        return;
+      }
+    }
+  }
+
+  // The tetrahedra on one side of a facet whose own facets in its plane hold the point; nothing if
+  // it lies on the edge of one.
+  std::optional<Clause> that_reach(const SidedFacet& facet, const Point& point) const {
+    Clause clause;
+    for (const auto& [other, users] : users_) {
+      const bool is_coplanar = std::all_of(other.facet.begin(), other.facet.end(),
+                                           [&](Vertex v) { return side(facet.facet, v) == 0; });
+      if (!is_coplanar || same_side(facet, other.facet) != other.side) continue;
+      const std::vector<Point> corners = coordinates(complex_.points, other.facet);
+      if (intersection(corners, {point}).empty()) continue;
+      for (std::size_t place = 0; place < 3; ++place) {
+        std::vector<Point> edge = corners;
+        edge.erase(edge.begin() + static_cast<std::ptrdiff_t>(place));
+        if (!intersection(edge, {point}).empty()) return std::nullopt;
+      }
+      clause.insert(clause.end(), users.begin(), users.end());
+    }
+    return clause;
+  }
+
+  // Once for each region of the domain, at some wall of it.
+  void cover_regions() {
+    std::set<std::size_t> covered;
+    for (const Simplex& wall : walls_) {
+      for (const int s : {1, -1}) {
+        const SidedFacet facet{wall, s};
+        const std::size_t region = regions_.in_front_of(facet.oriented());
+        if (regions_.where(region) != Where::kInside || covered.contains(region)) continue;
+        // What of a hull is in the unbounded region may be in several parts, or in none.
+        if (complex_.kind == DomainKind::kHull && is_on_hull(facet.other())) continue;
+        if (complex_.kind == DomainKind::kEnclosed) covered.insert(region);
+        cover(facet);
+      }
+    }
+  }
+
+  // Every facet on the hull is reached from within once, and there must be some.
+  void cover_hull() {
+    bool has_facet = complex_.points.dimension() < 3;
+    for (const auto& [facet, users] : users_) {
+      if (!is_on_hull(facet)) continue;
+      has_facet = true;
+      cover(facet);
+    }
+    if (!has_facet) formula_.clauses.push_back({});
+  }
+
+  const PiecewiseLinearComplex& complex_;
+  const Regions& regions_;
+  std::vector<Simplex> walls_;
+  std::map<SidedFacet, std::vector<Literal>> users_;
+  Formula formula_;
+};
+
+}  // namespace
+
+Formula matching_formula(const PiecewiseLinearComplex& complex, const Regions& regions,
+                         const std::vector<Simplex>& tetrahedra) {
+  return Matching(complex, regions, tetrahedra).formula();
+}
+
+}  // namespace circumspect::existence

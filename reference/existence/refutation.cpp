@@ -1,0 +1,192 @@
+#include "reference/existence/refutation.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <map>
+
+namespace circumspect::existence {
+namespace {
+
+// Clauses under a growing assignment, with two literals of each clause watched: as long as neither
+// is false, the clause cannot have become unit. M. Moskewicz et al., Chaff, DAC 2001.
+class UnitPropagation {
+ public:
+  explicit UnitPropagation(int variables) {
+    values_.resize(static_cast<std::size_t>(variables) + 1, 0);
+    watched_.resize(2 * values_.size());
+  }
+
+  // The clause must not be used after `remove`.
+  void add(Clause clause) {
+    std::sort(clause.begin(), clause.end());
+    clause.erase(std::unique(clause.begin(), clause.end()), clause.end());
+    for (const Literal literal : clause) cover(literal);
+    const std::size_t number = clauses_.size();
+    numbers_[clause].push_back(number);
+    if (clause.empty()) has_empty_ = true;
+    if (clause.size() == 1) units_.push_back(clause.front());
+    for (std::size_t i = 0; clause.size() > 1 && i < 2; ++i) watches(clause[i]).push_back(number);
+    clauses_.push_back(std::move(clause));
+  }
+
+  void remove(Clause clause) {
+    std::sort(clause.begin(), clause.end());
+    const auto found = numbers_.find(clause);
+    // A unit clause stays: it costs nothing, and what holds goes on to hold.
+    if (clause.size() < 2 || found == numbers_.end()) return;
+    clauses_[found->second.back()].clear();
+    found->second.pop_back();
+    if (found->second.empty()) numbers_.erase(found);
+  }
+
+  // Does assuming the literals false make some clause false, by unit propagation alone?
+  bool refutes(const Clause& literals) {
+    bool conflict = has_empty_;
+    for (const Literal literal : literals) conflict = conflict || !assign(-literal);
+    for (const Literal unit : units_) conflict = conflict || !assign(unit);
+    for (std::size_t next = 0; !conflict && next < trail_.size(); ++next) {
+      conflict = !propagate(-trail_[next]);
+    }
+    for (const Literal literal : trail_) values_[index(literal)] = 0;
+    trail_.clear();
+    return conflict;
+  }
+
+ private:
+  static std::size_t index(Literal literal) { return static_cast<std::size_t>(std::abs(literal)); }
+  std::vector<std::size_t>& watches(Literal literal) {
+    return watched_[2 * index(literal) + (literal < 0 ? 1 : 0)];
+  }
+  int value(Literal literal) const {
+    return literal < 0 ? -values_[index(literal)] : values_[index(literal)];
+  }
+  void cover(Literal literal) {
+    if (index(literal) < values_.size()) return;
+    values_.resize(index(literal) + 1, 0);
+    watched_.resize(2 * values_.size());
+  }
+
+  // Makes a literal true; false if it is false already.
+  bool assign(Literal literal) {
+    cover(literal);
+    if (value(literal) < 0) return false;
+    if (value(literal) == 0) {
+      values_[index(literal)] = literal < 0 ? -1 : 1;
+      trail_.push_back(literal);
+    }
+    return true;
+  }
+
+  // A literal has become false: looks after the clauses that watch it. False on a conflict.
+  bool propagate(Literal falsified) {
+    std::vector<std::size_t>& list = watches(falsified);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Clause& clause = clauses_[list[i]];
+      if (clause.empty()) continue;  // deleted
+      if (clause[0] == falsified) std::swap(clause[0], clause[1]);
+      const auto other = std::find_if(clause.begin() + 2, clause.end(),
+                                      [this](Literal literal) { return value(literal) >= 0; });
+      if (value(clause[0]) <= 0 && other != clause.end()) {
+        std::swap(clause[1], *other);
+        watches(clause[1]).push_back(list[i]);
+        continue;
+      }
+      list[kept++] = list[i];
+      if (value(clause[0]) > 0 || assign(clause[0])) continue;
+      for (++i; i < list.size(); ++i) list[kept++] = list[i];
+      list.resize(kept);
+      return false;
+    }
+    list.resize(kept);
+    return true;
+  }
+
+  std::vector<int> values_;                             // by variable: 1 true, −1 false, 0 open
+  std::vector<Literal> trail_;                          // what is true, in the order it became so
+  std::vector<Clause> clauses_;                         // the watched literals first
+  std::map<Clause, std::vector<std::size_t>> numbers_;  // where a clause, sorted, stands
+  std::vector<std::vector<std::size_t>> watched_;       // by literal
+  std::vector<Literal> units_;
+  bool has_empty_ = false;
+};
+
+// The number that ends at a space or at the end, moved past; nothing if there is none.
+bool read_literal(std::string_view& rest, Literal& literal) {
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), literal);
+  if (error != std::errc() || literal == std::numeric_limits<Literal>::min()) return false;
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  return rest.empty() || rest.front() == ' ';
+}
+
+void skip_spaces(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \r"), rest.size()));
+}
+
+// A variable that no clause names only wastes memory; a proof that names a huge one is malformed.
+constexpr Literal kLargestVariable = 50'000'000;
+
+bool read_step(std::string_view line, ProofStep& step) {
+  skip_spaces(line);
+  if (line.starts_with("d ")) {
+    step.deletes = true;
+    line.remove_prefix(2);
+  }
+  for (;;) {
+    skip_spaces(line);
+    Literal literal = 0;
+    if (!read_literal(line, literal)) return false;
+    if (literal == 0) break;
+    if (std::abs(literal) > kLargestVariable) return false;
+    step.clause.push_back(literal);
+  }
+  skip_spaces(line);
+  return line.empty();
+}
+
+}  // namespace
+
+tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text) {
+  Refutation refutation;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    ProofStep step;
+    if (!read_step(text.substr(0, end), step)) {
+      return tl::make_unexpected(MalformedProof{line, "literals and a 0, after d for a deletion"});
+    }
+    refutation.push_back(std::move(step));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return refutation;
+}
+
+std::string to_text(const Refutation& refutation) {
+  std::string text;
+  for (const ProofStep& step : refutation) {
+    if (step.deletes) text += "d ";
+    for (const Literal literal : step.clause) text += std::to_string(literal) + " ";
+    text += "0\n";
+  }
+  return text;
+}
+
+tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation) {
+  UnitPropagation propagation(formula.variables);
+  for (const Clause& clause : formula.clauses) propagation.add(clause);
+  for (std::size_t i = 0; i < refutation.size(); ++i) {
+    const ProofStep& step = refutation[i];
+    if (step.deletes) {
+      propagation.remove(step.clause);
+      continue;
+    }
+    if (!propagation.refutes(step.clause)) return tl::make_unexpected(ProofFault{i});
+    if (step.clause.empty()) return {};
+    propagation.add(step.clause);
+  }
+  if (propagation.refutes({})) return {};
+  return tl::make_unexpected(ProofFault{refutation.size()});
+}
+
+}  // namespace circumspect::existence

@@ -1,0 +1,47 @@
+// Refutations: proofs that a formula is false whatever the variables, and a checker of them that
+// shares nothing with the solver that found them.
+// E. Goldberg and Y. Novikov, Verification of proofs of unsatisfiability for CNF formulas, DATE 2003.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "reference/existence/formula.hpp"
+
+namespace circumspect::existence {
+
+// One line of a proof in the format DRAT: a clause that follows from those before it, or one that is
+// not needed any more.
+struct ProofStep {
+  bool deletes = false;
+  Clause clause;
+};
+using Refutation = std::vector<ProofStep>;
+
+// A line of a proof file that is not one, counted from 1, and what was expected there.
+struct MalformedProof {
+  std::size_t line;
+  std::string expected;
+};
+
+// Reads DRAT's text: a line a step, the clause's literals and 0, after `d` for a deletion.
+tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text);
+std::string to_text(const Refutation& refutation);
+
+// Why a proof proves nothing: the first step that does not follow (its place from 0), or as many as
+// there are steps if the empty clause does not follow from all of them.
+struct ProofFault {
+  std::size_t step;
+};
+
+// Replays a proof. Each clause must follow from those before it by reverse unit propagation (RUP):
+// assume all of its literals false; as long as some clause has but one literal that is not false,
+// make that one true; some clause must become false. A clause that passes follows indeed, for each
+// propagation is forced; so when the empty clause passes, as a step or after the last one, nothing satisfies the formula. Deletions
+// only save time; one of a clause that is not there is ignored.
+tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation);
+
+}  // namespace circumspect::existence

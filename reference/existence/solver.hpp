@@ -1,0 +1,25 @@
+// Deciding a formula by the solver CaDiCaL (A. Biere).
+#pragma once
+
+#include <variant>
+
+#include "reference/existence/refutation.hpp"
+
+namespace circumspect::existence {
+
+struct Satisfied {
+  std::vector<bool> assignment;  // of variable v in place v − 1
+};
+struct Refuted {
+  Refutation refutation;
+};
+struct Undecided {};  // within the limit
+
+// Satisfied, refuted, or undecided after so many conflicts (0: no limit). The answer is the solver's
+// word until `is_satisfied` or `replay` has confirmed it.
+std::variant<Satisfied, Refuted, Undecided> solve(const Formula& formula, int conflict_limit = 0);
+
+// The name and the version of the solver.
+std::string solver_version();
+
+}  // namespace circumspect::existence
