@@ -2,91 +2,106 @@
 #include <algorithm>
 #include <set>
 
+#include "reference/complex/flat.hpp"
 #include "reference/complex/simplex.hpp"
+#include "reference/piecewise_linear/cell_boxes.hpp"
+#include "reference/piecewise_linear/incidence.hpp"
+#include "reference/piecewise_linear/lines.hpp"
 #include "reference/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/piecewise_linear/polygon_triangles.hpp"
-#include "reference/predicates/intersection.hpp"
-#include "reference/predicates/orientation.hpp"
 
 namespace circumspect {
 namespace {
 
-std::set<Simplex> edges_of(const PolygonLines& polygon) {
-  std::set<Simplex> edges;
-  for (const std::vector<Vertex>& line : polygon.lines) {
-    if (line.size() < 2) continue;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      edges.insert(sorted({line[i], line[(i + 1) % line.size()]}));
+// All vertices and segments, for finding those that lie in a polygon.
+class Assembly {
+ public:
+  Assembly(const PointSet& points, const std::vector<Simplex>& segments)
+      : points_(points),
+        boxes_(points),
+        vertices_(boxes_.of_vertices()),
+        neighbours_(points.size()) {
+    for (const Simplex& segment : segments) {
+      neighbours_[static_cast<std::size_t>(segment[0])].push_back(segment[1]);
     }
   }
-  return edges;
-}
 
-std::set<Vertex> vertices_of(const PolygonLines& polygon) {
-  std::set<Vertex> vertices;
-  for (const auto& line : polygon.lines) vertices.insert(line.begin(), line.end());
-  return vertices;
-}
-
-// Two coordinate axes of the plane through some vertices.
-std::vector<std::size_t> axes_through(const PointSet& points, const std::set<Vertex>& vertices) {
-  Simplex basis;
-  for (const Vertex v : vertices) {
-    basis.push_back(v);
-    if (axes_of(points.configuration(), basis).size() + 1 < basis.size()) basis.pop_back();
-    if (basis.size() == 3) break;
-  }
-  return axes_of(points.configuration(), basis);
-}
-
-bool lies_in(const PointSet& points, const std::vector<Simplex>& triangles, const Point& point) {
-  return std::any_of(triangles.begin(), triangles.end(), [&](const Simplex& triangle) {
-    return !intersection(coordinates(points, triangle), {point}).empty();
-  });
-}
-
-// The polygon with every vertex and segment of the complex that lies in it.
-Polygon polygon_of(const PointSet& points, const std::set<Simplex>& all_segments,
-                   const PolygonLines& lines) {
-  std::set<Vertex> vertices = vertices_of(lines);
-  std::set<Simplex> segments = edges_of(lines);
-  Polygon polygon;
-  polygon.hole_seeds = lines.hole_seeds;
-  polygon.axes = axes_through(points, vertices);
-  const auto cut = [&] {
-    polygon.vertices.assign(vertices.begin(), vertices.end());
-    polygon.segments.assign(segments.begin(), segments.end());
-    polygon.triangles = polygon_triangles(points, polygon.axes, polygon.vertices, polygon.segments,
-                                          polygon.hole_seeds);
-  };
-  cut();
-  const std::size_t listed = vertices.size() + segments.size();
-  for (Vertex v = 0; points.names(v); ++v) {
-    if (!vertices.contains(v) && lies_in(points, polygon.triangles, points[v])) vertices.insert(v);
-  }
-  for (const Simplex& segment : all_segments) {
-    if (segments.contains(segment) || !vertices.contains(segment[0]) ||
-        !vertices.contains(segment[1])) {
-      continue;
+  Polygon polygon(const PolygonLines& lines) const {
+    Polygon polygon;
+    polygon.hole_seeds = lines.hole_seeds;
+    std::vector<Vertex> vertices = vertices_of(lines);
+    const std::set<Simplex> listed = edges_of(lines);
+    const std::vector<Simplex> walls(listed.begin(), listed.end());
+    polygon.axes = flat_through(points_, vertices).axes;
+    if (polygon.axes.size() != 2) return polygon;
+    polygon.triangles =
+        polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds);
+    const std::vector<Vertex> inside = vertices_in(polygon);
+    const std::vector<Simplex> slits = segments_between(inside);
+    const std::size_t count = vertices.size();
+    vertices.insert(vertices.end(), inside.begin(), inside.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const bool has_slits = std::any_of(slits.begin(), slits.end(),
+                                       [&](const Simplex& s) { return !listed.contains(s); });
+    if (vertices.size() > count || has_slits) {
+      polygon.triangles =
+          polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds, slits);
     }
-    if (lies_in(points, polygon.triangles, barycentre(coordinates(points, segment)))) {
-      segments.insert(segment);
+    // The triangles have all these vertices and segments for corners and edges, and those that lie
+    // outside or in a hole are left with none.
+    std::set<Simplex> edges;
+    for (const Simplex& triangle : polygon.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) edges.insert(facet_opposite(triangle, i));
     }
+    polygon.vertices = inside;
+    std::copy_if(slits.begin(), slits.end(), std::back_inserter(polygon.segments),
+                 [&](const Simplex& s) { return edges.contains(s); });
+    return polygon;
   }
-  if (vertices.size() + segments.size() > listed) cut();
-  return polygon;
-}
+
+ private:
+  // All vertices in the triangles of a polygon.
+  std::vector<Vertex> vertices_in(const Polygon& polygon) const {
+    std::set<Vertex> found;
+    for (const Simplex& triangle : polygon.triangles) {
+      found.insert(triangle.begin(), triangle.end());
+      for (const std::size_t place : vertices_.meeting(boxes_.of(triangle))) {
+        const auto v = static_cast<Vertex>(place);
+        if (found.contains(v)) continue;
+        if (lies_in_triangle(points_.configuration(), v, triangle, polygon.axes)) found.insert(v);
+      }
+    }
+    return {found.begin(), found.end()};
+  }
+
+  // All segments with both ends among some vertices, in lexicographic order.
+  std::vector<Simplex> segments_between(const std::vector<Vertex>& vertices) const {
+    std::vector<Simplex> found;
+    for (const Vertex v : vertices) {
+      for (const Vertex w : neighbours_[static_cast<std::size_t>(v)]) {
+        if (std::binary_search(vertices.begin(), vertices.end(), w)) found.push_back({v, w});
+      }
+    }
+    return found;
+  }
+
+  const PointSet& points_;
+  CellBoxes boxes_;
+  BoxIndex vertices_;
+  std::vector<std::vector<Vertex>> neighbours_;  // the greater ends of segments, ascending
+};
 
 }  // namespace
 
 PiecewiseLinearComplex assemble(const PiecewiseLinearInput& input) {
-  std::set<Simplex> segments;
-  for (const auto& segment : input.segments) segments.insert(sorted(segment));
-  for (const PolygonLines& polygon : input.polygons) segments.merge(edges_of(polygon));
   PiecewiseLinearComplex complex{
-      PointSet(input.points), {segments.begin(), segments.end()}, {}, input.hole_seeds, input.kind};
+      PointSet(input.points), segments_of(input), {}, input.hole_seeds, input.kind};
+  if (input.polygons.empty()) return complex;
+  const Assembly assembly(complex.points, complex.segments);
+  complex.polygons.reserve(input.polygons.size());
   for (const PolygonLines& polygon : input.polygons) {
-    complex.polygons.push_back(polygon_of(complex.points, segments, polygon));
+    complex.polygons.push_back(assembly.polygon(polygon));
   }
   return complex;
 }
