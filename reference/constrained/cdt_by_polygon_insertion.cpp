@@ -1,0 +1,67 @@
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
+
+#include <cassert>
+#include <numeric>
+
+#include "reference/constrained/carve.hpp"
+#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/insert_polygon_by_cavity.hpp"
+
+namespace circumspect::constrained {
+namespace {
+
+std::optional<Obstruction> insert(const PointSet& points, EvolvingCdt& cdt, const Polygon& polygon,
+                                  PolygonInsertion by, std::vector<PolygonFlips>* runs) {
+  if (by == PolygonInsertion::kCavities) return insert_polygon_by_cavity(points, cdt, polygon);
+  auto run = flip_insert_polygon(points, cdt, polygon);
+  if (!run) return run.error();
+  if (runs != nullptr) runs->push_back(*std::move(run));
+  return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
+    const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options,
+    std::vector<PolygonFlips>* runs) {
+  EvolvingCdt cdt = evolving_delaunay(complex.points);
+  for (const Simplex& segment : complex.segments) {
+    if (cdt.tetrahedra.star(segment).empty()) {
+      return tl::unexpected(NoPolygonInsertion{{Obstacle::kSegmentMissing, segment}, std::nullopt});
+    }
+    cdt.segments.insert(segment);
+  }
+  std::vector<std::size_t> order = options.order;
+  if (order.empty()) {
+    order.resize(complex.polygons.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+  }
+  assert(order.size() == complex.polygons.size());
+  for (const std::size_t i : order) {
+    const auto wrong = insert(complex.points, cdt, complex.polygons[i], options.by, runs);
+    if (wrong) return tl::unexpected(NoPolygonInsertion{*wrong, i});
+  }
+  return cdt;
+}
+
+tl::expected<PlcTriangulation, NoPolygonInsertion> cdt_by_polygon_insertion(
+    const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options,
+    std::vector<PolygonFlips>* runs) {
+  assert(complex.points.empty() || complex.ambient_dimension() == 3);
+  if (complex.points.dimension() < 3) return gift_wrapping_cdt(complex).value();  // Planar CDTs.
+  const auto cdt = hull_cdt_by_polygon_insertion(complex, options, runs);
+  if (!cdt) return tl::unexpected(cdt.error());
+  return carve(complex, *cdt);
+}
+
+EvolvingCdt evolving_cdt(const PiecewiseLinearComplex& complex, const PlcTriangulation& cdt) {
+  EvolvingCdt evolving{
+      StarIndex(cdt.simplices), {complex.segments.begin(), complex.segments.end()}, {}};
+  for (const Polygon& polygon : complex.polygons) {
+    evolving.walls.merge(
+        facets_included_in(evolving.tetrahedra, PolygonInSpace(complex.points, polygon)));
+  }
+  return evolving;
+}
+
+}  // namespace circumspect::constrained

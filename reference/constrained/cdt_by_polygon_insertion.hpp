@@ -1,0 +1,50 @@
+// Constructing a CDT by inserting polygons. Book: Section 5.8 ("first constructing a Delaunay
+// triangulation of the vertices in P …, then inserting the polygons one by one").
+#pragma once
+
+#include <optional>
+
+#include <tl/expected.hpp>
+
+#include "reference/constrained/evolving_cdt.hpp"
+#include "reference/constrained/flip_insert_polygon.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::constrained {
+
+enum class PolygonInsertion { kFlips, kCavities };
+
+// What stands in the way, and which polygon was to be inserted; without polygon, a segment that is
+// no edge of the canonical Delaunay triangulation of the vertices. Neither says that there is no CDT:
+// some of the polygons may have none though all of them have one.
+struct NoPolygonInsertion {
+  Obstruction obstruction;
+  std::optional<std::size_t> polygon;
+};
+
+struct PolygonInsertionOptions {
+  PolygonInsertion by = PolygonInsertion::kFlips;
+  std::vector<std::size_t> order = {};  // of the polygons; empty: as given
+};
+
+// The canonical CDT of the complex. It is found whenever all segments are in the canonical Delaunay
+// triangulation of the vertices, in particular if the complex is edge-protected (Theorem 4.9), for
+// then every subset of the polygons has a CDT too. `runs` receives what each insertion by flips
+// did, in the order of insertion.
+// Requires: a complex in space.
+tl::expected<PlcTriangulation, NoPolygonInsertion> cdt_by_polygon_insertion(
+    const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
+    std::vector<PolygonFlips>* runs = nullptr);
+
+// The CDT of the convex hull with all segments, and with the polygons in it.
+// Requires: complex.points.dimension() == 3.
+tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
+    const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
+    std::vector<PolygonFlips>* runs = nullptr);
+
+// A CDT that some other construction has found, ready to change.
+// Requires: the canonical CDT of a complex of the hull kind without hole seeds, dimension 3.
+EvolvingCdt evolving_cdt(const PiecewiseLinearComplex& complex, const PlcTriangulation& cdt);
+
+}  // namespace circumspect::constrained

@@ -1,0 +1,57 @@
+// Is a piecewise linear complex edge-protected? Book: Section 4.5.3.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/complex/star_index.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::constrained {
+
+// "If a segment σ is missing from the triangulation, then σ is not strongly Delaunay … If σ is
+// present, it is Delaunay."
+struct SegmentProtection {
+  Simplex segment;
+  bool is_present = false;  // is it an edge of the canonical Delaunay triangulation?
+  // Delaunay or strongly so, with the ball; or not (strongly), with the obstruction: points of which
+  // every open (closed) circumball of the segment contains one.
+  delaunay::SimplexDelaunayhood status;
+};
+
+// One for each segment, in the order given. All that is asked of the canonical Delaunay triangulation
+// of the points is the star of each segment or of one of its ends; so thousands of segments do not
+// take much longer than the triangulation itself.
+// Requires: points without weights; segments are pairs of them.
+std::vector<SegmentProtection> edge_protection(const PointSet& points,
+                                               const StarIndex& canonical_delaunay,
+                                               const std::vector<Simplex>& segments);
+std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex);
+
+// A point of the obstruction that the diametral ball of the segment contains; nothing if the segment
+// is strongly Delaunay.
+std::optional<Vertex> encroaching_vertex(const PointSet& points,
+                                         const SegmentProtection& protection);
+
+// Is the edge of the canonical Delaunay triangulation strongly Delaunay?
+bool is_strongly_delaunay_edge(const PointSet& points, const StarIndex& canonical_delaunay,
+                               const Simplex& edge);
+
+// Does the closed diametral ball of the edge contain no point but its ends? (Such an edge is strongly
+// Delaunay; not every strongly Delaunay edge is such.)
+bool has_empty_diametral_ball(const PointSet& points, const StarIndex& canonical_delaunay,
+                              const Simplex& edge);
+
+// Two readings of "A three-dimensional PLC P is edge-protected if every edge in P is strongly
+// Delaunay": as it stands, and with "the symbolic perturbations … used to make the vertices in P
+// generic", when every edge of the canonical Delaunay triangulation is strongly Delaunay. The first
+// implies the second, for a strongly Delaunay edge is in every Delaunay triangulation (Proposition
+// 4.2). In the plane both make sense too.
+bool is_edge_protected(const PiecewiseLinearComplex& complex);
+bool is_edge_protected_under_perturbation(const PiecewiseLinearComplex& complex);
+
+// The canonical Delaunay triangulation of any points, ready to be asked for stars.
+StarIndex canonical_delaunay(const PointSet& points);
+
+}  // namespace circumspect::constrained

@@ -1,0 +1,88 @@
+#include "reference/constrained/evolving_cdt.hpp"
+
+#include <cassert>
+
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/flip_algorithm.hpp"
+
+namespace circumspect::constrained {
+namespace {
+
+bool is_absent(const EvolvingCdt& cdt, const Simplex& face) {
+  return cdt.tetrahedra.star(face).empty();
+}
+
+std::optional<Obstruction> breach(const PointSet& points, const EvolvingCdt& cdt,
+                                  const Change& change) {
+  std::set<Simplex> edges = edges_of(change.deleted);
+  edges.insert(change.segments_added.begin(), change.segments_added.end());
+  for (const Simplex& edge : edges) {
+    if (cdt.segments.contains(edge) && is_absent(cdt, edge)) {
+      return Obstruction{Obstacle::kSegmentLost, edge};
+    }
+  }
+  std::vector<Simplex> facets = facets_of(change.deleted);
+  facets.insert(facets.end(), change.walls_added.begin(), change.walls_added.end());
+  for (const Simplex& facet : facets) {
+    if (cdt.walls.contains(facet) && is_absent(cdt, facet)) {
+      return Obstruction{Obstacle::kWallLost, facet};
+    }
+  }
+  for (const Simplex& facet : facets_of(change.created)) {
+    if (!cdt.walls.contains(facet) &&
+        !delaunay::is_locally_delaunay(points, cdt.tetrahedra, facet,
+                                       delaunay::FlipTest::kPerturbed)) {
+      return Obstruction{Obstacle::kNotLocallyDelaunay, facet};
+    }
+  }
+  return std::nullopt;
+}
+
+void exchange(std::set<Simplex>& set, const std::set<Simplex>& out, const std::set<Simplex>& in) {
+  for (const Simplex& simplex : out) set.erase(simplex);
+  set.insert(in.begin(), in.end());
+}
+
+}  // namespace
+
+EvolvingCdt evolving_delaunay(const PointSet& points) {
+  assert(points.dimension() == 3);
+  delaunay::BowyerWatsonOptions options;
+  options.order = delaunay::InsertionOrder::kBrioHilbert;
+  options.location = delaunay::PointLocation::kWalking;
+  return {StarIndex(delaunay::bowyer_watson(points, options).simplices()), {}, {}};
+}
+
+std::optional<Obstruction> try_change(const PointSet& points, EvolvingCdt& cdt,
+                                      const Change& change) {
+  cdt.tetrahedra.replace(change.deleted, change.created);
+  exchange(cdt.walls, change.walls_removed, change.walls_added);
+  exchange(cdt.segments, change.segments_removed, change.segments_added);
+  std::optional<Obstruction> wrong = breach(points, cdt, change);
+  if (wrong) {
+    cdt.tetrahedra.replace(change.created, change.deleted);
+    exchange(cdt.walls, change.walls_added, change.walls_removed);
+    exchange(cdt.segments, change.segments_added, change.segments_removed);
+  }
+  return wrong;
+}
+
+std::set<Simplex> edges_of(const std::vector<Simplex>& simplices) {
+  std::set<Simplex> edges;
+  for (const Simplex& simplex : simplices) {
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+        edges.insert(sorted({simplex[i], simplex[j]}));
+      }
+    }
+  }
+  return edges;
+}
+
+std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices) {
+  std::set<Vertex> vertices;
+  for (const Simplex& simplex : simplices) vertices.insert(simplex.begin(), simplex.end());
+  return vertices;
+}
+
+}  // namespace circumspect::constrained

@@ -1,0 +1,82 @@
+// A constrained Delaunay triangulation that changes as polygons and vertices come and go.
+// Book: Sections 5.7 and 5.8.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "reference/complex/point_set.hpp"
+#include "reference/complex/star_index.hpp"
+
+namespace circumspect::constrained {
+
+// The canonical CDT of a convex hull in space with some segments and polygons in it.
+struct EvolvingCdt {
+  StarIndex tetrahedra;
+  std::set<Simplex> segments;  // pairs of vertices, ascending
+  // The walls: the facets of the triangulation that a polygon includes, ascending. "Locally Delaunay
+  // except those included in a polygon" means: except these.
+  std::set<Simplex> walls;
+
+  friend bool operator==(const EvolvingCdt& a, const EvolvingCdt& b) {
+    return a.tetrahedra.simplices() == b.tetrahedra.simplices() && a.segments == b.segments &&
+           a.walls == b.walls;
+  }
+};
+
+// The canonical Delaunay triangulation of the points, all of them vertices; no segments, no walls.
+// Requires: points.dimension() == 3.
+EvolvingCdt evolving_delaunay(const PointSet& points);
+
+// Why an evolving CDT cannot become the one that was asked for.
+enum class Obstacle {
+  kSegmentMissing,      // a segment of the polygon is no edge of the triangulation
+  kFlipBlocked,         // a facet that must go cannot be flipped
+  kPolygonCrossed,      // no flip is left to do, and a tetrahedron still crosses the polygon
+  kFacetUnfinished,     // no vertex in front of the facet can be joined to it in the cavity
+  kSimplicesOverlap,    // a facet has two tetrahedra on one side
+  kNotLocallyDelaunay,  // a facet that no polygon includes
+  kSegmentLost,         // a segment is no edge any more
+  kWallLost,            // a facet included in a polygon is no facet any more
+  kNotStarShaped,       // the facet of a vertex's cavity is not seen from the vertex
+  kSegmentInCavity,     // a segment runs through the interior of a vertex's cavity
+  kPolygonInCavity,     // the same of a polygon, which includes the facet
+  kVertexInCavity,      // inserting a vertex would bury another
+  kOutsideHull,         // the vertex to be inserted lies outside the convex hull
+  kVertexAlreadyThere,  // the vertex to be inserted is one of the triangulation's
+  kExtremeVertex,       // without the vertex to be deleted the convex hull would shrink
+  kVertexNeeded,        // segments end at the vertex to be deleted, or it is none of the vertices
+};
+
+struct Obstruction {
+  Obstacle obstacle;
+  Simplex witness;  // the segment, facet, tetrahedron or vertex that the obstacle names
+
+  bool operator==(const Obstruction&) const = default;
+};
+
+// What is to become of an evolving CDT. What is to be added is not there yet, what is to be removed is.
+struct Change {
+  std::vector<Simplex> deleted;  // tetrahedra
+  std::vector<Simplex> created;  // tetrahedra that fill the same space
+  std::set<Simplex> walls_added = {};
+  std::set<Simplex> walls_removed = {};
+  std::set<Simplex> segments_added = {};
+  std::set<Simplex> segments_removed = {};
+};
+
+// Performs a change. Nothing, if the triangulation is a CDT still; otherwise what is wrong, and
+// nothing has changed. By the Constrained Delaunay Lemma (4.10) it suffices that all segments are
+// edges, all walls facets, and each facet of the new tetrahedra locally Delaunay or a wall.
+// Requires: the tetrahedra will be a triangulation of the hull.
+std::optional<Obstruction> try_change(const PointSet& points, EvolvingCdt& cdt,
+                                      const Change& change);
+
+// The edges of some simplices, each once, ascending, in lexicographic order.
+std::set<Simplex> edges_of(const std::vector<Simplex>& simplices);
+
+// The vertices of some simplices.
+std::set<Vertex> vertices_of(const std::vector<Simplex>& simplices);
+
+}  // namespace circumspect::constrained

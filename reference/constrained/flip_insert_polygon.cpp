@@ -1,0 +1,141 @@
+#include "reference/constrained/flip_insert_polygon.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace circumspect::constrained {
+namespace {
+
+// The flip that removes a facet: σ and the apex of τ, which share it.
+struct Event {
+  EventTime time;
+  Simplex facet;
+  Simplex tetrahedron;
+  Vertex apex;
+
+  bool operator<(const Event& other) const {
+    const auto order = time <=> other.time;
+    if (order != 0) return order < 0;
+    return std::tie(facet, tetrahedron, apex) <
+           std::tie(other.facet, other.tetrahedron, other.apex);
+  }
+};
+
+class FlipInsertPolygon {
+ public:
+  FlipInsertPolygon(EvolvingCdt& cdt, const PolygonInSpace& polygon)
+      : cdt_(cdt), polygon_(polygon) {}
+
+  tl::expected<PolygonFlips, Obstruction> run() {
+    const std::set<Simplex> region = crossed_tetrahedra(cdt_.tetrahedra, polygon_);  // 1, 2
+    before_.assign(region.begin(), region.end());
+    now_ = region;
+    done_.vertices = vertices_of(before_).size();
+    for (const Simplex& facet : facets_of(before_)) certify(facet);  // Step 3.
+    while (flip_first_admissible()) continue;                        // Step 4.
+    if (const auto wrong = obstruction()) return tl::unexpected(*wrong);
+    return std::move(done_);
+  }
+
+ private:
+  void certify(const Simplex& facet) {
+    if (!polygon_.parts(facet)) return;
+    const std::vector<Simplex> sides = cdt_.tetrahedra.star(facet);
+    if (sides.size() < 2) return;
+    const Vertex apex = without(sides[1], facet).front();
+    if (auto time = event_time(polygon_, sides[0], apex)) {
+      queue_.insert({*std::move(time), facet, sides[0], apex});
+    }
+  }
+
+  // Is the facet still there, between the same two tetrahedra? (If it is between others it has been
+  // certified again since.)
+  bool is_current(const Event& event) const {
+    return cdt_.tetrahedra.has(event.tetrahedron) &&
+           cdt_.tetrahedra.has(join(event.facet, {event.apex}));
+  }
+
+  bool is_in_region(const delaunay::ExtendedFlip& flip) const {
+    return std::all_of(flip.deleted.begin(), flip.deleted.end(),
+                       [&](const Simplex& tetrahedron) { return now_.contains(tetrahedron); });
+  }
+
+  // False if there is none.
+  bool flip_first_admissible() {
+    for (auto event = queue_.begin(); event != queue_.end();) {
+      if (!is_current(*event)) {
+        event = queue_.erase(event);
+        continue;
+      }
+      const auto flip = delaunay::extended_flip(
+          cdt_.tetrahedra,
+          delaunay::basic_flip(polygon_.points(), event->tetrahedron, event->apex));
+      if (flip && is_in_region(*flip)) {
+        perform({event->time, *flip});
+        queue_.erase(event);
+        return true;
+      }
+      ++done_.held_back;
+      ++event;
+    }
+    return false;
+  }
+
+  void perform(TimedFlip flip) {
+    cdt_.tetrahedra.replace(flip.flip.deleted, flip.flip.created);
+    for (const Simplex& tetrahedron : flip.flip.deleted) now_.erase(tetrahedron);
+    now_.insert(flip.flip.created.begin(), flip.flip.created.end());
+    for (const Simplex& facet : facets_of(flip.flip.created)) certify(facet);
+    done_.flips.push_back(std::move(flip));
+  }
+
+  // What is wrong at time ∞, if anything is; then the flips are taken back.
+  std::optional<Obstruction> obstruction() {
+    std::optional<Obstruction> wrong;
+    if (!queue_.empty()) wrong = Obstruction{Obstacle::kFlipBlocked, queue_.begin()->facet};
+    const auto crossing = std::find_if(now_.begin(), now_.end(), [&](const Simplex& tetrahedron) {
+      return polygon_.parts(tetrahedron);
+    });
+    if (!wrong && crossing != now_.end()) wrong = Obstruction{Obstacle::kPolygonCrossed, *crossing};
+    Change change{before_, {now_.begin(), now_.end()}};
+    for (const Simplex& facet : facets_of(change.created)) {
+      if (polygon_.is_coplanar(facet)) change.walls_added.insert(facet);
+    }
+    cdt_.tetrahedra.replace(change.created, change.deleted);
+    if (!wrong) wrong = try_change(polygon_.points(), cdt_, change);
+    return wrong;
+  }
+
+  EvolvingCdt& cdt_;
+  const PolygonInSpace& polygon_;
+  std::vector<Simplex> before_;  // the tetrahedra of the region R at time 0
+  std::set<Simplex> now_;        // those it has now
+  std::set<Event> queue_;
+  PolygonFlips done_;
+};
+
+}  // namespace
+
+tl::expected<PolygonFlips, Obstruction> flip_insert_polygon(const PointSet& points,
+                                                            EvolvingCdt& cdt,
+                                                            const Polygon& polygon) {
+  for (const Simplex& segment : polygon.segments) {
+    if (cdt.tetrahedra.star(segment).empty()) {
+      return tl::unexpected(Obstruction{Obstacle::kSegmentMissing, segment});
+    }
+  }
+  PolygonFlips done;
+  const PolygonInSpace in_space(points, polygon);
+  const bool is_there =
+      std::none_of(polygon.triangles.begin(), polygon.triangles.end(),
+                   [&](const Simplex& facet) { return cdt.tetrahedra.star(facet).empty(); });
+  if (!is_there) {
+    auto run = FlipInsertPolygon(cdt, in_space).run();
+    if (!run) return run;
+    done = *std::move(run);
+  }
+  cdt.walls.merge(facets_included_in(cdt.tetrahedra, in_space));
+  return done;
+}
+
+}  // namespace circumspect::constrained

@@ -1,0 +1,92 @@
+// FlipInsertPolygon. Book: Section 5.8.
+#include "reference/constrained/flip_insert_polygon.hpp"
+
+#include <doctest/doctest.h>
+
+#include "reference/constrained/insert_polygon_by_cavity.hpp"
+
+namespace circumspect::constrained {
+namespace {
+
+PiecewiseLinearComplex complex_of(const std::vector<Point>& points,
+                                  const std::vector<PolygonLines>& polygons) {
+  return assemble({points, {}, polygons, {}, DomainKind::kHull});
+}
+
+// Inserts the only polygon by flips; the cavities must lead to the same.
+PolygonFlips inserted(const PiecewiseLinearComplex& complex, EvolvingCdt& cdt) {
+  EvolvingCdt by_cavity = cdt;
+  auto run = flip_insert_polygon(complex.points, cdt, complex.polygons.front());
+  REQUIRE(run.has_value());
+  CHECK(!insert_polygon_by_cavity(complex.points, by_cavity, complex.polygons.front()));
+  CHECK(by_cavity == cdt);
+  return *std::move(run);
+}
+
+TEST_CASE("an edge that pierces a triangle goes in one 3-2 flip; then nothing is left to do") {
+  const auto complex =
+      complex_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 1}, {1, 1, -1}}, {{{{0, 1, 2}}, {}}});
+  EvolvingCdt cdt = evolving_delaunay(complex.points);
+  CHECK(cdt.tetrahedra.size() == 3);
+  const PolygonFlips run = inserted(complex, cdt);
+  CHECK(run.vertices == 5);
+  REQUIRE(run.flips.size() == 1);
+  CHECK(run.flips[0].flip.name() == "3-2");
+  CHECK(run.flips[0].time.standard == 10);
+  CHECK(run.held_back == 0);
+  CHECK(cdt.tetrahedra.simplices() == std::set<Simplex>{{0, 1, 2, 3}, {0, 1, 2, 4}});
+  CHECK(cdt.walls == std::set<Simplex>{{0, 1, 2}});
+  CHECK(inserted(complex, cdt).flips.empty());
+}
+
+// The corners of an 8 by 8 square, its middle hole of 2 by 2, and two points on each side of the
+// square's ring.
+PiecewiseLinearComplex ring() {
+  std::vector<Point> points;
+  for (const long r : {4, 1}) {
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      points.push_back({Rational(r * x), Rational(r * y), 0});
+    }
+  }
+  for (const long z : {1, -1}) {
+    points.push_back({Rational(5, 2), Rational(z, 7), Rational(z, 2)});
+    points.push_back({Rational(z, 9), Rational(5, 2), Rational(z, 2)});
+    points.push_back({Rational(-5, 2), Rational(z, 8), Rational(z, 2)});
+    points.push_back({Rational(z, 6), Rational(-5, 2), Rational(z, 2)});
+    points.push_back({0, 0, Rational(5 * z)});
+  }
+  return complex_of(points, {{{{0, 1, 2, 3}, {4, 5, 6, 7}}, {{0, 0, 0}}}});
+}
+
+TEST_CASE("a polygon with a hole: nothing in the hole changes") {
+  const PiecewiseLinearComplex complex = ring();
+  EvolvingCdt cdt = evolving_delaunay(complex.points);
+  for (const Simplex& segment : complex.segments) {
+    CAPTURE(segment[0]);
+    CAPTURE(segment[1]);
+    REQUIRE(!cdt.tetrahedra.star(segment).empty());
+  }
+  const PolygonFlips run = inserted(complex, cdt);
+  CHECK(run.flips.size() >= 4);
+  CHECK(cdt.walls.size() == 8);
+  for (std::size_t i = 1; i < run.flips.size(); ++i) {
+    CHECK(run.flips[i - 1].time < run.flips[i].time);
+  }
+}
+
+TEST_CASE("without one of its segments a polygon cannot be inserted, and nothing has changed") {
+  // The edge 0 1 passes between 2, 3, 4 and 5, which are close together.
+  const auto complex =
+      complex_of({{-9, 0, 0}, {9, 0, 0}, {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}, {0, 9, 0}},
+                 {{{{0, 1, 6}}, {}}});
+  const EvolvingCdt before = evolving_delaunay(complex.points);
+  EvolvingCdt cdt = before;
+  const auto run = flip_insert_polygon(complex.points, cdt, complex.polygons.front());
+  REQUIRE(!run.has_value());
+  CHECK(run.error() == Obstruction{Obstacle::kSegmentMissing, {0, 1}});
+  CHECK(insert_polygon_by_cavity(complex.points, cdt, complex.polygons.front()) == run.error());
+  CHECK(cdt == before);
+}
+
+}  // namespace
+}  // namespace circumspect::constrained

@@ -1,0 +1,29 @@
+// The constrained Delaunay triangulation of a planar complex: of a polygon in its own plane, or of a
+// PLC in the plane. Book: Sections 3.10 and 3.11, of which Section 5.6 makes use; Proposition 4.11.
+#pragma once
+
+#include <vector>
+
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::constrained {
+
+enum class PlanarAlgorithm {
+  kGiftWrapping,  // Section 3.11: every segment is a seed, on each side that is to be triangulated
+  kSegmentInsertion  // Section 3.10: segments are inserted into the Delaunay triangulation
+};
+
+// The triangles, ascending, of the canonical CDT of a polygon, which may have holes, slits and
+// vertices inside. In the plane every PLC has a CDT; under the canonical perturbation there is only
+// one. Everything happens on the polygon's two axes; its own triangles tell what belongs to it.
+std::vector<Simplex> planar_cdt(const PointSet& points, const Polygon& polygon,
+                                PlanarAlgorithm algorithm = PlanarAlgorithm::kGiftWrapping);
+
+// The canonical CDT of a PLC in the plane. Of the hull kind, the edges of the convex hull count as
+// segments. Dangling are the segments that are in no triangle, and the isolated vertices outside. (A
+// hull without area has nothing inside.) Requires: complex.ambient_dimension() == 2.
+PlcTriangulation planar_cdt(const PiecewiseLinearComplex& complex,
+                            PlanarAlgorithm algorithm = PlanarAlgorithm::kGiftWrapping);
+
+}  // namespace circumspect::constrained

@@ -1,0 +1,40 @@
+#include "reference/constrained/segment_recovery.hpp"
+
+#include "reference/constrained/edge_protection.hpp"
+
+namespace circumspect::constrained {
+
+std::vector<PointOnSegment> points_for_unprotected_pieces(const PointSet& points,
+                                                          const StarIndex& canonical_delaunay,
+                                                          const SplitSegments& segments,
+                                                          PieceCondition condition) {
+  std::vector<PointOnSegment> added;
+  for (const Piece& piece : segments.pieces()) {
+    const bool is_fine = condition == PieceCondition::kInCanonical
+                             ? !canonical_delaunay.star(piece.edge).empty()
+                             : is_strongly_delaunay_edge(points, canonical_delaunay, piece.edge);
+    if (is_fine) continue;
+    const auto vertex = static_cast<Vertex>(points.size() + added.size());
+    added.push_back({vertex, piece.segment, segments.where_to_split(piece)});
+  }
+  return added;
+}
+
+RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex) {
+  SplitSegments segments(complex);
+  PointSet points = complex.points;
+  while (true) {
+    const auto added = points_for_unprotected_pieces(points, canonical_delaunay(points), segments,
+                                                     PieceCondition::kStronglyDelaunay);
+    if (added.empty()) break;
+    std::vector<Point> all = points.points();
+    for (const PointOnSegment& point : added) {
+      all.push_back(segments.point_at(point.segment, point.parameter));
+      segments.add(point);
+    }
+    points = PointSet(std::move(all));
+  }
+  return {segments.augmented(points), segments.added()};
+}
+
+}  // namespace circumspect::constrained

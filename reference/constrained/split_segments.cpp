@@ -1,0 +1,116 @@
+#include "reference/constrained/split_segments.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "reference/piecewise_linear/polygon_triangles.hpp"
+
+namespace circumspect::constrained {
+SplitSegments::SplitSegments(const PiecewiseLinearComplex& complex)
+    : complex_(complex), shells_(complex) {
+  for (const Simplex& segment : complex.segments) {
+    stops_.push_back({{0, segment[0]}, {1, segment[1]}});
+  }
+}
+
+std::vector<Piece> SplitSegments::pieces() const {
+  std::vector<Piece> all;
+  for (std::size_t i = 0; i < stops_.size(); ++i) {
+    const std::vector<Simplex> edges = edges_of(i);
+    for (std::size_t place = 0; place < edges.size(); ++place) {
+      all.push_back({i, place, edges[place]});
+    }
+  }
+  return all;
+}
+
+std::vector<Simplex> SplitSegments::edges_of(std::size_t segment) const {
+  const std::vector<Stop>& stops = stops_[segment];
+  std::vector<Simplex> edges;
+  for (std::size_t place = 0; place + 1 < stops.size(); ++place) {
+    edges.push_back(sorted({stops[place].vertex, stops[place + 1].vertex}));
+  }
+  return edges;
+}
+
+Rational SplitSegments::squared_length_of(const Piece& piece) const {
+  const Simplex& segment = complex_.segments[piece.segment];
+  const Stop* stop = &stops_[piece.segment][piece.place];
+  const Rational part = stop[1].parameter - stop[0].parameter;
+  return part * part * squared_distance(complex_.points[segment[0]], complex_.points[segment[1]]);
+}
+
+Rational SplitSegments::where_to_split(const Piece& piece) const {
+  const Simplex& segment = complex_.segments[piece.segment];
+  const Stop* stop = &stops_[piece.segment][piece.place];
+  const bool begins = stop[0].vertex == segment[0] && shells_.is_acute(piece.segment, segment[0]);
+  const bool ends = stop[1].vertex == segment[1] && shells_.is_acute(piece.segment, segment[1]);
+  if (begins == ends || is_protected(piece)) return (stop[0].parameter + stop[1].parameter) / 2;
+  const Rational from_apex =
+      shells_.where_to_split(piece.segment, segment[begins ? 0 : 1], squared_length_of(piece));
+  return begins ? from_apex : 1 - from_apex;
+}
+
+Point SplitSegments::point_at(std::size_t segment, const Rational& parameter) const {
+  const Simplex& ends = complex_.segments[segment];
+  const Point& start = complex_.points[ends[0]];
+  return start + parameter * (complex_.points[ends[1]] - start);
+}
+
+bool SplitSegments::is_protected(const Piece& piece) const {
+  for (const Vertex end : complex_.segments[piece.segment]) {
+    if (contains(piece.edge, end) && shells_.is_acute(piece.segment, end) &&
+        squared_length_of(piece) <= shells_.squared_width(end) * shells_.squared_least_shell(end)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void SplitSegments::add(const PointOnSegment& point) {
+  std::vector<Stop>& stops = stops_[point.segment];
+  const auto after = std::find_if(stops.begin(), stops.end(), [&](const Stop& stop) {
+    return stop.parameter >= point.parameter;
+  });
+  assert(after != stops.begin() && after != stops.end() && after->parameter > point.parameter);
+  stops.insert(after, {point.parameter, point.vertex});
+  added_.push_back(point);
+}
+
+void SplitSegments::split_segments_of(Polygon& polygon) const {
+  std::vector<Simplex> whole;
+  std::swap(whole, polygon.segments);
+  for (const Simplex& segment : whole) {
+    const auto place =
+        std::lower_bound(complex_.segments.begin(), complex_.segments.end(), segment);
+    const auto i = static_cast<std::size_t>(place - complex_.segments.begin());
+    const std::vector<Simplex> edges = edges_of(i);
+    polygon.segments.insert(polygon.segments.end(), edges.begin(), edges.end());
+    std::for_each(stops_[i].begin() + 1, stops_[i].end() - 1,
+                  [&](const Stop& stop) { polygon.vertices.push_back(stop.vertex); });
+  }
+}
+
+PiecewiseLinearComplex SplitSegments::augmented(
+    const PointSet& points, const std::vector<PointInPolygon>& in_polygons) const {
+  PiecewiseLinearComplex augmented{
+      points, {}, complex_.polygons, complex_.hole_seeds, complex_.kind};
+  for (const Piece& piece : pieces()) augmented.segments.push_back(piece.edge);
+  std::sort(augmented.segments.begin(), augmented.segments.end());
+  for (const PointInPolygon& point : in_polygons) {
+    augmented.polygons[point.polygon].vertices.push_back(point.vertex);
+  }
+  for (std::size_t i = 0; i < complex_.polygons.size(); ++i) {
+    Polygon& polygon = augmented.polygons[i];
+    split_segments_of(polygon);
+    if (polygon.vertices.size() == complex_.polygons[i].vertices.size()) continue;
+    std::sort(polygon.vertices.begin(), polygon.vertices.end());
+    std::sort(polygon.segments.begin(), polygon.segments.end());
+    polygon.triangles = polygon_triangles(points, polygon.axes, polygon.vertices, polygon.segments,
+                                          polygon.hole_seeds);
+  }
+  return augmented;
+}
+
+}  // namespace circumspect::constrained

@@ -1,0 +1,45 @@
+#include "reference/constrained/steiner_cdt.hpp"
+
+#include <stdexcept>
+
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
+#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/planar_cdt.hpp"
+#include "reference/constrained/segment_recovery.hpp"
+
+namespace circumspect::constrained {
+namespace {
+
+template <typename Expected>
+PlcTriangulation value_of(Expected result) {
+  if (!result) throw std::logic_error("an edge-protected complex has a CDT");
+  return *std::move(result);
+}
+
+}  // namespace
+
+PlcTriangulation cdt_of_edge_protected(const PiecewiseLinearComplex& complex,
+                                       CdtAlgorithm algorithm) {
+  if (complex.ambient_dimension() == 2) {
+    return planar_cdt(complex, PlanarAlgorithm::kSegmentInsertion);
+  }
+  switch (algorithm) {
+    case CdtAlgorithm::kGiftWrapping:
+      return value_of(gift_wrapping_cdt(complex));
+    case CdtAlgorithm::kPolygonFlips:
+      return value_of(cdt_by_polygon_insertion(complex, {PolygonInsertion::kFlips}));
+    case CdtAlgorithm::kPolygonCavities:
+      return value_of(cdt_by_polygon_insertion(complex, {PolygonInsertion::kCavities}));
+  }
+  throw std::logic_error("no such algorithm");
+}
+
+SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex, CdtAlgorithm algorithm) {
+  if (complex.ambient_dimension() == 2) return {complex, planar_cdt(complex), {}};
+  RecoveredSegments recovered = recover_segments(complex);
+  PlcTriangulation triangulation = cdt_of_edge_protected(recovered.complex, algorithm);
+  return {std::move(recovered.complex), std::move(triangulation),
+          std::move(recovered.steiner_points)};
+}
+
+}  // namespace circumspect::constrained

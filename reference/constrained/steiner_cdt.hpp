@@ -1,0 +1,30 @@
+// A Steiner CDT of any complex. Book: Sections 4.5.2 and 4.5.3.
+#pragma once
+
+#include <vector>
+
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/constrained/split_segments.hpp"
+
+namespace circumspect::constrained {
+
+enum class CdtAlgorithm { kGiftWrapping, kPolygonFlips, kPolygonCavities };
+
+// The canonical CDT of a complex that has one by Theorem 4.9, or because it is planar.
+// Requires: in space, that the complex is edge-protected in either reading.
+PlcTriangulation cdt_of_edge_protected(const PiecewiseLinearComplex& complex,
+                                       CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips);
+
+struct SteinerCdt {
+  PiecewiseLinearComplex complex;  // the augmented complex: the original points come first
+  PlcTriangulation triangulation;  // its canonical CDT
+  std::vector<PointOnSegment> steiner_points;  // in the order of their indices
+};
+
+// "The augmented PLC has a CDT, which is a Steiner CDT of the original PLC." A complex that is
+// edge-protected gets no Steiner points; nor does one in the plane, where every complex has a CDT.
+// Requires: the complex is valid.
+SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex,
+                       CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips);
+
+}  // namespace circumspect::constrained
