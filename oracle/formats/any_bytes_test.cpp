@@ -6,11 +6,16 @@
 #include <rapidcheck.h>
 
 #include "oracle/formats/ele.hpp"
+#include "oracle/formats/face.hpp"
 #include "oracle/formats/json.hpp"
+#include "oracle/formats/medit.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/off.hpp"
+#include "oracle/formats/ply.hpp"
+#include "oracle/formats/poly.hpp"
 #include "oracle/formats/qhull.hpp"
+#include "oracle/formats/stl.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -25,6 +30,20 @@ void expect_success_or_one_line(const Result<T>& result) {
   RC_ASSERT(message.size() < 1000U);
 }
 
+Result<PointFile> three_points() {
+  return PointFile{3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, 1};
+}
+
+void read_as_every_domain(const Source& source, NumberReading reading) {
+  expect_success_or_one_line(read_poly(source, reading, three_points));
+  expect_success_or_one_line(read_smesh(source, reading, three_points));
+  expect_success_or_one_line(read_stl(source, reading));
+  expect_success_or_one_line(read_ply(source, reading));
+  const Result<MeditFile> medit = read_medit(source, reading);
+  expect_success_or_one_line(medit);
+  if (medit) expect_success_or_one_line(domain_of(*medit, "f"));
+}
+
 void read_as_every_format(const std::string& text) {
   const Source source{"f", text};
   for (const NumberReading reading : {kDouble, NumberReading::kDecimal}) {
@@ -32,9 +51,12 @@ void read_as_every_format(const std::string& text) {
     expect_success_or_one_line(read_off(source, reading));
     expect_success_or_one_line(read_qhull_points(source, reading));
     expect_success_or_one_line(read_json(source, reading));
+    read_as_every_domain(source, reading);
   }
   expect_success_or_one_line(read_ele(source));
   expect_success_or_one_line(read_neigh(source));
+  expect_success_or_one_line(read_face(source, 3));
+  expect_success_or_one_line(read_face(source, 2));
   expect_success_or_one_line(read_qhull_simplices(source));
 }
 
@@ -48,7 +70,24 @@ const std::vector<std::string> kSamples = {
     "2\n0 1 2\n1 2 3 4\n",
     "{\"circumspect\": 1, \"dimension\": 2, \"first_index\": 1,\n\"points\": [[0, 1e5], [\"1/3\", "
     "-2.5], [3, \"0x1p-3\"]],\n\"weights\": [0, 1, \"1/2\"],\n\"simplices\": [[1, 2, 3]], "
-    "\"comment\": \"\\u00e9\"}\n"};
+    "\"comment\": \"\\u00e9\"}\n",
+    "3 2\n1 0 0\n2 1 0\n3 0 1\n2 1\n1 1 2 1\n2 2 3 1\n1\n1 5 5\n1\n1 2 2 3 4\n",
+    "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n2 1\n2 1 1\n3 1 2 3\n2 1 4\n1 .2 .2 0\n1\n2 3 "
+    "4\n0\n",
+    "0\n2 1\n3 1 2 3 1\n2 1 2 1\n0\n1\n1 0 0 0 7\n",
+    "2 1\n1 1 2 3 0 1 -1\n2 1 2 4 0 -1 2\n",
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+    "0\nendloop\nendfacet\nendsolid a\n",
+    std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(24, '\0') + "@@@@" +
+        std::string(12, '\0') + "@@@@" + std::string(4, '\0') + "\1\2",
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 "
+    "0 1 2\n",
+    "ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty char x\nproperty char "
+    "y\nproperty char z\nelement face 1\nproperty list uchar char vertex_index\nend_header\n" +
+        std::string("\1\2\3\4\5\6\2\0\1", 9),
+    "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nCorners "
+    "1\n1\nEdges 1\n1 2 0\nTriangles 1\n1 2 3 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n"};
 
 const std::vector<std::string> kTokens = {"0",
                                           "1",
@@ -62,6 +101,15 @@ const std::vector<std::string> kTokens = {"0",
                                           "0x1p9",
                                           "1/3",
                                           "1/0",
+                                          "ply",
+                                          "solid",
+                                          "endsolid",
+                                          "MeshVersionFormatted",
+                                          "Vertices",
+                                          "End",
+                                          "property",
+                                          "element",
+                                          "end_header",
                                           "#",
                                           "OFF",
                                           "nOFF",
@@ -183,6 +231,15 @@ TEST_CASE("every sample is read by its own format") {
   CHECK(read_qhull_points(source(5), kDouble));
   CHECK(read_qhull_simplices(source(6)));
   CHECK(read_json(source(7), kDouble));
+  CHECK(read_poly(source(8), kDouble, three_points));
+  CHECK(read_poly(source(9), kDouble, three_points));
+  CHECK(read_smesh(source(10), kDouble, three_points));
+  CHECK(read_face(source(11), 3));
+  CHECK(read_stl(source(12), kDouble));
+  CHECK(read_stl(source(13), kDouble));
+  CHECK(read_ply(source(14), kDouble));
+  CHECK(read_ply(source(15), kDouble));
+  CHECK(read_medit(source(16), kDouble));
 }
 
 TEST_CASE("points that are written are read back") {
@@ -233,6 +290,13 @@ TEST_CASE("simplices that are written are read back") {
     RC_ASSERT(again->simplices == file.simplices);
     RC_ASSERT(again->first_index == file.first_index);
     RC_ASSERT(again->vertices_per_simplex == file.vertices_per_simplex);
+  }));
+  CHECK(rc::check("face", [] {
+    SimplexFile file = some_simplices();
+    for (Simplex& simplex : file.simplices) simplex.resize(3);
+    const auto again = read_face(written(file, write_face), 3);
+    RC_ASSERT(again.has_value());
+    RC_ASSERT(again->simplices == file.simplices);
   }));
   CHECK(rc::check("qhull", [] {
     const SimplexFile file = some_simplices();

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::formats {
@@ -17,7 +18,26 @@ struct Row {
   std::string file;
   std::string options;
   std::string message;
+
+  // The file behind the option --domain; empty if there is none.
+  std::string domain() const {
+    const std::string option = "--domain ";
+    return options.starts_with(option) ? options.substr(option.size()) : "";
+  }
 };
+
+// What the readers say of a row; empty if they have no complaint.
+std::string message_of(const Row& row) {
+  MeshRequest request{kFolder + row.file};
+  if (row.options == "--coordinates decimal") request.reading = NumberReading::kDecimal;
+  if (!row.domain().empty()) {
+    request.with_faces = true;
+    const auto domain = read_domain(kFolder + row.domain(), request.reading);
+    if (!domain) return domain.error().to_string();
+  }
+  const Result<RawMesh> mesh = read_mesh(request);
+  return mesh ? "" : mesh.error().to_string();
+}
 
 std::vector<Row> rows() {
   std::vector<Row> result;
@@ -36,11 +56,10 @@ TEST_CASE("malformed files get the message that is expected") {
   REQUIRE(rows().size() > 30);
   for (const Row& row : rows()) {
     CAPTURE(row.file);
-    MeshRequest request{kFolder + row.file};
-    if (row.options == "--coordinates decimal") request.reading = NumberReading::kDecimal;
-    const Result<RawMesh> mesh = read_mesh(request);
-    REQUIRE(!mesh.has_value());
-    const std::string message = mesh.error().to_string();
+    CAPTURE(row.options);
+    const std::string message = message_of(row);
+    // What is wrong with a complex that could be read, the command finds.
+    if (message.empty() && row.message.starts_with("plc.")) continue;
     CHECK_MESSAGE(message.find(row.message) != std::string::npos, message);
     CHECK(message.find('\n') == std::string::npos);
   }
@@ -49,7 +68,10 @@ TEST_CASE("malformed files get the message that is expected") {
 TEST_CASE("no malformed file is left out of the table") {
   // A mesh in two files stands in the table once.
   std::set<std::string> listed;
-  for (const Row& row : rows()) listed.insert(std::filesystem::path(row.file).stem());
+  for (const Row& row : rows()) {
+    listed.insert(std::filesystem::path(row.file).stem());
+    listed.insert(std::filesystem::path(row.domain()).stem());
+  }
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     if (entry.path().filename() == "expected.tsv" || entry.path().extension() == ".md") continue;
     CHECK_MESSAGE(listed.count(entry.path().stem()) == 1, entry.path().string());

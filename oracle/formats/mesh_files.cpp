@@ -7,8 +7,10 @@
 #include <string_view>
 
 #include "oracle/formats/ele.hpp"
+#include "oracle/formats/face.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
+#include "oracle/formats/medit.hpp"
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/qhull.hpp"
@@ -20,6 +22,7 @@ namespace {
 struct Contents {
   SimplexFile simplices = {};
   std::optional<RawPoints> points = {};
+  std::vector<Simplex> faces = {};  // listed beside the simplices
 };
 
 Result<RawPoints> points_alone(const Source& source, Result<PointFile> file) {
@@ -85,6 +88,33 @@ Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
   return Contents{std::move(file->simplices), std::move(points)};
 }
 
+Result<RawPoints> points_of_medit(const Source& source, NumberReading reading) {
+  Result<MeditFile> file = read_medit(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  return points_alone(source, std::move(file->points));
+}
+
+// The cells of the highest dimension; those of lower dimensions are listed beside them.
+Result<Contents> mesh_of_medit(const Source& source, NumberReading reading) {
+  Result<MeditFile> file = read_medit(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  const std::size_t line = file->quadrilaterals.lines.empty() ? file->other_cells_line
+                                                              : file->quadrilaterals.lines.front();
+  if (line != 0) {
+    return tl::unexpected(
+        FormatError{source.name, line, "edges, triangles and tetrahedra", "other cells"});
+  }
+  Contents contents;
+  for (SimplexFile* cells : {&file->edges, &file->triangles, &file->tetrahedra}) {
+    if (cells->simplices.empty()) continue;
+    std::vector<Simplex>& lower = contents.simplices.simplices;
+    contents.faces.insert(contents.faces.end(), lower.begin(), lower.end());
+    contents.simplices = std::move(*cells);
+  }
+  contents.points = RawPoints{std::move(file->points), {}, source.name};
+  return contents;
+}
+
 // What files of an extension hold, and what stands beside them.
 struct Format {
   std::string_view extension;
@@ -100,6 +130,7 @@ constexpr std::array kFormats = {
     Format{".neigh", nullptr, nullptr, "", ""},
     Format{".json", points_of_json, mesh_of_json, "", ""},
     Format{".off", points_of_off, mesh_of_off, "", ""},
+    Format{".mesh", points_of_medit, mesh_of_medit, "", ""},
     Format{".qhull", points_of_qhull, nullptr, "", ".qhull-i"},
     Format{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
 };
@@ -139,6 +170,7 @@ const Format* sniff_points(const Source& source) {
   if (looks_like_json(source)) return format_of(".json");
   const Beginning beginning(source);
   if (is_off_keyword(beginning.first_token)) return format_of(".off");
+  if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
   return format_of(beginning.on_second_line == 1 ? ".qhull" : ".node");
 }
 
@@ -148,6 +180,7 @@ const Format* sniff_mesh(const Source& source, bool has_points) {
   if (looks_like_json(source)) return format_of(".json");
   const Beginning beginning(source);
   if (is_off_keyword(beginning.first_token)) return format_of(".off");
+  if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
   if (!has_points || beginning.on_first_line == 0) return nullptr;
   return format_of(beginning.on_first_line == 1 ? ".qhull-i" : ".ele");
 }
@@ -208,6 +241,27 @@ Status read_neighbors(const std::string& mesh, RawMesh& result) {
   return {};
 }
 
+// The triangles and edges beside an .ele file, as far as there are files of them.
+Status read_faces(const std::string& mesh, std::vector<Simplex>& faces) {
+  if (extension(mesh) != ".ele") return {};
+  for (const auto& [beside, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
+    const std::string path = with_extension(mesh, beside);
+    if (!exists(path)) continue;
+    const Result<Source> source = load(path);
+    if (!source) return tl::unexpected(source.error());
+    const Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
+    if (!file) return tl::unexpected(file.error());
+    faces.insert(faces.end(), file->simplices.begin(), file->simplices.end());
+  }
+  return {};
+}
+
+void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
+  for (Simplex& simplex : simplices) {
+    for (Vertex& v : simplex) v = difference_or_nearest(v, first_index);
+  }
+}
+
 // The simplices, and the points if they are in the same file; `format` tells which it is.
 Result<Contents> read_contents(const MeshRequest& request, const std::string& path,
                                std::string& name, const Format*& format) {
@@ -219,7 +273,8 @@ Result<Contents> read_contents(const MeshRequest& request, const std::string& pa
   if (format != nullptr && format->mesh != nullptr) return format->mesh(*source, request.reading);
   const std::string_view first = Beginning(*source).first_token;
   return tl::unexpected(FormatError{
-      name, 1, "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off; JSON or OFF text)",
+      name, 1,
+      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off, .mesh; JSON or OFF text)",
       first.empty() ? "nothing" : quote(first)});
 }
 
@@ -250,7 +305,7 @@ Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
   if (format == nullptr) format = sniff_points(*source);
   if (format->points != nullptr) return format->points(*source, reading);
   return tl::unexpected(FormatError{source->name, 0,
-                                    "a file of points (.node, .json, .off, .qhull)",
+                                    "a file of points (.node, .json, .off, .mesh, .qhull)",
                                     "a " + std::string(format->extension) + " file"});
 }
 
@@ -272,8 +327,11 @@ Result<RawMesh> read_mesh(const MeshRequest& request) {
   mesh.first_index = mesh.points.first_index;
   mesh.simplices = std::move(contents->simplices);
   if (Status sizes = check_sizes(mesh); !sizes) return tl::unexpected(sizes.error());
-  for (Simplex& simplex : mesh.simplices.simplices) {
-    for (Vertex& v : simplex) v = difference_or_nearest(v, mesh.first_index);
+  count_from_zero(mesh.simplices.simplices, mesh.first_index);
+  if (request.with_faces) {
+    mesh.faces = std::move(contents->faces);
+    if (Status read = read_faces(path, mesh.faces); !read) return tl::unexpected(read.error());
+    count_from_zero(mesh.faces, mesh.first_index);
   }
   if (request.with_neighbors) {
     if (Status read = read_neighbors(path, mesh); !read) return tl::unexpected(read.error());

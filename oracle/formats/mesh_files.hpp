@@ -31,6 +31,7 @@ struct MeshRequest {
   std::optional<std::string> points = {};  // instead of those beside or inside the mesh
   NumberReading reading = NumberReading::kDouble;
   bool with_neighbors = false;  // read the .neigh beside an .ele, if there is one
+  bool with_faces = false;      // and the .face and the .edge
 };
 
 struct RawMesh {
@@ -44,6 +45,9 @@ struct RawMesh {
   std::string points_name = {};
   std::string mesh_name = {};
   std::optional<NeighborFile> neighbors = {};
+  // Triangles and edges that the mesh lists beside its simplices, if they were asked for: those of
+  // .face and .edge files, and of Medit's. Vertices are counted from 0 as those of the simplices.
+  std::vector<Simplex> faces = {};
 };
 
 // Reads a mesh and its points. Errors: a file that is missing or malformed; elements of second

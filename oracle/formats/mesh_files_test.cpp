@@ -120,6 +120,42 @@ TEST_CASE("json, off and qhull") {
   CHECK(mesh_of(facets)->points_name == qhull);
 }
 
+TEST_CASE("medit: the cells of highest dimension, and the others beside them where wanted") {
+  const ScratchFolder folder;
+  const std::string vertices =
+      "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0 ";
+  MeshRequest request{folder.write("x.mesh", vertices + "Edges 1 1 2 0 Triangles 2 1 2 3 0 1 2 4 7 "
+                                                        "Tetrahedra 1 1 2 3 4 0 End")};
+  const auto mesh = read_mesh(request);
+  REQUIRE_MESSAGE(mesh.has_value(), error_of(mesh));
+  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(mesh->first_index == 1);
+  CHECK(mesh->faces.empty());
+  request.with_faces = true;
+  CHECK(read_mesh(request)->faces == std::vector<Simplex>{{0, 1}, {0, 1, 2}, {0, 1, 3}});
+  const auto surface = mesh_of(folder.write("y", vertices + "Triangles 1 1 2 3 0 End"));
+  REQUIRE_MESSAGE(surface.has_value(), error_of(surface));
+  CHECK(surface->simplices.simplices == std::vector<Simplex>{{0, 1, 2}});
+  const std::string quads = folder.write("z.mesh", vertices + "\nQuadrilaterals 1 1 2 3 4 0 End");
+  CHECK(error_of(mesh_of(quads)) ==
+        quads + ":2: expected edges, triangles and tetrahedra, found other cells");
+}
+
+TEST_CASE("triangles and edges beside an .ele are read where they are wanted and there") {
+  const ScratchFolder folder;
+  folder.write("x.node", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+  MeshRequest request{folder.write("x.ele", "1 4\n1 1 2 3 4\n")};
+  request.with_faces = true;
+  CHECK(read_mesh(request)->faces.empty());
+  folder.write("x.face", "2 1\n1 1 2 3 0 5 -1\n2 1 2 9 0 -1 5\n");
+  folder.write("x.edge", "1\n1 4 1\n");
+  CHECK(read_mesh(request)->faces == std::vector<Simplex>{{0, 1, 2}, {0, 1, 8}, {3, 0}});
+  folder.write("x.edge", "1\n1 4\n");
+  CHECK(!read_mesh(request));
+  request.with_faces = false;
+  CHECK(read_mesh(request)->faces.empty());
+}
+
 TEST_CASE("files without a telling name are known by what they hold") {
   const ScratchFolder folder;
   const NumberReading reading = NumberReading::kDouble;
@@ -147,14 +183,14 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(error_of(mesh_of(lone, ele)) != "no error");
   const std::string unknown = folder.write("x.vtk", "# vtk DataFile\nASCII");
   const std::string known =
-      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off; JSON or OFF text)";
+      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off, .mesh; JSON or OFF text)";
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"ASCII\"");
   CHECK(error_of(mesh_of("-", "-")) ==
         "<stdin>: expected the mesh or its points on standard input, found both");
   const auto points = read_points(ele, NumberReading::kDouble);
   REQUIRE(!points);
   CHECK(points.error().to_string() ==
-        ele + ": expected a file of points (.node, .json, .off, .qhull), found a .ele file");
+        ele + ": expected a file of points (.node, .json, .off, .mesh, .qhull), found a .ele file");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

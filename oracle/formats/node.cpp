@@ -12,12 +12,15 @@ struct Header {
   std::size_t markers = 0;
 };
 
-Result<Header> read_header(NumberedLines& numbered) {
-  Status status = numbered.read_header("points dimension [attributes [markers]]", 2, 4);
+// `may_be_empty`: without points, nothing else need be said.
+Result<Header> read_header(NumberedLines& numbered, bool may_be_empty) {
+  Status status =
+      numbered.read_header("points dimension [attributes [markers]]", may_be_empty ? 1 : 2, 4);
   if (!status) return tl::unexpected(status.error());
+  const bool is_empty = may_be_empty && numbered.count() == 0;
   const Result<std::size_t> dimension = numbered.header_count(1, "the dimension");
   if (!dimension) return tl::unexpected(dimension.error());
-  if (*dimension < 1 || *dimension > kLargestDimension) {
+  if ((*dimension < 1 && !is_empty) || *dimension > kLargestDimension) {
     return numbered.lines().fail_at(1,
                                     "a dimension from 1 to " + std::to_string(kLargestDimension));
   }
@@ -51,11 +54,8 @@ Status read_point(const Lines& lines, const Header& header, NumberReading readin
   return {};
 }
 
-}  // namespace
-
-Result<PointFile> read_node(const Source& source, NumberReading reading) {
-  NumberedLines numbered(source, "point", "points");
-  const Result<Header> header = read_header(numbered);
+Result<PointFile> read_list(NumberedLines& numbered, NumberReading reading, bool may_be_empty) {
+  const Result<Header> header = read_header(numbered, may_be_empty);
   if (!header) return tl::unexpected(header.error());
   numbered.expect_columns(1 + header->dimension + header->attributes + header->markers,
                           columns_in_words(*header));
@@ -63,7 +63,7 @@ Result<PointFile> read_node(const Source& source, NumberReading reading) {
   file.dimension = header->dimension;
   file.points.reserve(numbered.lines_at_most());
   while (true) {
-    const Result<bool> more = numbered.next();
+    const Result<bool> more = numbered.next_in_list();
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
     Status status = read_point(numbered.lines(), *header, reading, file);
@@ -71,6 +71,20 @@ Result<PointFile> read_node(const Source& source, NumberReading reading) {
   }
   file.first_index = numbered.first_index();
   return file;
+}
+
+}  // namespace
+
+Result<PointFile> read_node(const Source& source, NumberReading reading) {
+  NumberedLines numbered(source, "point", "points");
+  Result<PointFile> file = read_list(numbered, reading, false);
+  if (!file) return file;
+  if (Status end = numbered.expect_end(); !end) return tl::unexpected(end.error());
+  return file;
+}
+
+Result<PointFile> read_node_list(NumberedLines& numbered, NumberReading reading) {
+  return read_list(numbered, reading, true);
 }
 
 void write_node(std::ostream& out, const PointFile& file) {

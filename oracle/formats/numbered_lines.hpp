@@ -1,5 +1,6 @@
 // What the files of Triangle and TetGen have in common: a header that begins with a count, then
 // that many lines, each beginning with its index. Indices go up by one from whatever the first is.
+// Some files hold several such lists.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +23,32 @@ class NumberedLines {
   // A further number of the header; 0 if it was left out. Requires: no line was read yet.
   Result<std::size_t> header_count(std::size_t column, std::string_view what) const;
 
+  // The same where another list may follow or be missing: false if the text ends before a header.
+  Result<bool> read_optional_header(const std::string& layout, std::size_t fewest,
+                                    std::size_t most);
+  // Goes on to the next list of the same file, whose header is still to be read.
+  void begin_list(std::string one, std::string many);
+  // The indices of this list are not referred to: any integers will do.
+  void allow_any_index() { any_index_ = true; }
+
   // How many columns every line has, its index among them; `meaning` explains them in errors.
   void expect_columns(std::size_t columns, std::string meaning);
+
+  // The number of columns is not known yet: the first line may have any.
+  void allow_any_columns() { columns_ = 0; }
 
   // Goes to the next line and checks its index and its number of columns. False after the last
   // one, when nothing follows it. Too few lines and too many are errors.
   Result<bool> next();
+  // The same where something may follow the last line.
+  Result<bool> next_in_list();
+  // That nothing follows.
+  Status expect_end();
 
   const Lines& lines() const { return lines_; }
+  Lines& lines() { return lines_; }
+  // What the header announces.
+  std::size_t count() const { return count_; }
   // The index of the first line; 0 if there is none.
   Vertex first_index() const { return first_index_; }
   // How many lines are still to come, as far as the header and the size of the text agree: safe to
@@ -37,6 +56,7 @@ class NumberedLines {
   std::size_t lines_at_most() const;
 
  private:
+  Status read_count(const std::string& layout, std::size_t fewest, std::size_t most);
   Status check_index();
 
   Lines lines_;
@@ -47,6 +67,7 @@ class NumberedLines {
   std::size_t count_ = 0;
   std::size_t done_ = 0;
   Vertex first_index_ = 0;
+  bool any_index_ = false;
 };
 
 // One line a row: its index, counted from `first_index`, and its numbers.

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/formats/ele.hpp"
+#include "oracle/formats/face.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/off.hpp"
@@ -246,6 +247,27 @@ TEST_CASE("qhull: what is refused") {
         "f:2: expected facet 2 of 3, found the end of the file");
   CHECK(complaint(read_qhull_simplices(named("1\n0 1 2\n0 1 2\n"))) ==
         "f:3: expected the end of the file after the last facet, found \"0\"");
+}
+
+TEST_CASE("face and edge: markers and what TetGen appends are read over") {
+  const auto faces =
+      read_face(named("# TetGen -nn\n2  1\n 1  1 2 3  1  1 -1\n 2  2 1 4  1  0 1\n"), 3);
+  REQUIRE(faces);
+  CHECK(faces->simplices == std::vector<Simplex>{{1, 2, 3}, {2, 1, 4}});
+  CHECK(faces->lines == std::vector<std::size_t>{3, 4});
+  const auto edges = read_face(named("2\n0 1 2\n1 2 3\n"), 2);
+  REQUIRE(edges);
+  CHECK(edges->simplices == std::vector<Simplex>{{1, 2}, {2, 3}});
+  CHECK(written(*edges, write_face) == "2 0\n0 1 2\n1 2 3\n");
+  CHECK(complaint(read_face(named("1 0\n1 1 2\n"), 3)) ==
+        "f:2: expected 4 columns (an index, 3 vertices) and at most 3 more, found 3");
+  CHECK(complaint(read_face(named("1 1\n1 1 2 3\n"), 3)) ==
+        "f:2: expected 5 columns (an index, 3 vertices, a marker) and at most 3 more, found 4");
+  CHECK(complaint(read_face(named("1 1\n1 1 2 x\n"), 2)) ==
+        "f:2: expected a marker or a tetrahedron, an integer, found \"x\"");
+  CHECK(complaint(read_face(named("1 2\n"), 2)) == "f:1: expected 0 or 1 markers, found \"2\"");
+  CHECK(complaint(read_face(named("2\n1 1 2\n"), 2)) ==
+        "f:2: expected edge 2 of 2, found the end of the file");
 }
 
 }  // namespace circumspect::formats

@@ -1,0 +1,55 @@
+// What a file of a domain holds, in any format: a piecewise linear complex as it was handed in, and
+// where each of its parts stands.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "oracle/formats/format_error.hpp"
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/simplex_file.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::formats {
+
+struct DomainFile {
+  std::size_t dimension = 0;   // 2 or 3, of every point
+  PiecewiseLinearInput input;  // vertices from 0; there may be duplicates among the points
+  Vertex first_index = 0;      // the user's index of the first point
+  std::vector<Vertex> labels =
+      {};  // the user's own index of each point, where they are not in a row
+  std::vector<std::size_t> segment_lines =
+      {};  // the line on which each segment stands, for messages
+  std::vector<std::size_t> polygon_lines = {};  // the same for each polygon; 0: a binary file
+  std::string name = {};
+  std::string points_name = {};  // the file of the points, if they are elsewhere
+  std::vector<std::string> notes =
+      {};  // what was read otherwise than it stands there, one line each
+
+  Vertex label(Vertex v) const {
+    return labels.empty() ? v + first_index : labels[static_cast<std::size_t>(v)];
+  }
+};
+
+// Takes over points: all of one dimension, which must be that of the plane or of space.
+Status take_points(DomainFile& file, PointFile points, std::size_t line);
+
+// The place of a point that a file names by `index`. Errors: there is no such point.
+Result<Vertex> place_of(const DomainFile& file, Vertex index, std::size_t line);
+
+// Adds a facet of TetGen's: closed lines of three corners or more, segments of two and isolated
+// vertices of one. Consecutive corners that are equal say nothing new: they become one, which is
+// noted. What encloses no area becomes segments alone. Corners are places from 0.
+void add_facet(DomainFile& file, PolygonLines facet, std::size_t line);
+
+void add_segment(DomainFile& file, const Simplex& segment, std::size_t line);
+
+// The same with equal points as one, the first of them; what vanishes by that is left out.
+DomainFile with_duplicates_merged(DomainFile file);
+
+// Adds the faces of a surface: in space they are polygons, in the plane their edges are segments,
+// each once. Vertices are the indices of the file.
+Status add_faces(DomainFile& file, const SimplexFile& faces);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,114 @@
+#include "oracle/formats/domain_files.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/medit.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/node.hpp"
+#include "oracle/formats/off.hpp"
+#include "oracle/formats/ply.hpp"
+#include "oracle/formats/poly.hpp"
+#include "oracle/formats/source.hpp"
+#include "oracle/formats/stl.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// The points of x.1.poly may be in x.1.node.
+PointsElsewhere points_beside(const Source& source, NumberReading reading, std::string& name) {
+  return [&source, reading, &name]() -> Result<PointFile> {
+    const std::string& poly = source.name;
+    name = poly.substr(0, poly.size() - extension(poly).size()) + ".node";
+    if (!exists(name)) {
+      return tl::unexpected(FormatError{name, 0, "a file with the points of " + poly,
+                                        "no file of that name, and no points in " + poly});
+    }
+    const Result<Source> points = load(name);
+    if (!points) return tl::unexpected(points.error());
+    return read_node(*points, reading);
+  };
+}
+
+using Reader = Result<DomainFile> (*)(const Source&, NumberReading, const PointsElsewhere&);
+
+Result<DomainFile> with_points(Reader read, const Source& source, NumberReading reading) {
+  std::string points_name;
+  Result<DomainFile> file = read(source, reading, points_beside(source, reading, points_name));
+  if (file) file->points_name = std::move(points_name);
+  return file;
+}
+
+Result<DomainFile> domain_of_poly(const Source& source, NumberReading reading) {
+  return with_points(read_poly, source, reading);
+}
+
+Result<DomainFile> domain_of_smesh(const Source& source, NumberReading reading) {
+  return with_points(read_smesh, source, reading);
+}
+
+Result<DomainFile> domain_of_off(const Source& source, NumberReading reading) {
+  Result<OffFile> off = read_off(source, reading);
+  if (!off) return tl::unexpected(off.error());
+  DomainFile file;
+  file.name = source.name;
+  Status status = take_points(file, std::move(off->points), 0);
+  if (status) status = add_faces(file, off->faces);
+  if (!status) return tl::unexpected(status.error());
+  return file;
+}
+
+Result<DomainFile> domain_of_medit(const Source& source, NumberReading reading) {
+  const Result<MeditFile> medit = read_medit(source, reading);
+  if (!medit) return tl::unexpected(medit.error());
+  return domain_of(*medit, source.name);
+}
+
+struct Format {
+  std::string_view extension;
+  Result<DomainFile> (*read)(const Source&, NumberReading);
+};
+
+constexpr std::array kFormats = {
+    Format{".poly", domain_of_poly}, Format{".smesh", domain_of_smesh},
+    Format{".off", domain_of_off},   Format{".stl", read_stl},
+    Format{".ply", read_ply},        Format{".mesh", domain_of_medit},
+};
+
+const Format* format_of(std::string_view extension) {
+  const auto* const found =
+      std::find_if(kFormats.begin(), kFormats.end(),
+                   [extension](const Format& format) { return format.extension == extension; });
+  return found == kFormats.end() ? nullptr : found;
+}
+
+// The format of a file whose name does not say it; null if what it holds does not, either.
+const Format* sniff(const Source& source) {
+  Lines lines(source);
+  if (!lines.next()) return nullptr;
+  const std::string_view first = lines.tokens()[0];
+  if (is_off_keyword(first)) return format_of(".off");
+  if (is_medit_keyword(first)) return format_of(".mesh");
+  if (first == "ply") return format_of(".ply");
+  return first == "solid" ? format_of(".stl") : nullptr;
+}
+
+}  // namespace
+
+bool is_domain_file(const std::string& path) {
+  const std::string end = extension(path);
+  return end != ".off" && format_of(end) != nullptr;
+}
+
+Result<DomainFile> read_domain(const std::string& path, NumberReading reading) {
+  const Result<Source> source = load(path);
+  if (!source) return tl::unexpected(source.error());
+  const Format* format = format_of(extension(path));
+  if (format == nullptr) format = sniff(*source);
+  if (format != nullptr) return format->read(*source, reading);
+  return tl::unexpected(FormatError{
+      source->name, 0, "a domain (.poly, .smesh, .off, .stl, .ply, .mesh)", "another format"});
+}
+
+}  // namespace circumspect::formats

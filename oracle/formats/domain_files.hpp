@@ -1,0 +1,19 @@
+// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in two,
+// as users of Triangle and TetGen keep it.
+#pragma once
+
+#include <string>
+
+#include "oracle/formats/domain_file.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace circumspect::formats {
+
+// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .mesh; a file of
+// another name by what it holds. "-" is standard input.
+Result<DomainFile> read_domain(const std::string& path, NumberReading reading);
+
+// Does the name of this file say that it is a domain? (.off is a list of points as well.)
+bool is_domain_file(const std::string& path);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,251 @@
+#include "oracle/formats/medit.hpp"
+
+#include <array>
+#include <cctype>
+
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/rows.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// Sections of so many numbers each that tell nothing that is asked here. In the plane, `Normals`
+// and `Tangents` have one number less.
+struct OtherSection {
+  std::string_view keyword;
+  std::size_t numbers;
+  bool holds_cells = false;  // which no checker could judge
+  bool is_spatial = false;
+};
+constexpr std::array kOtherSections = {
+    OtherSection{"Corners", 1},
+    OtherSection{"Ridges", 1},
+    OtherSection{"RequiredVertices", 1},
+    OtherSection{"RequiredEdges", 1},
+    OtherSection{"RequiredTriangles", 1},
+    OtherSection{"RequiredQuadrilaterals", 1},
+    OtherSection{"Normals", 3, false, true},
+    OtherSection{"NormalAtVertices", 2},
+    OtherSection{"NormalAtTriangleVertices", 3},
+    OtherSection{"NormalAtQuadrilateralVertices", 3},
+    OtherSection{"Tangents", 3, false, true},
+    OtherSection{"TangentAtVertices", 2},
+    OtherSection{"TangentAtEdges", 3},
+    OtherSection{"SubDomainFromMesh", 4},
+    OtherSection{"SubDomainFromGeom", 4},
+    OtherSection{"Hexahedra", 9, true},
+    OtherSection{"Hexaedra", 9, true},
+    OtherSection{"Prisms", 7, true},
+    OtherSection{"Pentahedra", 7, true},
+    OtherSection{"Pyramids", 6, true},
+};
+
+class MeditReader {
+ public:
+  MeditReader(const Source& source, NumberReading reading) : lines_(source), reading_(reading) {}
+
+  Result<MeditFile> read();
+
+ private:
+  // Goes to the next token; false at the end of the text.
+  bool next();
+  std::string_view token() const { return lines_.tokens()[column_]; }
+  bool is_ended() const { return column_ >= lines_.size(); }
+  tl::unexpected<FormatError> fail(const std::string& expected) const {
+    return lines_.fail_at(column_, expected);
+  }
+  Result<std::size_t> next_count(std::string_view what);
+  Result<Vertex> next_integer(const std::string& what);
+
+  Status read_header();
+  Status read_dimension();
+  Status read_section();
+  Status read_vertices();
+  Status read_cells(SimplexFile& cells, std::size_t vertices, const std::string& one);
+  Status skip_numbers(const OtherSection& section);
+  void skip_unknown();
+
+  Lines lines_;
+  NumberReading reading_;
+  std::size_t column_ = 0;
+  MeditFile file_;
+  bool has_vertices_ = false;
+  bool has_token_ = false;  // the keyword of the next section was met by skipping
+};
+
+bool MeditReader::next() {
+  if (has_token_) {
+    has_token_ = false;
+    return true;
+  }
+  if (++column_ < lines_.size()) return true;
+  column_ = 0;
+  return lines_.next();
+}
+
+Result<std::size_t> MeditReader::next_count(std::string_view what) {
+  if (!next()) return fail(std::string(what));
+  return lines_.count(column_, what);
+}
+
+Result<Vertex> MeditReader::next_integer(const std::string& what) {
+  if (!next()) return fail(what);
+  return lines_.integer(column_, what);
+}
+
+Status MeditReader::read_header() {
+  if (!next() || !is_medit_keyword(token())) return fail("the keyword MeshVersionFormatted");
+  const Result<std::size_t> version = next_count("the version");
+  if (!version) return tl::unexpected(version.error());
+  return {};
+}
+
+Status MeditReader::read_dimension() {
+  if (file_.points.dimension != 0) return fail("one Dimension");
+  const Result<std::size_t> dimension = next_count("the dimension");
+  if (!dimension) return tl::unexpected(dimension.error());
+  if (*dimension != 2 && *dimension != 3) return fail("dimension 2 or 3");
+  file_.points.dimension = *dimension;
+  return {};
+}
+
+Status MeditReader::read_vertices() {
+  const std::size_t dimension = file_.points.dimension;
+  if (dimension == 0) return fail("\"Dimension\" before Vertices");
+  if (has_vertices_) return fail("one section Vertices");
+  has_vertices_ = true;
+  const Result<std::size_t> count = next_count("the number of vertices");
+  if (!count) return tl::unexpected(count.error());
+  for (std::size_t i = 0; i < *count; ++i) {
+    const std::string one = "vertex " + std::to_string(i + 1) + " of " + std::to_string(*count);
+    Point point;
+    while (point.size() < dimension) {
+      if (!next()) return fail(one);
+      Result<Rational> number = lines_.number(column_, reading_);
+      if (!number) return tl::unexpected(number.error());
+      point.push_back(std::move(*number));
+    }
+    const Result<Vertex> reference = next_integer("the reference of " + one);
+    if (!reference) return tl::unexpected(reference.error());
+    file_.points.points.push_back(std::move(point));
+  }
+  return {};
+}
+
+Status MeditReader::read_cells(SimplexFile& cells, std::size_t vertices, const std::string& one) {
+  const Result<std::size_t> count = next_count("the number of cells");
+  if (!count) return tl::unexpected(count.error());
+  for (std::size_t i = 0; i < *count; ++i) {
+    const std::string which = one + " " + std::to_string(i + 1) + " of " + std::to_string(*count);
+    Simplex cell;
+    std::size_t line = 0;
+    while (cell.size() <= vertices) {
+      const Result<Vertex> number =
+          next_integer((cell.size() < vertices ? "a vertex of " : "the reference of ") + which);
+      if (!number) return tl::unexpected(number.error());
+      if (cell.empty()) line = lines_.line();
+      cell.push_back(*number);
+    }
+    cell.pop_back();
+    cells.simplices.push_back(std::move(cell));
+    cells.lines.push_back(line);
+  }
+  return {};
+}
+
+Status MeditReader::skip_numbers(const OtherSection& section) {
+  const std::size_t line = lines_.line();
+  const std::string keyword(section.keyword);
+  const Result<std::size_t> count = next_count("the number of " + keyword);
+  if (!count) return tl::unexpected(count.error());
+  if (section.holds_cells && *count > 0) file_.other_cells_line = line;
+  const bool is_flat = section.is_spatial && file_.points.dimension == 2;
+  const std::size_t numbers = section.numbers - (is_flat ? 1 : 0);
+  for (std::size_t i = 0; i < *count; ++i) {
+    for (std::size_t j = 0; j < numbers; ++j) {
+      const std::string what = "a number of " + keyword;
+      if (!next()) return fail(what);
+      const Result<Rational> number = lines_.number(column_, NumberReading::kDouble);
+      if (!number) return fail(what);
+    }
+  }
+  return {};
+}
+
+// Up to the next keyword; what stands in quotes is none.
+void MeditReader::skip_unknown() {
+  bool in_quotes = false;
+  while (next()) {
+    const std::string_view word = token();
+    for (const char c : word) in_quotes ^= c == '"';
+    if (in_quotes || word.back() == '"') continue;
+    if (std::isalpha(static_cast<unsigned char>(word.front())) != 0) {
+      has_token_ = true;
+      return;
+    }
+  }
+}
+
+// Requires: the current token is the keyword of a section.
+Status MeditReader::read_section() {
+  const std::string_view keyword = token();
+  if (keyword == "Dimension") return read_dimension();
+  if (keyword == "Vertices") return read_vertices();
+  if (keyword == "Edges") return read_cells(file_.edges, 2, "edge");
+  if (keyword == "Triangles") return read_cells(file_.triangles, 3, "triangle");
+  if (keyword == "Quadrilaterals") return read_cells(file_.quadrilaterals, 4, "quadrilateral");
+  if (keyword == "Tetrahedra") return read_cells(file_.tetrahedra, 4, "tetrahedron");
+  for (const OtherSection& section : kOtherSections) {
+    if (section.keyword == keyword) return skip_numbers(section);
+  }
+  if (std::isalpha(static_cast<unsigned char>(keyword.front())) == 0) return fail("a keyword");
+  skip_unknown();
+  return {};
+}
+
+Result<MeditFile> MeditReader::read() {
+  if (Status header = read_header(); !header) return tl::unexpected(header.error());
+  while (true) {
+    if (!next()) return fail("a keyword, at last End");
+    if (token() == "End") break;
+    if (Status section = read_section(); !section) return tl::unexpected(section.error());
+  }
+  if (!has_vertices_) return fail("Vertices before the end");
+  if (next()) return fail("the end of the file after End");
+  file_.points.first_index = 1;
+  for (SimplexFile* cells :
+       {&file_.edges, &file_.triangles, &file_.quadrilaterals, &file_.tetrahedra}) {
+    cells->vertices_per_simplex = size_of_each(cells->simplices);
+    cells->first_index = 1;
+  }
+  return std::move(file_);
+}
+
+}  // namespace
+
+bool is_medit_keyword(std::string_view token) { return token == "MeshVersionFormatted"; }
+
+Result<MeditFile> read_medit(const Source& source, NumberReading reading) {
+  return MeditReader(source, reading).read();
+}
+
+void write_medit(std::ostream& out, const MeditFile& file) {
+  out << "MeshVersionFormatted 2\nDimension " + std::to_string(file.points.dimension) + "\n";
+  out << "Vertices " + std::to_string(file.points.points.size()) + "\n";
+  for (const Point& point : file.points.points) out << joined(point) + " 0\n";
+  const auto write = [&](const char* keyword, const SimplexFile& cells) {
+    if (cells.simplices.empty()) return;
+    out << keyword << " " + std::to_string(cells.simplices.size()) + "\n";
+    for (Simplex cell : cells.simplices) {
+      for (Vertex& v : cell) v += 1 - file.points.first_index;
+      out << joined(cell) + " 0\n";
+    }
+  };
+  write("Edges", file.edges);
+  write("Triangles", file.triangles);
+  write("Quadrilaterals", file.quadrilaterals);
+  write("Tetrahedra", file.tetrahedra);
+  out << "End\n";
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,260 @@
+#include "oracle/formats/ply.hpp"
+
+#include <array>
+
+#include "oracle/formats/ply_header.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+using Kind = PlyType::Kind;
+
+// Where values come from, line by line or byte by byte.
+class Rows {
+ public:
+  virtual ~Rows() = default;
+  // Goes to a row; an error if the file has ended. `what` names it.
+  virtual Status begin_row(const std::string& what) = 0;
+  virtual Status end_row() = 0;
+  virtual Result<std::size_t> read_count(PlyType type) = 0;
+  virtual Status skip(PlyType type, std::size_t count) = 0;
+  virtual Result<Vertex> read_index(PlyType type) = 0;
+  virtual Result<Rational> read_number(PlyType type) = 0;
+  virtual std::size_t line() const = 0;
+  virtual Status expect_end() = 0;
+};
+
+class TextRows final : public Rows {
+ public:
+  TextRows(Lines& lines, NumberReading reading) : lines_(lines), reading_(reading) {}
+
+  Status begin_row(const std::string& what) override {
+    column_ = 0;
+    if (lines_.next()) return {};
+    return lines_.fail(what, "the end of the file");
+  }
+  Status end_row() override {
+    if (column_ == lines_.size()) return {};
+    return lines_.fail_at(column_, "the end of the line");
+  }
+  Result<std::size_t> read_count(PlyType) override {
+    if (column_ == lines_.size()) return lines_.fail_at(column_, "the number of values of a list");
+    return lines_.count(column_++, "the number of values of a list");
+  }
+  Status skip(PlyType, std::size_t count) override {
+    if (count > lines_.size() - column_) {
+      return lines_.fail_at(lines_.size(), std::to_string(count) + " values");
+    }
+    column_ += count;
+    return {};
+  }
+  Result<Vertex> read_index(PlyType) override {
+    if (column_ == lines_.size()) return lines_.fail_at(column_, "a vertex");
+    return lines_.integer(column_++, "a vertex");
+  }
+  Result<Rational> read_number(PlyType) override {
+    if (column_ == lines_.size()) return lines_.fail_at(column_, "a coordinate");
+    return lines_.number(column_++, reading_);
+  }
+  std::size_t line() const override { return lines_.line(); }
+  Status expect_end() override {
+    if (!lines_.next()) return {};
+    return lines_.fail_at(0, "the end of the file after the last element");
+  }
+
+ private:
+  Lines& lines_;
+  NumberReading reading_;
+  std::size_t column_ = 0;
+};
+
+class BinaryRows final : public Rows {
+ public:
+  BinaryRows(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(bytes) {}
+
+  Status begin_row(const std::string& what) override {
+    what_ = what;
+    if (bytes_.left() == 0) return ended();
+    return {};
+  }
+  Status end_row() override { return {}; }
+  Result<std::size_t> read_count(PlyType type) override {
+    const Result<Vertex> count = read_index(type);
+    if (!count) return tl::unexpected(count.error());
+    if (*count < 0) return fail("a list of 0 or more values in " + what_, std::to_string(*count));
+    return static_cast<std::size_t>(*count);
+  }
+  Status skip(PlyType type, std::size_t count) override {
+    // The count may be anything: no product of it before it is known to be small.
+    if (count > bytes_.left() / type.size) return ended();
+    bytes_.skip(count * type.size);
+    return {};
+  }
+  Result<Vertex> read_index(PlyType type) override {
+    const auto bits = bytes_.unsigned_integer(type.size);
+    if (!bits) return ended();
+    return type.kind == Kind::kSigned ? as_signed(*bits, type.size) : static_cast<Vertex>(*bits);
+  }
+  Result<Rational> read_number(PlyType type) override {
+    if (type.kind != Kind::kFloating) {
+      const Result<Vertex> value = read_index(type);
+      if (!value) return tl::unexpected(value.error());
+      return Rational(*value);
+    }
+    const auto bits = bytes_.unsigned_integer(type.size);
+    if (!bits) return ended();
+    const auto value = as_floating(*bits, type.size);
+    if (!value) return fail("finite coordinates of " + what_, "NaN or an infinity");
+    return *value;
+  }
+  std::size_t line() const override { return 0; }
+  Status expect_end() override {
+    if (bytes_.left() == 0) return {};
+    return fail("the end of the file after the last element",
+                std::to_string(bytes_.left()) + " more bytes");
+  }
+
+ private:
+  tl::unexpected<FormatError> fail(std::string expected, std::string found) const {
+    return tl::unexpected(FormatError{name_, 0, std::move(expected), std::move(found)});
+  }
+  tl::unexpected<FormatError> ended() const { return fail(what_, "the end of the file"); }
+
+  std::string name_;
+  Bytes bytes_;
+  std::string what_;
+};
+
+Status skip_property(Rows& rows, const PlyProperty& property) {
+  if (!property.count) return rows.skip(property.type, 1);
+  const Result<std::size_t> count = rows.read_count(*property.count);
+  if (!count) return tl::unexpected(count.error());
+  return rows.skip(property.type, *count);
+}
+
+// Calls `read` for each row with the number of each property; `read` reads it or returns false.
+template <class Read>
+Status for_each_row(Rows& rows, const PlyElement& element, const Read& read) {
+  const bool is_known = element.name == "vertex" || element.name == "face";
+  const std::string noun = is_known ? element.name : "element " + quote(element.name);
+  for (std::size_t i = 0; i < element.count; ++i) {
+    Status status =
+        rows.begin_row(noun + " " + std::to_string(i + 1) + " of " + std::to_string(element.count));
+    for (std::size_t j = 0; status && j < element.properties.size(); ++j) {
+      const Result<bool> was_read = read(j);
+      if (!was_read) return tl::unexpected(was_read.error());
+      if (!*was_read) status = skip_property(rows, element.properties[j]);
+    }
+    if (status) status = rows.end_row();
+    if (!status) return status;
+  }
+  return {};
+}
+
+Status read_points(Rows& rows, const PlyElement& element, std::vector<Point>& points) {
+  const std::array<std::size_t, 3> places = {*element.find("x", false), *element.find("y", false),
+                                             *element.find("z", false)};
+  return for_each_row(rows, element, [&](std::size_t j) -> Result<bool> {
+    if (j == 0) points.emplace_back(3);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (places[axis] != j) continue;
+      Result<Rational> number = rows.read_number(element.properties[j].type);
+      if (!number) return tl::unexpected(number.error());
+      points.back()[axis] = std::move(*number);
+      return true;
+    }
+    return false;
+  });
+}
+
+Status read_faces(Rows& rows, const PlyElement& element, std::size_t place, SimplexFile& faces) {
+  const PlyProperty& list = element.properties[place];
+  return for_each_row(rows, element, [&](std::size_t j) -> Result<bool> {
+    if (j != place) return false;
+    const Result<std::size_t> count = rows.read_count(*list.count);
+    if (!count) return tl::unexpected(count.error());
+    Simplex face;
+    while (face.size() < *count) {
+      const Result<Vertex> index = rows.read_index(list.type);
+      if (!index) return tl::unexpected(index.error());
+      face.push_back(*index);
+    }
+    faces.simplices.push_back(std::move(face));
+    faces.lines.push_back(rows.line());
+    return true;
+  });
+}
+
+// The list of vertices among the properties of a face.
+std::optional<std::size_t> corners_of(const PlyElement& element) {
+  const auto indices = element.find("vertex_indices", true);
+  return indices ? indices : element.find("vertex_index", true);
+}
+
+Status check_header(const Lines& lines, const PlyHeader& header) {
+  bool has_points = false;
+  bool has_faces = false;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") {
+      if (has_points || !element.find("x", false) || !element.find("y", false) ||
+          !element.find("z", false)) {
+        return lines.fail("one element vertex with properties x, y, z",
+                          has_points ? "two elements" : "another element vertex");
+      }
+      has_points = true;
+    } else if (element.name == "face") {
+      const auto place = corners_of(element);
+      if (has_faces || !place || element.properties[*place].type.kind == Kind::kFloating) {
+        return lines.fail("one element face with a list of integers vertex_indices",
+                          has_faces ? "two elements" : "another element face");
+      }
+      has_faces = true;
+    }
+  }
+  if (has_points && has_faces) return {};
+  return lines.fail("elements vertex and face",
+                    has_points ? "no element face" : "no element vertex");
+}
+
+Result<DomainFile> read_body(Rows& rows, const PlyHeader& header, const std::string& name) {
+  PointFile points;
+  points.dimension = 3;
+  SimplexFile faces;
+  for (const PlyElement& element : header.elements) {
+    Status status;
+    if (element.name == "vertex") {
+      status = read_points(rows, element, points.points);
+    } else if (element.name == "face") {
+      status = read_faces(rows, element, *corners_of(element), faces);
+    } else {
+      status = for_each_row(rows, element, [](std::size_t) -> Result<bool> { return false; });
+    }
+    if (!status) return tl::unexpected(status.error());
+  }
+  if (Status end = rows.expect_end(); !end) return tl::unexpected(end.error());
+  DomainFile file;
+  file.name = name;
+  Status status = take_points(file, std::move(points), 0);
+  if (status) status = add_faces(file, faces);
+  if (!status) return tl::unexpected(status.error());
+  return file;
+}
+
+}  // namespace
+
+Result<DomainFile> read_ply(const Source& source, NumberReading reading) {
+  Lines lines(source);
+  const Result<PlyHeader> header = read_ply_header(lines);
+  if (!header) return tl::unexpected(header.error());
+  if (Status known = check_header(lines, *header); !known) return tl::unexpected(known.error());
+  if (!header->binary) {
+    TextRows rows(lines, reading);
+    return read_body(rows, *header, source.name);
+  }
+  const std::string_view text = source.text;
+  BinaryRows rows(source.name,
+                  Bytes(text.substr(text.size() - lines.bytes_left()), *header->binary));
+  return read_body(rows, *header, source.name);
+}
+
+}  // namespace circumspect::formats

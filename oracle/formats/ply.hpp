@@ -1,0 +1,25 @@
+// Surfaces as PLY, in text or binary of either byte order.
+//
+//     ply
+//     format ascii 1.0                            or binary_little_endian, binary_big_endian
+//     comment …                                   and obj_info …: ignored
+//     element vertex 8
+//     property float x                            y and z too, of any type, among other properties
+//     element face 6
+//     property list uchar int vertex_indices      or vertex_index
+//     end_header
+//     …                                           the elements, one list of each kind
+//
+// Elements and properties of other names are read over.
+#pragma once
+
+#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace circumspect::formats {
+
+// Points are counted from 0. Faces are polygons of one line.
+Result<DomainFile> read_ply(const Source& source, NumberReading reading);
+
+}  // namespace circumspect::formats

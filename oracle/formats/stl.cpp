@@ -1,0 +1,204 @@
+#include "oracle/formats/stl.hpp"
+
+#include <array>
+#include <cctype>
+#include <map>
+
+#include "oracle/formats/bytes.hpp"
+#include "oracle/formats/lines.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+constexpr std::size_t kHeader = 80;
+constexpr std::size_t kTriangle = 50;
+
+// Merges equal corners as triangles come in.
+class Surface {
+ public:
+  explicit Surface(const std::string& name) {
+    file_.name = name;
+    file_.dimension = 3;
+  }
+
+  void add(std::array<Point, 3> corners, std::size_t line) {
+    Simplex triangle;
+    for (Point& corner : corners) triangle.push_back(place_of_corner(std::move(corner)));
+    corners_ += 3;
+    if (!has_repeated_vertex(triangle)) {
+      add_facet(file_, {{std::move(triangle)}, {}}, line);
+      return;
+    }
+    ++collapsed_;
+    const Vertex other = triangle[0] == triangle[1] ? triangle[2] : triangle[1];
+    if (other != triangle[0]) add_segment(file_, {triangle[0], other}, line);
+  }
+
+  DomainFile finish() {
+    if (corners_ > file_.input.points.size()) {
+      file_.notes.push_back(file_.name + ": " + std::to_string(corners_) +
+                            " corners of triangles merged into " +
+                            std::to_string(file_.input.points.size()) + " points");
+    }
+    if (collapsed_ > 0) {
+      file_.notes.push_back(file_.name + ": " + std::to_string(collapsed_) +
+                            " triangles with equal corners read as the segments that they are");
+    }
+    return std::move(file_);
+  }
+
+ private:
+  Vertex place_of_corner(Point corner) {
+    const auto next = static_cast<Vertex>(file_.input.points.size());
+    const auto [entry, is_new] = places_.emplace(std::move(corner), next);
+    if (is_new) file_.input.points.push_back(entry->first);
+    return entry->second;
+  }
+
+  DomainFile file_;
+  std::map<Point, Vertex> places_;
+  std::size_t corners_ = 0;
+  std::size_t collapsed_ = 0;
+};
+
+bool is_word(std::string_view token, std::string_view word) {
+  if (token.size() != word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (std::tolower(static_cast<unsigned char>(token[i])) != word[i]) return false;
+  }
+  return true;
+}
+
+class TextReader {
+ public:
+  TextReader(const Source& source, NumberReading reading)
+      : lines_(source), reading_(reading), surface_(source.name) {}
+
+  Result<DomainFile> read() {
+    Status status = expect_words({"solid"}, true);
+    if (!status) return tl::unexpected(status.error());
+    while (true) {
+      if (Status solid = read_solid(); !solid) return tl::unexpected(solid.error());
+      if (!lines_.next()) return surface_.finish();
+      if (!is_word(lines_.tokens()[0], "solid")) {
+        return lines_.fail_at(0, "\"solid\" or the end of the file");
+      }
+    }
+  }
+
+ private:
+  // The next line begins with these words; a name or the like may stand behind them.
+  Status expect_words(const std::vector<std::string>& words, bool more_may_follow) {
+    lines_.next();
+    return check_words(words, more_may_follow);
+  }
+
+  Status check_words(const std::vector<std::string>& words, bool more_may_follow) const {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (i < lines_.size() && is_word(lines_.tokens()[i], words[i])) continue;
+      return lines_.fail_at(i, "\"" + words[i] + "\"");
+    }
+    if (more_may_follow || lines_.size() == words.size()) return {};
+    return lines_.fail_at(words.size(), "the end of the line");
+  }
+
+  // The facets of a solid and its last line.
+  Status read_solid() {
+    while (true) {
+      if (lines_.next() && is_word(lines_.tokens()[0], "endsolid")) return {};
+      if (lines_.size() == 0 || !is_word(lines_.tokens()[0], "facet")) {
+        return lines_.fail_at(0, "\"facet\" or \"endsolid\"");
+      }
+      if (Status facet = read_facet(); !facet) return facet;
+    }
+  }
+
+  Status read_facet() {
+    const std::size_t line = lines_.line();
+    Status status = check_words({"facet"}, true);
+    if (status) status = expect_words({"outer", "loop"}, false);
+    std::array<Point, 3> corners;
+    for (Point& corner : corners) {
+      if (status) status = expect_words({"vertex"}, true);
+      if (!status) return status;
+      if (lines_.size() != 4) {
+        return lines_.fail("\"vertex\" and 3 coordinates",
+                           std::to_string(lines_.size() - 1) + " of them");
+      }
+      Result<Point> point = lines_.numbers(1, 3, reading_);
+      if (!point) return tl::unexpected(point.error());
+      corner = std::move(*point);
+    }
+    status = expect_words({"endloop"}, false);
+    if (status) status = expect_words({"endfacet"}, false);
+    if (!status) return status;
+    surface_.add(std::move(corners), line);
+    return {};
+  }
+
+  Lines lines_;
+  NumberReading reading_;
+  Surface surface_;
+};
+
+Result<Point> read_corner(Bytes& bytes, const std::string& name, const std::string& triangle) {
+  Point corner;
+  for (int i = 0; i < 3; ++i) {
+    const auto bits = bytes.unsigned_integer(4);
+    const std::optional<Rational> value = bits ? as_floating(*bits, 4) : std::nullopt;
+    if (!value) {
+      return tl::unexpected(FormatError{name, 0, "finite coordinates of " + triangle,
+                                        bits ? "NaN or an infinity" : "the end of the file"});
+    }
+    corner.push_back(*value);
+  }
+  return corner;
+}
+
+Result<DomainFile> read_binary(const Source& source) {
+  Bytes bytes(source.text, ByteOrder::kLittleEndian);
+  const bool has_header = bytes.skip(kHeader);
+  const auto count = has_header ? bytes.unsigned_integer(4) : std::nullopt;
+  if (!count) {
+    return tl::unexpected(FormatError{
+        source.name, 0, "\"solid\", or 80 bytes and the number of triangles of a binary STL file",
+        std::to_string(source.text.size()) + " bytes"});
+  }
+  Surface surface(source.name);
+  for (std::uint64_t i = 0; i < *count; ++i) {
+    const std::string triangle =
+        "triangle " + std::to_string(i + 1) + " of " + std::to_string(*count);
+    if (bytes.left() < kTriangle) {
+      return tl::unexpected(FormatError{source.name, 0, triangle, "the end of the file"});
+    }
+    bytes.skip(12);
+    std::array<Point, 3> corners;
+    for (Point& corner : corners) {
+      Result<Point> point = read_corner(bytes, source.name, triangle);
+      if (!point) return tl::unexpected(point.error());
+      corner = std::move(*point);
+    }
+    bytes.skip(2);
+    surface.add(std::move(corners), 0);
+  }
+  if (bytes.left() == 0) return surface.finish();
+  return tl::unexpected(FormatError{
+      source.name, 0, "the end of the file after " + std::to_string(*count) + " triangles",
+      std::to_string(bytes.left()) + " more bytes"});
+}
+
+// The number of triangles of a binary file has a byte 0, unless it is larger than 16 million.
+bool is_binary(const Source& source) {
+  if (source.text.find('\0') != std::string::npos) return true;
+  Lines lines(source);
+  return !lines.next() || !is_word(lines.tokens()[0], "solid");
+}
+
+}  // namespace
+
+Result<DomainFile> read_stl(const Source& source, NumberReading reading) {
+  if (is_binary(source)) return read_binary(source);
+  return TextReader(source, reading).read();
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,28 @@
+// Surfaces of triangles as STL, in text or binary.
+//
+//     solid [name]                           80 bytes of anything
+//     facet normal nx ny nz                  the number of triangles, 32 bits
+//     outer loop                             for each: 12 floats of 32 bits, the normal first,
+//     vertex x y z                             then 16 bits of anything; all little-endian
+//     vertex x y z
+//     vertex x y z
+//     endloop
+//     endfacet
+//     endsolid [name]                        several solids may follow one another
+//
+// Words may be in any case. Normals are ignored, whatever they are.
+#pragma once
+
+#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/exact/read_number.hpp"
+
+namespace circumspect::formats {
+
+// STL repeats a point in every triangle that has it: equal corners become one point, which is noted.
+// What is left of a triangle with equal corners is a segment or a point; that is noted, too.
+// Points are counted from 0 in the order in which they first appear. A file is binary if it has a byte
+// 0 or does not begin with "solid".
+Result<DomainFile> read_stl(const Source& source, NumberReading reading);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,195 @@
+// STL and PLY, in text and binary: what is read, what is refused and with which words.
+#include <doctest/doctest.h>
+
+#include "oracle/formats/ply.hpp"
+#include "oracle/formats/stl.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+constexpr NumberReading kDouble = NumberReading::kDouble;
+using Line = std::vector<Vertex>;
+
+Result<DomainFile> stl(const std::string& text) { return read_stl({"f", text}, kDouble); }
+Result<DomainFile> ply(const std::string& text) { return read_ply({"f", text}, kDouble); }
+std::string error_of(const Result<DomainFile>& file) {
+  return file ? "no error" : file.error().to_string();
+}
+
+std::string facet(const std::string& a, const std::string& b, const std::string& c) {
+  return "facet normal 0 0 nan\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " +
+         c + "\n endloop\nendfacet\n";
+}
+
+// The bytes of a number, the least significant first, or the other way round.
+std::string bytes(std::uint64_t value, int size, bool big_endian = false) {
+  std::string text;
+  for (int i = 0; i < size; ++i) {
+    const int place = big_endian ? size - 1 - i : i;
+    text += static_cast<char>(value >> (8 * place));
+  }
+  return text;
+}
+
+constexpr std::uint64_t kZero = 0;
+constexpr std::uint64_t kOne = 0x3f800000;    // 1 as a float of 32 bits
+constexpr std::uint64_t kThird = 0x3eaaaaab;  // 11184811 / 2^25
+constexpr std::uint64_t kNan = 0x7fc00000;
+
+std::string binary_triangle(const std::vector<std::uint64_t>& corners) {
+  std::string text(12, '\xff');
+  for (const std::uint64_t x : corners) text += bytes(x, 4);
+  return text + "\x01\x02";
+}
+
+std::string binary_stl(std::uint64_t count, const std::string& triangles) {
+  return "solid no text" + std::string(67, ' ') + bytes(count, 4) + triangles;
+}
+
+const std::string kPlyHeader =
+    "ply\nformat ascii 1.0\ncomment made # by hand\nelement vertex 4\nproperty uchar red\n"
+    "property double x\nproperty float y\nproperty int z\nelement edge 1\nproperty list uchar int "
+    "a\nelement face 2\nproperty float quality\nproperty list uchar int vertex_indices\n"
+    "end_header\n";
+
+// Two points and one face in binary.
+std::string binary_ply(bool big_endian) {
+  const auto number = [big_endian](std::uint64_t value, int size) {
+    return bytes(value, size, big_endian);
+  };
+  std::string text = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                     "_endian 1.0\nelement vertex 3\nproperty float x\nproperty short y\n"
+                     "property double z\nelement face 1\nproperty list uchar uint vertex_index\n"
+                     "property list ushort short other\nend_header\n";
+  text += number(kZero, 4) + number(0, 2) + number(0, 8);
+  text += number(kThird, 4) + number(0xfffe, 2) + number(0x3ff8000000000000, 8);
+  text += number(kOne, 4) + number(7, 2) + number(0, 8);
+  return text + number(3, 1) + number(0, 4) + number(1, 4) + number(2, 4) + number(2, 2) +
+         number(1, 2) + number(2, 2);
+}
+
+}  // namespace
+
+TEST_CASE("stl in text: equal corners are one point, and that is said") {
+  const auto file = stl("solid two words\n" + facet("0 0 0", "1 0 0", "0 1 0") +
+                        facet("-0 0.0 0", "0 1 0", "0 0 1e0") + "endsolid\nSOLID b\nEndSolid b\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->input.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  REQUIRE(file->input.polygons.size() == 2);
+  CHECK(file->input.polygons[1].lines == std::vector<Line>{{0, 2, 3}});
+  CHECK(file->polygon_lines == std::vector<std::size_t>{2, 9});
+  CHECK(file->notes == std::vector<std::string>{"f: 6 corners of triangles merged into 4 points"});
+}
+
+TEST_CASE("stl: what is left of triangles with equal corners is noted") {
+  const auto file =
+      stl("solid\n" + facet("0 0 0", "1 0 0", "0 0 0") + facet("0 1 0", "0 1 0", "1 0 0") +
+          facet("5 5 5", "5 5 5", "5 5 5") + "endsolid\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->input.polygons.empty());
+  CHECK(file->input.segments == std::vector<Line>{{0, 1}, {2, 1}});
+  CHECK(file->notes.back() ==
+        "f: 3 triangles with equal corners read as the segments that they are");
+}
+
+TEST_CASE("stl in text: what is refused") {
+  const std::string good = facet("0 0 0", "1 0 0", "0 1 0");
+  CHECK(error_of(stl("solid\n" + good)) ==
+        "f:8: expected \"facet\" or \"endsolid\", found the end of the file");
+  CHECK(error_of(stl("solid\n" + good + "endsolid\nfoo\n")) ==
+        "f:10: expected \"solid\" or the end of the file, found \"foo\"");
+  CHECK(error_of(stl("solid\n" + facet("0 0 0", "1 0", "0 1 0") + "endsolid\n")) ==
+        "f:5: expected \"vertex\" and 3 coordinates, found 2 of them");
+  CHECK(error_of(stl("solid\n" + facet("0 0 0", "1 0 nan", "0 1 0") + "endsolid\n")) ==
+        "f:5: expected a finite number, found \"nan\"");
+  CHECK(error_of(stl("solid\nfacet normal 0 0 1\nouter\n")) ==
+        "f:3: expected \"loop\", found the end of the line");
+  CHECK(error_of(stl("")) ==
+        "f: expected \"solid\", or 80 bytes and the number of triangles of a "
+        "binary STL file, found 0 bytes");
+}
+
+TEST_CASE("stl in binary, even where it begins with \"solid\"") {
+  const std::string one = binary_triangle({0, 0, 0, kThird, 0, 0, 0, kOne, 0});
+  const auto file = stl(binary_stl(1, one));
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->input.points ==
+        std::vector<Point>{{0, 0, 0}, {Rational(11184811, 33554432), 0, 0}, {0, 1, 0}});
+  CHECK(file->notes.empty());
+  CHECK(error_of(stl("S" + binary_stl(2, one).substr(1))) ==
+        "f: expected triangle 2 of 2, found the end of the file");
+  CHECK(error_of(stl("S" + binary_stl(0xffffffff, one).substr(1))) ==
+        "f: expected triangle 2 of 4294967295, found the end of the file");
+  CHECK(error_of(stl("S" + binary_stl(1, one + "x").substr(1))) ==
+        "f: expected the end of the file after 1 triangles, found 1 more bytes");
+  CHECK(error_of(stl(binary_stl(1, binary_triangle({0, 0, 0, kNan, 0, 0, 0, kOne, 0})))) ==
+        "f: expected finite coordinates of triangle 1 of 1, found NaN or an infinity");
+}
+
+TEST_CASE("ply in text: other elements and properties are read over") {
+  const auto file =
+      ply(kPlyHeader + "255 0 0 0\n0 1 0 0\n0 0 1/2 0\n0 0 0 1\n2 5 6\n0.5 3 0 1 2\n1 4 0 1 2 3\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->input.points ==
+        std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, Rational(1, 2), 0}, {0, 0, 1}});
+  REQUIRE(file->input.polygons.size() == 2);
+  CHECK(file->input.polygons[1].lines == std::vector<Line>{{0, 1, 2, 3}});
+  CHECK(file->polygon_lines == std::vector<std::size_t>{20, 21});
+}
+
+TEST_CASE("ply in binary, of either byte order") {
+  for (const bool big_endian : {false, true}) {
+    const std::string text = binary_ply(big_endian);
+    const auto file = ply(text);
+    REQUIRE_MESSAGE(file, error_of(file));
+    CHECK(file->input.points ==
+          std::vector<Point>{
+              {0, 0, 0}, {Rational(11184811, 33554432), -2, Rational(3, 2)}, {1, 7, 0}});
+    CHECK(file->input.polygons.front().lines == std::vector<Line>{{0, 1, 2}});
+    CHECK(error_of(ply(text + "x")) ==
+          "f: expected the end of the file after the last element, found 1 more bytes");
+    CHECK(error_of(ply(text.substr(0, text.size() - 1))) ==
+          "f: expected face 1 of 1, found the end of the file");
+    CHECK(error_of(ply(text.substr(0, text.size() - 18))) ==
+          "f: expected face 1 of 1, found the end of the file");
+  }
+}
+
+TEST_CASE("ply: what is refused") {
+  const auto with = [](const std::string& body) {
+    return error_of(ply("ply\nformat ascii 1.0\n" + body));
+  };
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+  const std::string vertex = "element vertex 1\n" + xyz;
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+  CHECK(error_of(ply("plz\n")) == "f:1: expected the keyword ply, found \"plz\"");
+  CHECK(error_of(ply("ply\nformat ascii 2.0\n")) == "f:2: expected version 1.0, found \"2.0\"");
+  CHECK(error_of(ply("ply\nformat binary 1.0\n")) ==
+        "f:2: expected ascii, binary_little_endian or binary_big_endian, found \"binary\"");
+  CHECK(with("property int x\n") ==
+        "f:3: expected \"element\" before the first property, found \"property\"");
+  CHECK(with("element vertex -1\n") ==
+        "f:3: expected the number of elements, 0 or more, found \"-1\"");
+  CHECK(with("element vertex 1\nproperty real x\n") ==
+        "f:4: expected a type (char, uchar, short, ushort, int, uint, float, double), found "
+        "\"real\"");
+  CHECK(with("element face 1\nproperty list float int vertex_indices\n") ==
+        "f:4: expected the type of a count, an integer type, found \"float\"");
+  CHECK(with(vertex + face) == "f:8: expected \"end_header\", found the end of the file");
+  CHECK(with(vertex + "end_header\n") ==
+        "f:7: expected elements vertex and face, found no element face");
+  CHECK(with("element vertex 1\nend_header\n") ==
+        "f:4: expected a property of each element, found none of \"vertex\"");
+  CHECK(with(vertex + face + "end_header\n0 0 0\n3 0 0 1\n") ==
+        "f:11: expected a vertex from 0 to 0, found 1");
+  CHECK(with(vertex + face + "end_header\n0 0\n") ==
+        "f:10: expected a coordinate, found the end of the line");
+  CHECK(with(vertex + face + "end_header\n0 0 0\n3 0 0\n") ==
+        "f:11: expected a vertex, found the end of the line");
+  CHECK(with(vertex + face + "end_header\n0 0 0\n0\n") ==
+        "f:11: expected a face of at least 1 vertex, found none");
+  CHECK(with(vertex + face + "end_header\n0 0 0\n") ==
+        "f:10: expected face 1 of 1, found the end of the file");
+}
+
+}  // namespace circumspect::formats
