@@ -24,6 +24,10 @@ struct Mesh {
   std::vector<Vertex> labels = {};  // empty: the index itself
   Vertex first_index = 0;           // the user's index of the first point, and of the first simplex
   std::optional<Neighbors> neighbors = {};
+  // Triangles and edges that a program lists beside (.face, .edge), each of fewer vertices than a
+  // simplex above. Those that are faces of no simplex with more vertices are the dangling ones; the
+  // others say nothing new. Only claims about a domain look at them.
+  std::vector<Simplex> faces = {};
 
   // The user's own index of a vertex, whether it names a point or not.
   Vertex label(Vertex v) const {

@@ -32,6 +32,20 @@ constexpr std::array kRules = {
               "a point lies beyond a boundary facet: part of the convex hull is not covered"},
     RuleEntry{Rule::kCoveredTwice, "triangulation.covered-twice",
               "a point of the interior of one simplex lies in another as well"},
+    RuleEntry{Rule::kDomainVertexMissing, "domain.vertex-missing",
+              "a vertex of the domain is not a vertex of the simplices of the mesh around it"},
+    RuleEntry{Rule::kSteinerForbidden, "domain.steiner-forbidden",
+              "a vertex of the mesh is not a vertex of the domain, and the claim allows none"},
+    RuleEntry{Rule::kVertexInEdge, "domain.vertex-in-edge",
+              "a vertex of the mesh lies on a segment of the domain inside an edge of the mesh"},
+    RuleEntry{Rule::kSegmentMissing, "domain.segment-missing",
+              "a segment of the domain is not a union of edges of the mesh"},
+    RuleEntry{Rule::kPolygonNotTiled, "domain.polygon-not-tiled",
+              "a polygon of the domain is not a union of triangles of the mesh"},
+    RuleEntry{Rule::kUncovered, "domain.uncovered",
+              "part of the domain is covered by no simplex of the mesh"},
+    RuleEntry{Rule::kOutside, "domain.outside",
+              "a simplex of the mesh lies, at least in part, outside the domain"},
     RuleEntry{Rule::kFacetNotLocal, "delaunay.facet-not-local",
               "a facet is not locally Delaunay: the apex on one side lies strictly inside the "
               "circumball on the other"},
@@ -42,6 +56,16 @@ constexpr std::array kRules = {
               "vertex"},
     RuleEntry{Rule::kPointBelowPlane, "weighted.point-below-plane",
               "a lifted point lies strictly below the witness plane of a simplex"},
+    RuleEntry{Rule::kNoEmptyBall, "delaunay.no-empty-ball",
+              "every open circumball of a dangling simplex contains a vertex"},
+    RuleEntry{Rule::kConstrainedFacetNotLocal, "cdt.facet-not-local",
+              "a facet that lies in no wall of the domain is not locally Delaunay: the apex on one "
+              "side lies strictly inside the circumball on the other"},
+    RuleEntry{Rule::kVisibleVertexInBall, "cdt.visible-vertex-in-ball",
+              "a vertex that is visible from a simplex lies strictly inside its circumball"},
+    RuleEntry{Rule::kDanglingNotDelaunay, "cdt.dangling-not-delaunay",
+              "a vertex that is visible from a dangling triangle, in their plane, lies strictly "
+              "inside its circumdisk"},
 };
 
 const RuleEntry& entry(Rule rule) {

@@ -21,10 +21,21 @@ enum class Rule {
   kHullNotClosed,
   kHullNotConvex,
   kCoveredTwice,
+  kDomainVertexMissing,
+  kSteinerForbidden,
+  kVertexInEdge,
+  kSegmentMissing,
+  kPolygonNotTiled,
+  kUncovered,
+  kOutside,
   kFacetNotLocal,
   kVertexInBall,
   kVertexSubmerged,
   kPointBelowPlane,
+  kNoEmptyBall,
+  kConstrainedFacetNotLocal,
+  kVisibleVertexInBall,
+  kDanglingNotDelaunay,
 };
 
 struct RuleEntry {

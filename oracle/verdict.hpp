@@ -12,7 +12,21 @@
 
 namespace circumspect {
 
-enum class Claim { kTriangulation, kDelaunay, kWeightedDelaunay };
+enum class Claim {
+  kTriangulation,
+  kDelaunay,
+  kWeightedDelaunay,
+  // Of a mesh and a domain.
+  kPlcTriangulation,
+  kSteinerTriangulation,
+  kCdt,
+  kSteinerCdt,
+  kConformingDelaunay,
+};
+
+// Is a domain needed to judge the claim?
+bool is_about_a_domain(Claim claim);
+
 std::string_view name(Claim claim);
 
 struct Violation {
@@ -26,6 +40,16 @@ struct Violation {
 struct Tally {
   std::size_t count = 0;
   std::optional<Rational> worst_margin = {};
+};
+
+// The vertices of a mesh that are not vertices of the domain, by the linear cell in whose relative
+// interior they lie. Book: Definition 4.5.
+struct SteinerPoints {
+  std::size_t on_segments = 0;
+  std::size_t in_polygons = 0;
+  std::size_t in_polyhedra = 0;
+
+  std::size_t count() const { return on_segments + in_polygons + in_polyhedra; }
 };
 
 class Verdict {
@@ -45,9 +69,13 @@ class Verdict {
   const std::map<Rule, Tally>& tallies() const { return tallies_; }
 
   // Facts beside the verdict, for a Delaunay claim that holds: is there no other Delaunay
-  // triangulation of the points? is this the canonical one?
+  // triangulation of the points? is this the canonical one? (Of constrained Delaunay triangulations
+  // `unique` is only said where it is certain.)
   std::optional<bool> unique = {};
   std::optional<bool> canonical = {};
+
+  // For a claim about a domain: the vertices that the mesh has beyond those of the domain.
+  std::optional<SteinerPoints> steiner_points = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;

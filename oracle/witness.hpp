@@ -25,6 +25,10 @@ struct Witness {
   std::vector<NamedValue> values = {};  // the exact values that decide
   std::optional<Ball> ball = {};        // the circumball of the first simplex
   std::optional<Point> point = {};      // a point that decides without being a vertex
+  // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a polygon
+  // by its place in the domain's list.
+  std::optional<Simplex> domain_cell = {};
+  std::optional<std::size_t> polygon = {};
 };
 
 }  // namespace circumspect

@@ -81,6 +81,8 @@ Verdict judge(Claim claim, const Mesh& mesh, const Options& options) {
       return delaunay(mesh, options);
     case Claim::kWeightedDelaunay:
       return weighted_delaunay(mesh, options);
+    default:
+      break;
   }
   assert(false);
   return weighted_delaunay(mesh, options);

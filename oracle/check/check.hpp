@@ -30,6 +30,7 @@ Verdict delaunay(const Mesh& mesh, const Options& options = {});
 // weights are equal, it is the claim `delaunay`.
 Verdict weighted_delaunay(const Mesh& mesh, const Options& options = {});
 
+// Requires: not a claim about a domain (see domain/judge_domain.hpp).
 Verdict judge(Claim claim, const Mesh& mesh, const Options& options = {});
 
 }  // namespace circumspect::check

@@ -4,11 +4,15 @@
 
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
+#include "reference/complex/facets.hpp"
 
 namespace circumspect::check {
 
-// Both require that judge_simplices found nothing wrong. Both say whether every facet lies in one
+// All require that judge_simplices found nothing wrong, and say whether every facet lies in one
 // or two simplices, two being on opposite sides of it.
+
+// Condition 1 of oracle/check/README.md alone. `uses` are those of the mesh.
+bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
 
 // Conditions 1–3 of oracle/check/README.md: linear but for sorting.
 bool judge_complex_by_lemma(const Mesh& mesh, Verdict& verdict);

@@ -25,23 +25,6 @@ bool on_same_side(const Mesh& mesh, const FacetUse& a, const FacetUse& b) {
   return side_of(points, facet, mesh.simplices[b.simplex][b.opposite]) > 0;
 }
 
-// Condition 1: each facet lies in one or two simplices, two being on opposite sides of it.
-bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
-  bool matched = true;
-  for_each_facet(uses, [&](std::span<const FacetUse> group) {
-    if (group.size() > 2) {
-      matched = false;
-      Witness witness{.face = group.front().facet};
-      for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
-      verdict.add(Rule::kFacetOverused, witness);
-    } else if (group.size() == 2 && on_same_side(mesh, group[0], group[1])) {
-      matched = false;
-      verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
-    }
-  });
-  return matched;
-}
-
 // Two boundary facets that meet in a ridge, each with its vertex off the ridge.
 struct Hinge {
   const BoundaryFacet& first;
@@ -147,6 +130,22 @@ void judge_sample_point(const Mesh& mesh, const std::vector<BoundaryFacet>& boun
 }
 
 }  // namespace
+
+bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  bool matched = true;
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    if (group.size() > 2) {
+      matched = false;
+      Witness witness{.face = group.front().facet};
+      for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
+      verdict.add(Rule::kFacetOverused, witness);
+    } else if (group.size() == 2 && on_same_side(mesh, group[0], group[1])) {
+      matched = false;
+      verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
+    }
+  });
+  return matched;
+}
 
 bool judge_complex_by_lemma(const Mesh& mesh, Verdict& verdict) {
   if (mesh.simplices.empty()) return true;

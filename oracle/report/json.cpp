@@ -26,7 +26,21 @@ Json coordinates_of(const Witness& witness, const Mesh& mesh) {
   return object;
 }
 
-Json violation(const Violation& broken, const Mesh& mesh) {
+// The cell of the domain that a witness names, its vertices with their coordinates.
+Json cell_of(const Witness& witness, const Domain& domain) {
+  Json cell = Json::object();
+  if (witness.domain_cell) {
+    Json vertices = Json::object();
+    for (const Vertex v : *witness.domain_cell) {
+      vertices[std::to_string(domain.label(v))] = point(domain.complex.points[v]);
+    }
+    cell[witness.domain_cell->size() == 1 ? "vertex" : "segment"] = vertices;
+  }
+  if (witness.polygon) cell["polygon"] = domain.polygon_name(*witness.polygon);
+  return cell;
+}
+
+Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   const Witness& witness = broken.witness;
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
   Json simplices = Json::array();
@@ -40,6 +54,9 @@ Json violation(const Violation& broken, const Mesh& mesh) {
   for (const NamedValue& named : witness.values) values[named.name] = value(named.value);
   object["values"] = values;
   object["coordinates"] = coordinates_of(witness, mesh);
+  if (domain != nullptr && (witness.domain_cell || witness.polygon)) {
+    object["domain"] = cell_of(witness, *domain);
+  }
   return object;
 }
 
@@ -63,7 +80,8 @@ Json ball(const Ball& ball) {
   return object;
 }
 
-Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by) {
+Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by,
+             const Domain* domain) {
   Json object = {{"mesh", mesh_name},
                  {"claim", circumspect::name(verdict.claim())},
                  {"by", name(by)},
@@ -71,8 +89,18 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
                  {"points", verdict.points},
                  {"simplices", verdict.simplices},
                  {"dimension", verdict.dimension}};
+  if (verdict.steiner_points) {
+    object["steiner_points"] = {{"on_segments", verdict.steiner_points->on_segments},
+                                {"in_polygons", verdict.steiner_points->in_polygons},
+                                {"in_polyhedra", verdict.steiner_points->in_polyhedra}};
+  }
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
+  if (verdict.steiner_points) {
+    object["steiner_points"] = {{"on_segments", verdict.steiner_points->on_segments},
+                                {"in_polygons", verdict.steiner_points->in_polygons},
+                                {"in_polyhedra", verdict.steiner_points->in_polyhedra}};
+  }
   Json tallies = Json::array();
   for (const auto& [rule, tally] : verdict.tallies()) {
     Json entry = {{"rule", identifier(rule)}, {"count", tally.count}};
@@ -82,7 +110,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   object["rules"] = tallies;
   Json violations = Json::array();
   for (const Violation& broken : verdict.violations())
-    violations.push_back(violation(broken, mesh));
+    violations.push_back(violation(broken, mesh, domain));
   object["violations"] = violations;
   return object;
 }

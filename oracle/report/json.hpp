@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/check/check.hpp"
+#include "oracle/domain.hpp"
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
 
@@ -22,7 +23,8 @@ Json point(const Point& point);
 // Centre and squared radius exactly, and the radius as a correctly rounded decimal.
 Json ball(const Ball& ball);
 
-// One judged mesh.
-Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by);
+// One judged mesh; `domain` is the one that the claim is about.
+Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by,
+             const Domain* domain = nullptr);
 
 }  // namespace circumspect::report

@@ -36,7 +36,20 @@ std::string point_text(const Point& point) {
   return text + ")";
 }
 
-void describe(const Violation& violation, const Mesh& mesh, std::string& out) {
+// The cell of the domain that a witness names: " domain-vertex 3", " segment 3 4", " polygon 2".
+std::string cell_text(const Witness& witness, const Domain* domain) {
+  std::string text;
+  if (domain == nullptr) return text;
+  if (witness.domain_cell) {
+    text += witness.domain_cell->size() == 1 ? " domain-vertex" : " segment";
+    for (const Vertex v : *witness.domain_cell) text += fmt::format(" {}", domain->label(v));
+  }
+  if (witness.polygon) text += " polygon " + domain->polygon_name(*witness.polygon);
+  return text;
+}
+
+void describe(const Violation& violation, const Mesh& mesh, const Domain* domain,
+              std::string& out) {
   const Witness& witness = violation.witness;
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "{}: {}\n", identifier(violation.rule), meaning(violation.rule));
@@ -51,6 +64,9 @@ void describe(const Violation& violation, const Mesh& mesh, std::string& out) {
     fmt::format_to(to, "  vertex   {}{}\n", mesh.label(v),
                    mesh.points.names(v) ? " at " + point_text(mesh.points[v]) : std::string());
   }
+  if (const std::string cell = cell_text(witness, domain); !cell.empty()) {
+    fmt::format_to(to, "  domain  {}\n", cell);
+  }
   if (witness.point) fmt::format_to(to, "  point    {}\n", point_text(*witness.point));
   if (witness.ball) {
     fmt::format_to(to, "  ball     centre {} radius ~ {}\n", point_text(witness.ball->centre),
@@ -61,7 +77,8 @@ void describe(const Violation& violation, const Mesh& mesh, std::string& out) {
   }
 }
 
-std::string first_witness(const Verdict& verdict, const Mesh& mesh, Rule rule) {
+std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
+                          Rule rule) {
   for (const Violation& violation : verdict.violations()) {
     if (violation.rule != rule) continue;
     const Witness& witness = violation.witness;
@@ -72,35 +89,42 @@ std::string first_witness(const Verdict& verdict, const Mesh& mesh, Rule rule) {
       text += " simplex " + labels(mesh, witness.simplices.front());
     }
     if (!witness.vertices.empty()) text += " vertex " + labels(mesh, witness.vertices);
-    return text;
+    return text + cell_text(witness, domain);
   }
   return "";
 }
 
 }  // namespace
 
-std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name) {
+std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
+                         const Domain* domain) {
   if (verdict.holds()) {
     std::string line =
         fmt::format("holds: {} {} {} points {} {}", circumspect::name(verdict.claim()), mesh_name,
                     verdict.points, verdict.simplices, simplices_noun(verdict.dimension));
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
     if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
+    if (verdict.steiner_points && verdict.steiner_points->count() > 0) {
+      const SteinerPoints& steiner = *verdict.steiner_points;
+      line += fmt::format(" {} steiner-points {} on-segments {} in-polygons {} in-polyhedra",
+                          steiner.count(), steiner.on_segments, steiner.in_polygons,
+                          steiner.in_polyhedra);
+    }
     return line;
   }
   std::string line = fmt::format("fails: {} {}", circumspect::name(verdict.claim()), mesh_name);
   bool first = true;
   for (const auto& [rule, tally] : verdict.tallies()) {
     line += fmt::format("{}{} {}", first ? " " : " also ", identifier(rule), tally.count);
-    if (first) line += first_witness(verdict, mesh, rule);
+    if (first) line += first_witness(verdict, mesh, domain, rule);
     first = false;
   }
   return line;
 }
 
-std::string explanation(const Verdict& verdict, const Mesh& mesh) {
+std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain) {
   std::string text;
-  for (const Violation& violation : verdict.violations()) describe(violation, mesh, text);
+  for (const Violation& violation : verdict.violations()) describe(violation, mesh, domain, text);
   std::size_t counted = 0;
   for (const auto& [rule, tally] : verdict.tallies()) counted += tally.count;
   const std::size_t dropped = counted - verdict.violations().size();

@@ -126,6 +126,24 @@ TEST_CASE("explanation: a number too long to read is given by its decimal") {
   }
 }
 
+TEST_CASE("claims about a domain: Steiner points, and cells of the domain by its own indices") {
+  const Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};
+  Domain domain{{mesh.points, {{0, 1}}, {}, {}, {}}, {7, 8, 9}};
+  Verdict verdict(Claim::kSteinerCdt, mesh, 20);
+  verdict.steiner_points = SteinerPoints{2, 0, 1};
+  CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
+        "holds: steiner-cdt x.ele 3 points 1 triangles 3 steiner-points 2 on-segments "
+        "0 in-polygons 1 in-polyhedra");
+  verdict.add(Rule::kSegmentMissing, {.face = Simplex{0, 1}, .domain_cell = Simplex{0, 1}});
+  verdict.add(Rule::kPolygonNotTiled, {.face = Simplex{0, 1}, .polygon = 2});
+  CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
+        "fails: steiner-cdt x.ele domain.segment-missing 1 face 0 1 segment 7 8 also "
+        "domain.polygon-not-tiled 1");
+  const std::string text = explanation(verdict, mesh, &domain);
+  CHECK(text.find("  domain   segment 7 8\n") != std::string::npos);
+  CHECK(text.find("  domain   polygon 3\n") != std::string::npos);
+}
+
 TEST_CASE("wording: simplices by dimension, the two ways by name") {
   CHECK(simplices_noun(-1) == "simplices");
   CHECK(simplices_noun(0) == "vertices");

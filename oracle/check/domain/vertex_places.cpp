@@ -1,0 +1,184 @@
+#include "oracle/check/domain/vertex_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "reference/exact/box_index.hpp"
+#include "reference/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
+
+std::vector<Vertex> lexicographic_order(const PointSet& points) {
+  std::vector<Vertex> order(points.size());
+  for (Vertex v = 0; points.names(v); ++v) order[points.configuration().rank(v)] = v;
+  return order;
+}
+
+void mark_used(const std::vector<Simplex>& simplices, std::vector<bool>& used) {
+  for (const Simplex& simplex : simplices) {
+    for (const Vertex v : simplex) used[VertexPlaces::place(v)] = true;
+  }
+}
+
+Box box_of(const PointSet& points, const Simplex& simplex, const std::vector<Vertex>& renumbered) {
+  const auto corner = [&](Vertex v) {
+    return box_around(points[renumbered[VertexPlaces::place(v)]]);
+  };
+  Box box = corner(simplex.front());
+  for (const Vertex v : simplex) box = box_around(box, corner(v));
+  return box;
+}
+
+// The triangles of all polygons, by the points of the mesh.
+struct Triangles {
+  std::vector<Simplex> corners;
+  std::vector<std::size_t> polygon;
+};
+
+Triangles triangles_of(const PiecewiseLinearComplex& complex, const std::vector<Vertex>& in_mesh) {
+  Triangles triangles;
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    for (const Simplex& triangle : complex.polygons[p].triangles) {
+      Simplex corners;
+      for (const Vertex v : triangle) corners.push_back(in_mesh[VertexPlaces::place(v)]);
+      triangles.corners.push_back(corners);
+      triangles.polygon.push_back(p);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+VertexPlaces match_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
+  VertexPlaces places;
+  const std::size_t size = mesh.points.size();
+  places.in_mesh.assign(complex.points.size(), kNoVertex);
+  places.in_domain.assign(size, kNoVertex);
+  places.used.assign(size, false);
+  places.segment.assign(size, kNowhere);
+  places.polygon.assign(size, kNowhere);
+  mark_used(mesh.simplices, places.used);
+  mark_used(mesh.faces, places.used);
+  const std::vector<Vertex> ours = lexicographic_order(complex.points);
+  const std::vector<Vertex> theirs = lexicographic_order(mesh.points);
+  auto candidate = theirs.begin();
+  for (const Vertex v : ours) {
+    const Point& point = complex.points[v];
+    while (candidate != theirs.end() && mesh.points[*candidate] < point) ++candidate;
+    if (candidate == theirs.end()) break;
+    if (mesh.points[*candidate] != point) continue;
+    places.in_mesh[VertexPlaces::place(v)] = *candidate;
+    places.in_domain[VertexPlaces::place(*candidate)] = v;
+  }
+  return places;
+}
+
+bool lies_within_edge(const PointSet& points, Vertex a, Vertex b, Vertex x) {
+  const Configuration& configuration = points.configuration();
+  std::size_t axis = 0;
+  while (points[a][axis] == points[b][axis]) ++axis;
+  const Rational& at = points[x][axis];
+  if (!((points[a][axis] < at && at < points[b][axis]) ||
+        (points[b][axis] < at && at < points[a][axis]))) {
+    return false;
+  }
+  for (std::size_t other = 0; other < points.ambient_dimension(); ++other) {
+    if (other == axis) continue;
+    const std::array<std::size_t, 2> axes = {axis, other};
+    if (orientation(configuration, axes, std::array{a, b, x}) != 0) return false;
+  }
+  return true;
+}
+
+bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t>& axes,
+                      const Simplex& triangle, Vertex x) {
+  if (orientation(points, kSpace, std::array{triangle[0], triangle[1], triangle[2], x}) != 0) {
+    return false;
+  }
+  const int own = orientation(points, axes, triangle);
+  for (std::size_t place = 0; place < 3; ++place) {
+    if (orientation(points, axes, with_vertex_replaced(triangle, place, x)) == -own) return false;
+  }
+  return true;
+}
+
+void locate_steiner_points(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+                           VertexPlaces& places) {
+  std::vector<Box> segment_boxes;
+  for (const Simplex& segment : complex.segments) {
+    segment_boxes.push_back(box_of(mesh.points, segment, places.in_mesh));
+  }
+  const BoxIndex segments(segment_boxes);
+  const Triangles triangles = triangles_of(complex, places.in_mesh);
+  std::vector<Vertex> same(mesh.points.size());
+  std::iota(same.begin(), same.end(), Vertex{0});
+  std::vector<Box> triangle_boxes;
+  for (const Simplex& corners : triangles.corners) {
+    triangle_boxes.push_back(box_of(mesh.points, corners, same));
+  }
+  const BoxIndex index(triangle_boxes);
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    if (!places.is_steiner(v)) continue;
+    const Box box = box_around(mesh.points[v]);
+    std::size_t& on_segment = places.segment[VertexPlaces::place(v)];
+    for (const std::size_t s : segments.meeting(box)) {
+      const Simplex& segment = complex.segments[s];
+      const Vertex a = places.in_mesh[VertexPlaces::place(segment[0])];
+      const Vertex b = places.in_mesh[VertexPlaces::place(segment[1])];
+      if (lies_within_edge(mesh.points, a, b, v)) on_segment = s;
+    }
+    if (on_segment != kNowhere) continue;
+    for (const std::size_t t : index.meeting(box)) {
+      const std::size_t p = triangles.polygon[t];
+      if (!lies_in_triangle(mesh.points.configuration(), complex.polygons[p].axes,
+                            triangles.corners[t], v)) {
+        continue;
+      }
+      places.polygon[VertexPlaces::place(v)] = p;
+      break;
+    }
+  }
+}
+
+SteinerPoints count_steiner_points(const VertexPlaces& places) {
+  SteinerPoints count;
+  for (std::size_t v = 0; v < places.in_domain.size(); ++v) {
+    if (!places.is_steiner(static_cast<Vertex>(v))) continue;
+    if (places.segment[v] != kNowhere) {
+      ++count.on_segments;
+    } else if (places.polygon[v] != kNowhere) {
+      ++count.in_polygons;
+    } else {
+      ++count.in_polyhedra;
+    }
+  }
+  return count;
+}
+
+bool judge_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+                    const VertexPlaces& places, bool steiner_points_allowed, Verdict& verdict) {
+  bool complete = true;
+  for (Vertex v = 0; complex.points.names(v); ++v) {
+    if (places.in_mesh[VertexPlaces::place(v)] != kNoVertex) continue;
+    complete = false;
+    verdict.add(Rule::kDomainVertexMissing,
+                {.point = complex.points[v], .domain_cell = Simplex{v}});
+  }
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    const std::size_t place = VertexPlaces::place(v);
+    if (places.in_domain[place] != kNoVertex) continue;
+    if (!places.used[place]) {
+      verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
+    } else if (!steiner_points_allowed) {
+      verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
+    }
+  }
+  return complete;
+}
+
+}  // namespace circumspect::check
