@@ -34,9 +34,9 @@ ARROWS = {
     "properties": ["reference/optimality", "reference/constrained", "reference/existence",
                    "oracle/check/domain", "oracle/report", "properties/generators",
                    "properties/mutations", "properties/triangulations"],
-    "corpus": ["reference/delaunay", "oracle/report"],
+    "corpus": ["reference/delaunay", "oracle/report", "oracle/check/domain"],
     "fuzz": ["reference/delaunay", "oracle/report"],
-    "bench": ["reference/delaunay", "oracle/report"],
+    "bench": ["reference/constrained", "oracle/report"],
 }
 # What a test beside its layer may include on top of what the layer may.
 TESTS_ALSO = ["properties/generators"]

@@ -211,6 +211,7 @@ void add_build(CLI::App& app, ExitCode& exit_code) {
                     "The lexicographic triangulation, which is not Delaunay in general", exit_code);
   add_build_subdivision(*build, exit_code);
   add_build_all_triangulations(*build, exit_code);
+  add_build_constrained(*build, exit_code);
 }
 
 }  // namespace circumspect::cli

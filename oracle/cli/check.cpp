@@ -1,11 +1,15 @@
 // circumspect check MESH…
 #include "oracle/check/check.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "oracle/check/domain/judge_domain.hpp"
+#include "oracle/cli/domain_input.hpp"
 #include "oracle/cli/input.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
@@ -17,27 +21,114 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> meshes;
-  Claim claim = Claim::kDelaunay;
+  std::optional<Claim> claim;
+  std::optional<std::string> domain;
+  std::optional<DomainKind> domain_kind;
   check::Options check;
   InputOptions input;
   OutputOptions output;
 };
 
-void check_one(const std::string& path, const CheckOptions& options, Output& output) {
+// The same points, in whatever order?
+bool has_same_points(const PointSet& a, const PointSet& b) {
+  if (a.size() != b.size()) return false;
+  std::vector<Point> of_a = a.points();
+  std::vector<Point> of_b = b.points();
+  std::sort(of_a.begin(), of_a.end());
+  std::sort(of_b.begin(), of_b.end());
+  return of_a == of_b;
+}
+
+// What is claimed where nobody says it: with a domain, a CDT, which is a Steiner CDT if the mesh has
+// other vertices than the domain.
+Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain* domain) {
+  if (options.claim) return *options.claim;
+  if (domain == nullptr) return Claim::kDelaunay;
+  const bool same = has_same_points(mesh.points, domain->domain.complex.points);
+  return same ? Claim::kCdt : Claim::kSteinerCdt;
+}
+
+Verdict judge(Claim claim, const Mesh& mesh, const LoadedDomain* domain,
+              const check::Options& options) {
+  if (domain == nullptr) return check::judge(claim, mesh, options);
+  return check::judge_domain(claim, mesh, domain->domain, options);
+}
+
+void check_one(const std::string& path, const CheckOptions& options, const LoadedDomain* domain,
+               Output& output) {
   const auto loaded = load_mesh(path, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  const Verdict verdict = check::judge(options.claim, loaded->mesh, options.check);
+  const Mesh& mesh = loaded->mesh;
+  if (domain != nullptr && !mesh.points.empty() &&
+      mesh.points.ambient_dimension() != domain->domain.complex.ambient_dimension()) {
+    output.error(
+        ExitCode::kInputFault, "mesh", path,
+        fmt::format("{}: expected points of dimension {}, as those of {}, found dimension {}", path,
+                    domain->domain.complex.ambient_dimension(), domain->name,
+                    mesh.points.ambient_dimension()));
+    return;
+  }
+  const Claim claim = claim_of(options, mesh, domain);
+  const Verdict verdict = judge(claim, mesh, domain, options.check);
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
+  const Domain* about = domain == nullptr ? nullptr : &domain->domain;
   if (output.wants_text()) {
-    output.text(report::explanation(verdict, loaded->mesh));
-    output.text(report::verdict_line(verdict, loaded->mesh, path) + "\n");
+    output.text(report::explanation(verdict, mesh, about));
+    output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
   }
   if (output.wants_json()) {
-    output.json(report::verdict(verdict, loaded->mesh, path, options.check.by));
+    report::Json result = report::verdict(verdict, mesh, path, options.check.by, about);
+    if (domain != nullptr) {
+      result["domain"] = domain->name;
+      result["domain_kind"] = word(domain->domain.complex.kind);
+      result["notes"] = domain->file.notes;
+    }
+    output.json(std::move(result));
   }
+}
+
+void check_against_domain(const CheckOptions& options, Output& output) {
+  const auto domain = load_domain(*options.domain, options.input, options.domain_kind);
+  if (!domain) {
+    output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
+    return;
+  }
+  for (const std::string& note : domain->file.notes) output.text("note: " + note + "\n");
+  for (const std::string& mesh : options.meshes) check_one(mesh, options, &*domain, output);
+}
+
+// What a claim needs and did not get, or got and does not need; empty if all is well.
+std::string usage_fault(const CheckOptions& options) {
+  const bool about_domain = options.claim && is_about_a_domain(*options.claim);
+  if (about_domain && !options.domain) {
+    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.claim));
+  }
+  if (options.claim && !about_domain && options.domain) {
+    return fmt::format("expected no --domain for the claim {}, found one", name(*options.claim));
+  }
+  if (options.domain_kind && !options.domain) {
+    return "expected --domain FILE beside --domain-kind, found none";
+  }
+  return "";
+}
+
+ExitCode run(CheckOptions& options) {
+  if (const std::string fault = usage_fault(options); !fault.empty()) {
+    fmt::print(stderr, "circumspect: {}\n", fault);
+    return ExitCode::kUsage;
+  }
+  Output output(options.output);
+  options.input.weighted = options.claim == Claim::kWeightedDelaunay;
+  options.input.faces = options.domain.has_value();
+  if (options.domain) {
+    check_against_domain(options, output);
+  } else {
+    for (const std::string& mesh : options.meshes) check_one(mesh, options, nullptr, output);
+  }
+  return output.finish();
 }
 
 }  // namespace
@@ -48,23 +139,42 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Example:\n"
       "  tetgen points.node                      # TetGen writes points.1.node, points.1.ele\n"
-      "  circumspect check points.1.ele          # exit 0: Delaunay; 1: not, with a witness\n\n"
+      "  circumspect check points.1.ele          # exit 0: Delaunay; 1: not, with a witness\n"
+      "  tetgen -pq part.poly                    # part.1.node, part.1.ele, part.1.face\n"
+      "  circumspect check part.1.ele --domain part.poly\n\n"
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault,\n"
       "5 internal error.");
   command
       ->add_option("mesh", options->meshes,
-                   "Meshes: .ele (points in the .node beside it), .json, .off, .qhull-i; "
+                   "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i; "
                    "- for JSON on stdin")
       ->required();
-  const std::map<std::string, Claim> claims = {{"triangulation", Claim::kTriangulation},
-                                               {"delaunay", Claim::kDelaunay},
-                                               {"weighted-delaunay", Claim::kWeightedDelaunay}};
+  const std::map<std::string, Claim> claims = {
+      {"triangulation", Claim::kTriangulation},
+      {"delaunay", Claim::kDelaunay},
+      {"weighted-delaunay", Claim::kWeightedDelaunay},
+      {"plc-triangulation", Claim::kPlcTriangulation},
+      {"steiner-triangulation", Claim::kSteinerTriangulation},
+      {"cdt", Claim::kCdt},
+      {"steiner-cdt", Claim::kSteinerCdt},
+      {"conforming-delaunay", Claim::kConformingDelaunay}};
   command
-      ->add_option("--claim", options->claim,
-                   "What is claimed of the mesh (default: delaunay); weights are the first "
-                   "attribute of a .node file, as for tetgen -w, or the key weights of JSON")
+      ->add_option(
+          "--claim", options->claim,
+          "What is claimed of the mesh (default: delaunay; with a domain cdt, or steiner-cdt "
+          "if the mesh has more vertices); weights are the first attribute of a .node "
+          "file, as for tetgen -w, or the key weights of JSON")
       ->transform(CLI::CheckedTransformer(claims, CLI::ignore_case).description(""))
-      ->option_text("triangulation|delaunay|weighted-delaunay");
+      ->option_text(
+          "triangulation|delaunay|weighted-delaunay|plc-triangulation|steiner-triangulation|cdt|"
+          "steiner-cdt|conforming-delaunay");
+  command
+      ->add_option("--domain", options->domain,
+                   "The domain that the mesh is to fill: .poly, .smesh, .off, .stl, .ply, .mesh; "
+                   "dangling triangles and edges of the mesh are in the .face and the .edge beside "
+                   "the .ele")
+      ->option_text("FILE");
+  add_domain_kind_option(*command, options->domain_kind);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},
@@ -86,12 +196,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);
-  command->callback([options, &exit_code] {
-    Output output(options->output);
-    options->input.weighted = options->claim == Claim::kWeightedDelaunay;
-    for (const std::string& mesh : options->meshes) check_one(mesh, *options, output);
-    exit_code = output.finish();
-  });
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace circumspect::cli

@@ -80,7 +80,14 @@ struct RawInput {
   formats::PointFile points;
   std::vector<Rational> weights;
   std::vector<Simplex> simplices;
+  std::vector<Simplex> faces;
 };
+
+// Those of lower dimension than the simplices of a mesh in this space.
+std::vector<Simplex> proper_faces(std::vector<Simplex> faces, std::size_t dimension) {
+  std::erase_if(faces, [dimension](const Simplex& face) { return face.size() > dimension; });
+  return faces;
+}
 
 tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& options) {
   std::vector<Rational> weights;
@@ -93,22 +100,32 @@ tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& optio
   const Vertex first_index = raw.points.first_index;
   const std::vector<Duplicate> repeated = duplicates(points);
   if (repeated.empty()) {
-    return Mesh{
-        PointSet(std::move(points), std::move(weights)), std::move(raw.simplices), {}, first_index};
+    return Mesh{PointSet(std::move(points), std::move(weights)),
+                std::move(raw.simplices),
+                {},
+                first_index,
+                {},
+                std::move(raw.faces)};
   }
   if (options.duplicates == Duplicates::kReject) {
     return tl::unexpected(duplicates_message(raw.points_name, repeated, first_index));
   }
   DistinctPoints distinct = merge(points, repeated, first_index);
   const auto named = static_cast<Vertex>(points.size());
-  for (Simplex& simplex : raw.simplices) {
-    for (Vertex& v : simplex) {
-      if (v >= 0 && v < named) v = distinct.place_of[static_cast<std::size_t>(v)];
+  for (std::vector<Simplex>* const simplices : {&raw.simplices, &raw.faces}) {
+    for (Simplex& simplex : *simplices) {
+      for (Vertex& v : simplex) {
+        if (v >= 0 && v < named) v = distinct.place_of[static_cast<std::size_t>(v)];
+      }
     }
   }
   std::vector<Rational> merged = merged_weights(weights, distinct);
-  return Mesh{PointSet(std::move(distinct.points), std::move(merged)), std::move(raw.simplices),
-              std::move(distinct.labels), first_index};
+  return Mesh{PointSet(std::move(distinct.points), std::move(merged)),
+              std::move(raw.simplices),
+              std::move(distinct.labels),
+              first_index,
+              {},
+              std::move(raw.faces)};
 }
 
 // Gives the mesh the neighbours that were read, counted from 0. Returns what is wrong with them, or
@@ -153,11 +170,13 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
 
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options) {
-  auto raw = formats::read_mesh({path, options.points, options.coordinates, options.neighbors});
+  auto raw = formats::read_mesh(
+      {path, options.points, options.coordinates, options.neighbors, options.faces});
   if (!raw) return tl::unexpected(raw.error().to_string());
   raw->points.first_index = raw->first_index;
+  std::vector<Simplex> faces = proper_faces(std::move(raw->faces), raw->points.dimension);
   auto mesh = assemble({raw->points_name, std::move(raw->points), std::move(raw->weights),
-                        std::move(raw->simplices.simplices)},
+                        std::move(raw->simplices.simplices), std::move(faces)},
                        options);
   if (!mesh) return tl::unexpected(mesh.error());
   if (options.neighbors) {
@@ -173,7 +192,8 @@ tl::expected<LoadedMesh, std::string> load_points(const std::string& path,
   auto raw = formats::read_points(path, options.coordinates);
   if (!raw) return tl::unexpected(raw.error().to_string());
   if (merged != nullptr) *merged = duplicates(raw->points.points);
-  auto mesh = assemble({raw->name, std::move(raw->points), std::move(raw->weights), {}}, options);
+  auto mesh =
+      assemble({raw->name, std::move(raw->points), std::move(raw->weights), {}, {}}, options);
   if (!mesh) return tl::unexpected(mesh.error());
   return LoadedMesh{path, std::move(*mesh)};
 }

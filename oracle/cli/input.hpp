@@ -24,6 +24,7 @@ struct InputOptions {
   Duplicates duplicates = Duplicates::kReject;
   std::optional<std::string> points = {};  // --points FILE
   bool neighbors = false;                  // --neighbors
+  bool faces = false;                      // the claim is about a domain: read .face and .edge
   bool weighted = false;                   // the claim or the construction is about weights
 };
 

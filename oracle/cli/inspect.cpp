@@ -6,9 +6,11 @@
 
 #include "oracle/cli/input.hpp"
 #include "oracle/cli/inspect_counts.hpp"
+#include "oracle/cli/inspect_domain.hpp"
 #include "oracle/cli/inspect_simplex.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/formats/domain_files.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/complex/circumball.hpp"
@@ -23,6 +25,7 @@ struct InspectOptions {
   std::vector<std::string> inputs;
   std::size_t subsets = 200'000;
   std::vector<std::string> simplices;  // "1 2 3", by the user's indices
+  DomainInspection domain;
   InputOptions input;
   OutputOptions output;
 };
@@ -163,7 +166,7 @@ report::Json json(const Facts& facts) {
   return object;
 }
 
-void inspect_one(const std::string& path, const InspectOptions& options, Output& output) {
+void inspect_points(const std::string& path, const InspectOptions& options, Output& output) {
   // Duplicates are one of the facts asked for: they are merged and reported, not rejected.
   InputOptions merging = options.input;
   merging.duplicates = Duplicates::kMerge;
@@ -196,19 +199,38 @@ void inspect_one(const std::string& path, const InspectOptions& options, Output&
   output.json(result);
 }
 
+void inspect_one(const std::string& path, const InspectOptions& options, Output& output) {
+  if (options.domain.is_asked_for || formats::is_domain_file(path)) {
+    inspect_domain(path, options.input, options.domain, output);
+  } else {
+    inspect_points(path, options, output);
+  }
+}
+
 }  // namespace
 
 void add_inspect(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand(
       "inspect",
-      "Facts about a point set: dimension, duplicates, genericity with a witness, counts");
+      "Facts about a point set: dimension, duplicates, genericity with a witness, counts; or about "
+      "a domain: validity, polyhedra, edge-protection, whether it has a CDT");
   command->footer(
       "Example:\n"
-      "  circumspect inspect points.node\n\n"
+      "  circumspect inspect points.node\n"
+      "  circumspect inspect part.poly\n\n"
       "A set is generic if no k+2 of its points lie on one sphere (k the dimension of its affine\n"
-      "hull). 'unique' says that there is only one Delaunay triangulation.");
-  command->add_option("input", options->inputs, "Points: .node, .json, .off, or Qhull's form")
+      "hull). 'unique' says that there is only one Delaunay triangulation.\n\n"
+      "A domain that is no piecewise linear complex is reported breach by breach, exit\n"
+      "code 3. For one that is, 'cdt canonical' says that it has a constrained Delaunay\n"
+      "triangulation, that of the symbolic perturbation; 'another' that other tie-breaks\n"
+      "give one; 'none' that there is none without Steiner points, which is proved;\n"
+      "'unknown' is exit code 4.");
+  command
+      ->add_option(
+          "input", options->inputs,
+          "Points: .node, .json, .off, or Qhull's form; domains: .poly, .smesh, .stl, .ply, "
+          ".mesh")
       ->required();
   command
       ->add_option("--subsets", options->subsets,
@@ -220,7 +242,9 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
                    "Is this simplex, of any dimension, Delaunay? strongly? (\"1 2 3\")")
       ->option_text("VERTICES")
       ->allow_extra_args(false);
+  add_domain_inspection_options(*command, options->domain);
   add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     Output output(options->output);

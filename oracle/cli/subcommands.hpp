@@ -16,5 +16,6 @@ void add_inspect(CLI::App& app, ExitCode& exit_code);
 // Subcommands of build.
 void add_build_subdivision(CLI::App& build, ExitCode& exit_code);
 void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code);
+void add_build_constrained(CLI::App& build, ExitCode& exit_code);
 
 }  // namespace circumspect::cli

@@ -1,0 +1,211 @@
+// circumspect build planar-cdt|cdt|steiner-cdt|conforming-delaunay INPUT
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "oracle/cli/breach_text.hpp"
+#include "oracle/cli/constrained_constructions.hpp"
+#include "oracle/cli/domain_input.hpp"
+#include "oracle/cli/domain_mesh_output.hpp"
+#include "oracle/cli/output.hpp"
+#include "oracle/cli/subcommands.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct ConstrainedOptions {
+  std::string what;
+  std::string input_file;
+  std::string output_file;
+  std::optional<std::string> algorithm;
+  std::optional<DomainKind> domain_kind;
+  std::size_t most_steiner_points = 10'000;
+  InputOptions input;
+  OutputOptions output;
+};
+
+// The algorithm asked for, or the default; an error if there is none of that name for the domain.
+tl::expected<std::string, std::string> algorithm_of(const ConstrainedOptions& options,
+                                                    std::size_t dimension) {
+  const std::vector<std::string> known = algorithms_for(options.what, dimension);
+  if (!options.algorithm) return known.empty() ? "" : known.front();
+  if (std::find(known.begin(), known.end(), *options.algorithm) != known.end()) {
+    return *options.algorithm;
+  }
+  return tl::unexpected(fmt::format("expected --algorithm {} for {} in dimension {}, found {}",
+                                    fmt::join(known, "|"), options.what, dimension,
+                                    *options.algorithm));
+}
+
+std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh) {
+  const auto& simplices = mesh.triangulation.simplices;
+  const std::size_t size =
+      simplices.empty() ? mesh.points.ambient_dimension() + 1 : simplices.front().size();
+  std::string line = fmt::format("built: {} {} {} points {} {}", options.what, options.input_file,
+                                 mesh.points.size(), simplices.size(),
+                                 report::simplices_noun(static_cast<int>(size) - 1));
+  if (!mesh.triangulation.dangling.empty()) {
+    line += fmt::format(" {} dangling", mesh.triangulation.dangling.size());
+  }
+  if (options.what == "steiner-cdt" || options.what == "conforming-delaunay") {
+    return line + fmt::format(" {} steiner-points\n", mesh.steiner_points.size());
+  }
+  return line + " canonical\n";
+}
+
+// "steiner point 9 on segment 1 2 at (0.5, 0, 0)", a line each.
+std::string steiner_text(const DomainMesh& mesh, Vertex first_index) {
+  const auto count = static_cast<Vertex>(mesh.steiner_points.size());
+  const auto first = static_cast<Vertex>(mesh.points.size()) - count;
+  std::string text;
+  for (Vertex i = 0; i < count; ++i) {
+    text += fmt::format("steiner point {} {} at {}\n", first + i + first_index,
+                        mesh.steiner_points[static_cast<std::size_t>(i)],
+                        point_text(mesh.points[first + i]));
+  }
+  return text;
+}
+
+// Exit code 1: there is none; 4: this algorithm cannot tell.
+void say_no_mesh(const ConstrainedOptions& options, const NoMesh& none, Output& output) {
+  output.exit_with(none.is_proved ? ExitCode::kFails : ExitCode::kUndecided);
+  const std::string answer = none.is_proved ? "impossible" : "undecided";
+  output.text(
+      fmt::format("{}: {} {}: {}\n", answer, options.what, options.input_file, none.reason));
+  if (output.wants_json()) {
+    output.json({{"domain", options.input_file},
+                 {"what", options.what},
+                 {"answer", answer},
+                 {"reason", none.reason}});
+  }
+}
+
+void build(const ConstrainedOptions& options, Output& output) {
+  const auto loaded = load_domain(options.input_file, options.input, options.domain_kind);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
+    return;
+  }
+  for (const std::string& note : loaded->file.notes) output.text("note: " + note + "\n");
+  const Domain& domain = loaded->domain;
+  const auto algorithm = algorithm_of(options, domain.complex.ambient_dimension());
+  if (!algorithm) {
+    output.error(ExitCode::kUsage, "domain", options.input_file, algorithm.error());
+    return;
+  }
+  const auto mesh = construct({options.what, *algorithm, options.most_steiner_points}, domain);
+  if (!mesh) {
+    say_no_mesh(options, mesh.error(), output);
+    return;
+  }
+  if (!options.output_file.empty()) {
+    if (writes_to(options.output_file, loaded->file.points_name)) {
+      output.error(ExitCode::kUsage, "domain", options.input_file,
+                   "expected another name for the mesh, found one whose points would replace " +
+                       loaded->file.points_name);
+      return;
+    }
+    const std::string failure = write_domain_mesh(options.output_file, *mesh, domain.first_index);
+    if (!failure.empty()) {
+      output.error(ExitCode::kUsage, "domain", options.input_file, failure);
+      return;
+    }
+  }
+  if (output.wants_json()) {
+    formats::write_json(std::cout, json_file(*mesh, domain.first_index));
+    std::cout.flush();
+  }
+  output.text(steiner_text(*mesh, domain.first_index) + built_line(options, *mesh));
+}
+
+ExitCode run(const ConstrainedOptions& options) {
+  const bool to_json = options.output.format == OutputFormat::kJson;
+  if (options.output_file.empty() && !to_json) {
+    fmt::print(stderr, "circumspect: expected -o OUT.ele or --format json, found neither\n");
+    return ExitCode::kUsage;
+  }
+  if (options.output_file == "-" && to_json) {
+    fmt::print(stderr, "circumspect: expected one thing for standard output, found two\n");
+    return ExitCode::kUsage;
+  }
+  OutputOptions spoken = options.output;
+  if (options.output_file == "-") spoken.quiet = true;
+  Output output(spoken);
+  build(options, output);
+  // Where the mesh is the JSON document, only an error needs another one.
+  return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
+}
+
+void add_one(CLI::App& build, const std::string& what, const std::string& description,
+             const std::string& algorithms, ExitCode& exit_code) {
+  const auto options = std::make_shared<ConstrainedOptions>();
+  options->what = what;
+  CLI::App* command = build.add_subcommand(what, description);
+  command->footer(
+      fmt::format("Example:\n"
+                  "  circumspect build {} part.poly -o part.1.ele\n"
+                  "  circumspect check part.1.ele --domain part.poly --claim {}\n\n"
+                  "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the "
+                  "triangles and edges\n"
+                  "that are faces of nothing; or all in one OUT.mesh. Steiner points come last. "
+                  "Exit code 1 says\n"
+                  "that there is none, and why; 4 that this algorithm cannot tell.",
+                  what, what == "planar-cdt" ? "cdt" : what));
+  command
+      ->add_option("domain", options->input_file,
+                   "The domain: .poly, .smesh, .off, .stl, .ply, .mesh")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output_file,
+                   "Where to write: an .ele or a .mesh file; - writes the .ele on stdout")
+      ->option_text("OUT.ele");
+  if (!algorithms.empty()) {
+    command
+        ->add_option("--algorithm", options->algorithm,
+                     "All give the same mesh, if they give one (default: gift-wrapping)")
+        ->option_text(algorithms);
+  }
+  if (what == "conforming-delaunay") {
+    command
+        ->add_option("--steiner-points", options->most_steiner_points,
+                     "Give up, with exit code 4, when more are needed (default 10000)")
+        ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+        ->option_text("N");
+  }
+  add_domain_kind_option(*command, options->domain_kind);
+  add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace
+
+void add_build_constrained(CLI::App& build, ExitCode& exit_code) {
+  add_one(build, "planar-cdt",
+          "The canonical constrained Delaunay triangulation of a domain in the plane, or of all "
+          "polygons of one in space",
+          "gift-wrapping|segment-insertion", exit_code);
+  add_one(build, "cdt",
+          "The canonical constrained Delaunay triangulation of a domain without Steiner points",
+          "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
+          "segment-insertion)",
+          exit_code);
+  add_one(build, "steiner-cdt",
+          "A Steiner CDT of any domain: vertices on segments make it edge-protected; then its "
+          "canonical CDT",
+          "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
+          "segment-insertion)",
+          exit_code);
+  add_one(build, "conforming-delaunay",
+          "A Delaunay triangulation of the domain's vertices and of Steiner points in which every "
+          "segment and every polygon is a union of faces",
+          "", exit_code);
+}
+
+}  // namespace circumspect::cli

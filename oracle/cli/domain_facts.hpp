@@ -1,0 +1,41 @@
+// What is known of a piecewise linear complex. Book: Sections 4.5 and 5.6.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "oracle/cli/domain_input.hpp"
+#include "reference/constrained/edge_protection.hpp"
+#include "reference/piecewise_linear/validity.hpp"
+
+namespace circumspect::cli {
+
+// Has it a constrained Delaunay triangulation without Steiner points? The canonical one is what the
+// symbolic perturbation chooses; where that has none, cocircular or cospherical vertices may still
+// allow another.
+enum class CdtAnswer { kCanonical, kAnother, kNone, kUnknown };
+std::string_view word(CdtAnswer answer);
+
+struct DomainFacts {
+  // Enclosed by polygons (in the plane: by segments); what else there is in a hull is not counted.
+  std::size_t polyhedra = 0;
+  std::size_t holes = 0;
+  std::vector<std::size_t> ignored_hole_seeds = {};  // by their places in the list
+  std::vector<Adoption> adoptions = {};
+  std::vector<constrained::SegmentProtection> segments = {};
+  bool is_edge_protected = false;
+  bool is_edge_protected_under_perturbation = false;
+  CdtAnswer cdt = CdtAnswer::kUnknown;
+  // Is there any triangulation, where there is no CDT? Unknown: not within the limits.
+  std::optional<bool> triangulation = {};
+};
+
+struct SearchLimits {
+  std::size_t vertices = 60;
+  int conflicts = 1'000'000;
+};
+
+DomainFacts facts_of(const LoadedDomain& loaded, const SearchLimits& limits);
+
+}  // namespace circumspect::cli

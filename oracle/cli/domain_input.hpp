@@ -1,0 +1,43 @@
+// From a file to a domain that meshes can be held against.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/cli/input.hpp"
+#include "oracle/domain.hpp"
+#include "oracle/formats/domain_file.hpp"
+#include "reference/piecewise_linear/breach.hpp"
+
+namespace circumspect::cli {
+
+// A domain, and the file that it came from: lines and notes.
+struct LoadedDomain {
+  std::string name;
+  Domain domain;
+  formats::DomainFile file;
+};
+
+// What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could
+// be read. `file` has the points and lines that breaches are about.
+struct DomainFault {
+  std::string message;
+  std::vector<Breach> breaches = {};
+  formats::DomainFile file = {};
+};
+
+// Adds --domain-kind enclosed|hull. Without it, a domain is enclosed if it encloses anything.
+void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind);
+
+// Errors: a malformed file; duplicates, unless they are merged; any other breach; `kind` says
+// enclosed, and nothing is.
+tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
+                                                    const InputOptions& options,
+                                                    std::optional<DomainKind> kind);
+
+std::string_view word(DomainKind kind);
+
+}  // namespace circumspect::cli

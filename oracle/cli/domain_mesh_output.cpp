@@ -1,0 +1,116 @@
+#include "oracle/cli/domain_mesh_output.hpp"
+
+#include <filesystem>
+
+#include "oracle/cli/output.hpp"
+#include "oracle/formats/ele.hpp"
+#include "oracle/formats/face.hpp"
+#include "oracle/formats/medit.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/node.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+// `size`: how many vertices each has, if there are none.
+formats::SimplexFile numbered(const std::vector<Simplex>& simplices, std::size_t size,
+                              Vertex first_index) {
+  formats::SimplexFile file;
+  file.first_index = first_index;
+  file.vertices_per_simplex = size;
+  for (Simplex simplex : simplices) {
+    for (Vertex& v : simplex) v += first_index;
+    file.simplices.push_back(std::move(simplex));
+  }
+  return file;
+}
+
+// Those of full dimension, positively oriented. (Triangles of polygons in space have no orientation.)
+formats::SimplexFile simplices_of(const DomainMesh& mesh, Vertex first_index) {
+  const std::size_t full = mesh.points.ambient_dimension() + 1;
+  std::vector<Simplex> simplices = mesh.triangulation.simplices;
+  for (Simplex& simplex : simplices) {
+    if (simplex.size() == full) simplex = positively_oriented(mesh.points, simplex);
+  }
+  const std::size_t size = simplices.empty() ? full : simplices.front().size();
+  return numbered(simplices, size, first_index);
+}
+
+formats::SimplexFile dangling(const DomainMesh& mesh, std::size_t size, Vertex first_index) {
+  std::vector<Simplex> chosen;
+  for (const Simplex& simplex : mesh.triangulation.dangling) {
+    if (simplex.size() == size) chosen.push_back(simplex);
+  }
+  return numbered(chosen, size, first_index);
+}
+
+formats::PointFile points_of(const DomainMesh& mesh, Vertex first_index) {
+  formats::PointFile file;
+  file.dimension = mesh.points.ambient_dimension();
+  file.points = mesh.points.points();
+  file.first_index = first_index;
+  return file;
+}
+
+// OUT of OUT.ele.
+std::string stem_of(const std::string& path) {
+  return path.substr(0, path.size() - formats::extension(path).size());
+}
+
+formats::MeditFile medit_file(const DomainMesh& mesh, Vertex first_index) {
+  formats::MeditFile file;
+  file.points = points_of(mesh, first_index);
+  file.edges = dangling(mesh, 2, first_index);
+  formats::SimplexFile simplices = simplices_of(mesh, first_index);
+  if (simplices.vertices_per_simplex == 4) {
+    file.triangles = dangling(mesh, 3, first_index);
+    file.tetrahedra = std::move(simplices);
+  } else {
+    file.triangles = std::move(simplices);
+  }
+  return file;
+}
+
+}  // namespace
+
+std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index) {
+  if (formats::extension(path) == ".mesh") {
+    return write_file(path, [&](std::ostream& stream) {
+      formats::write_medit(stream, medit_file(mesh, first_index));
+    });
+  }
+  const std::string stem = stem_of(path);
+  const auto write_faces = [&](const std::string& beside, std::size_t size) {
+    return write_file(stem + beside, [&](std::ostream& stream) {
+      formats::write_face(stream, dangling(mesh, size, first_index));
+    });
+  };
+  std::string failure;
+  if (path != "-") {
+    failure = write_file(stem + ".node", [&](std::ostream& stream) {
+      formats::write_node(stream, points_of(mesh, first_index));
+    });
+    if (failure.empty()) failure = write_faces(".edge", 2);
+    if (failure.empty() && mesh.points.ambient_dimension() == 3) failure = write_faces(".face", 3);
+  }
+  if (!failure.empty()) return failure;
+  return write_file(path, [&](std::ostream& stream) {
+    formats::write_ele(stream, simplices_of(mesh, first_index));
+  });
+}
+
+bool writes_to(const std::string& path, const std::string& points_name) {
+  if (path == "-" || points_name.empty() || formats::extension(path) == ".mesh") return false;
+  std::error_code ignored;
+  return std::filesystem::equivalent(stem_of(path) + ".node", points_name, ignored);
+}
+
+formats::JsonFile json_file(const DomainMesh& mesh, Vertex first_index) {
+  formats::JsonFile file;
+  file.points = points_of(mesh, first_index);
+  file.has_simplices = true;
+  file.simplices = simplices_of(mesh, first_index);
+  return file;
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,19 @@
+// Meshes of domains in the files that users keep.
+#pragma once
+
+#include "oracle/cli/constrained_constructions.hpp"
+#include "oracle/formats/json.hpp"
+
+namespace circumspect::cli {
+
+// OUT.ele, and beside it OUT.node, OUT.face (in space) and OUT.edge; or OUT.mesh; "-": the .ele on
+// stdout. Indices are counted from `first_index`. Returns an error message, or an empty string.
+std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index);
+
+// Would the points of a mesh at this path take the place of that file?
+bool writes_to(const std::string& path, const std::string& points_name);
+
+// The points and the simplices; JSON has no place for dangling ones.
+formats::JsonFile json_file(const DomainMesh& mesh, Vertex first_index);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,28 @@
+// `inspect` of a piecewise linear complex: is it one, what is it made of, has it a CDT?
+// Book: Sections 4.5 and 5.6.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "oracle/cli/domain_facts.hpp"
+#include "oracle/cli/input.hpp"
+#include "oracle/cli/output.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::cli {
+
+struct DomainInspection {
+  bool is_asked_for = false;  // whatever the name of the file says
+  std::optional<DomainKind> kind = {};
+  bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
+  SearchLimits limits = {};
+};
+
+// --domain, --domain-kind, --all-segments, --search-vertices, --search-conflicts.
+void add_domain_inspection_options(CLI::App& command, DomainInspection& options);
+
+void inspect_domain(const std::string& path, const InputOptions& input,
+                    const DomainInspection& options, Output& output);
+
+}  // namespace circumspect::cli
