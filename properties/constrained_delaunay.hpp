@@ -1,0 +1,123 @@
+// "Constrained Delaunay" and "locally Delaunay" from their definitions, with real visibility, for
+// holding constructions and lemmas against them. Book: Definition 4.6, Lemma 4.10.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "reference/complex/circumball.hpp"
+#include "reference/complex/star_index.hpp"
+#include "reference/piecewise_linear/visibility.hpp"
+#include "reference/predicates/intersection.hpp"
+
+namespace circumspect::properties {
+
+inline Point barycentre_of(const PointSet& points, const Simplex& simplex) {
+  return barycentre(coordinates(points, simplex));
+}
+
+// Does the polygon include the triangle? Requires: the triangle respects a complex with the polygon.
+inline bool is_included(const PointSet& points, const Simplex& triangle, const Polygon& polygon) {
+  for (const Vertex v : triangle) {
+    if (!std::binary_search(polygon.vertices.begin(), polygon.vertices.end(), v)) return false;
+  }
+  const Point centre = barycentre_of(points, triangle);
+  return std::any_of(polygon.triangles.begin(), polygon.triangles.end(), [&](const Simplex& part) {
+    return !intersection({centre}, coordinates(points, part)).empty();
+  });
+}
+
+// Are all of them Delaunay, without regard to any complex?
+inline bool are_delaunay(const PointSet& points, const std::vector<Simplex>& tetrahedra) {
+  return std::all_of(tetrahedra.begin(), tetrahedra.end(), [&](const Simplex& tetrahedron) {
+    const Ball ball = circumball(points, tetrahedron);
+    for (Vertex v = 0; points.names(v); ++v) {
+      if (sign(power(points, ball, v)) < 0) return false;
+    }
+    return true;
+  });
+}
+
+// Definition 4.6 of a tetrahedron, triangle or edge that respects the complex: "there is an open
+// circumball of σ that contains no vertex in P that is visible from any point in the relative
+// interior of σ". The centre of a circumball of a triangle may move along a line: c + t·n, and
+// power(v) = power at t = 0 − 2 t n·(v − c); each visible vertex bounds t.
+// Requires: three or four vertices in space.
+inline bool is_constrained_delaunay(const PiecewiseLinearComplex& complex, const Regions& regions,
+                                    const Simplex& simplex) {
+  const PointSet& points = complex.points;
+  const Ball smallest = circumball(points, simplex);
+  Point normal(3);
+  if (simplex.size() == 3) {
+    const Point a = points[simplex[1]] - points[simplex[0]];
+    const Point b = points[simplex[2]] - points[simplex[0]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      normal[i] = a[j] * b[k] - a[k] * b[j];
+    }
+  }
+  std::optional<Rational> least, greatest;  // of t
+  for (Vertex v = 0; points.names(v); ++v) {
+    if (contains(simplex, v)) continue;
+    const Rational rest = power(points, smallest, v);
+    const Rational slope = 2 * inner_product(normal, points[v] - smallest.centre);
+    if (sign(slope) == 0 && sign(rest) >= 0) continue;
+    if (!is_visible(complex, regions, v, simplex)) continue;
+    if (sign(slope) == 0) return false;
+    const Rational bound = rest / slope;
+    if (sign(slope) > 0 && (!greatest || bound < *greatest)) greatest = bound;
+    if (sign(slope) < 0 && (!least || bound > *least)) least = bound;
+  }
+  return !least || !greatest || *least <= *greatest;
+}
+
+// Is the facet of two tetrahedra locally Delaunay? "… if … it has an open circumball that contains
+// neither apex": neither is in the open circumball of the other's tetrahedron.
+inline bool is_locally_delaunay(const PointSet& points, const std::vector<Simplex>& star,
+                                const Simplex& facet) {
+  const Vertex apex = without(star[1], facet).front();
+  return sign(power(points, circumball(points, star[0]), apex)) >= 0;
+}
+
+// The facets of a triangulation of the complex that no polygon includes, the hull's own facets being
+// polygons of the hull kind.
+inline std::vector<Simplex> free_facets(const PiecewiseLinearComplex& complex,
+                                        const Regions& regions,
+                                        const std::vector<Simplex>& tetrahedra) {
+  const StarIndex index(tetrahedra);
+  std::vector<Simplex> facets = facets_of(tetrahedra);
+  std::erase_if(facets, [&](const Simplex& facet) {
+    return index.star(facet).size() == 1 ||
+           regions.locate(barycentre_of(complex.points, facet)) == Where::kOnWall;
+  });
+  return facets;
+}
+
+// Statements (i), (ii) and (iii) of the Constrained Delaunay Lemma.
+inline bool tetrahedra_are_constrained_delaunay(const PiecewiseLinearComplex& complex,
+                                                const Regions& regions,
+                                                const std::vector<Simplex>& tetrahedra) {
+  return std::all_of(tetrahedra.begin(), tetrahedra.end(), [&](const Simplex& tetrahedron) {
+    return is_constrained_delaunay(complex, regions, tetrahedron);
+  });
+}
+inline bool free_facets_are_constrained_delaunay(const PiecewiseLinearComplex& complex,
+                                                 const Regions& regions,
+                                                 const std::vector<Simplex>& tetrahedra) {
+  const std::vector<Simplex> facets = free_facets(complex, regions, tetrahedra);
+  return std::all_of(facets.begin(), facets.end(), [&](const Simplex& facet) {
+    return is_constrained_delaunay(complex, regions, facet);
+  });
+}
+inline bool free_facets_are_locally_delaunay(const PiecewiseLinearComplex& complex,
+                                             const Regions& regions,
+                                             const std::vector<Simplex>& tetrahedra) {
+  const StarIndex index(tetrahedra);
+  const std::vector<Simplex> facets = free_facets(complex, regions, tetrahedra);
+  return std::all_of(facets.begin(), facets.end(), [&](const Simplex& facet) {
+    return is_locally_delaunay(complex.points, index.star(facet), facet);
+  });
+}
+
+}  // namespace circumspect::properties

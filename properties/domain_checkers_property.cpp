@@ -1,0 +1,280 @@
+// The two ways to judge a claim about a domain are one: by lemma and by definition, on CDTs, on other
+// triangulations, on finer ones and on broken meshes. Book: Definitions 4.4 to 4.7, Lemma 4.10.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "oracle/check/domain/judge_domain.hpp"
+#include "properties/constrained_delaunay.hpp"
+#include "properties/generators/complexes.hpp"
+#include "properties/generators/scalars.hpp"
+#include "properties/mutations/mutations.hpp"
+#include "properties/plc_triangulations.hpp"
+#include "properties/polygon_triangulations.hpp"
+#include "properties/run.hpp"
+#include "properties/triangulations/protected_complexes.hpp"
+#include "reference/constrained/carve.hpp"
+#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/planar_cdt.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/existence/candidates.hpp"
+#include "reference/optimality/interpolation.hpp"
+#include "reference/piecewise_linear/validity.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+using constrained::PlcTriangulation;
+using generators::ComplexCase;
+
+constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
+                             Claim::kSteinerCdt, Claim::kConformingDelaunay};
+
+// The common answers of both ways.
+std::map<Claim, bool> judged(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
+  const Domain domain{complex};
+  std::map<Claim, bool> answers;
+  for (const Claim claim : kClaims) {
+    const bool by_lemma =
+        check::judge_domain(claim, mesh, domain, {.by = check::By::kLemma}).holds();
+    const bool by_definition =
+        check::judge_domain(claim, mesh, domain, {.by = check::By::kDefinition}).holds();
+    RC_LOG() << name(claim) << " by lemma: " << by_lemma << ", by definition: " << by_definition
+             << "\n";
+    RC_ASSERT(by_lemma == by_definition);
+    answers[claim] = by_lemma;
+  }
+  // A claim is never easier to meet than one that it contains.
+  RC_ASSERT(answers[Claim::kPlcTriangulation] || !answers[Claim::kCdt]);
+  RC_ASSERT(answers[Claim::kSteinerTriangulation] || !answers[Claim::kPlcTriangulation]);
+  RC_ASSERT(answers[Claim::kSteinerTriangulation] || !answers[Claim::kSteinerCdt]);
+  RC_ASSERT(answers[Claim::kSteinerTriangulation] || !answers[Claim::kConformingDelaunay]);
+  RC_ASSERT(answers[Claim::kSteinerCdt] || !answers[Claim::kCdt]);
+  return answers;
+}
+
+Mesh mesh_of(const PointSet& points, const PlcTriangulation& triangulation) {
+  Mesh mesh{points, triangulation.simplices};
+  for (const Simplex& simplex : triangulation.dangling) {
+    if (simplex.size() > 1) mesh.faces.push_back(simplex);
+  }
+  return mesh;
+}
+
+void print(const Mesh& mesh) {
+  for (const auto* simplices : {&mesh.simplices, &mesh.faces}) {
+    for (const Simplex& simplex : *simplices) {
+      for (const Vertex v : simplex) RC_LOG() << v << " ";
+      RC_LOG() << "\n";
+    }
+  }
+}
+
+// In the plane or in space.
+ComplexCase any_domain() {
+  return *rc::gen::oneOf(any_protected_complex(9), generators::any_complex(8),
+                         generators::planar_complexes(9));
+}
+
+// The canonical CDT of the complex if it has one.
+std::optional<PlcTriangulation> cdt_of(const PiecewiseLinearComplex& complex) {
+  if (complex.ambient_dimension() == 2) return constrained::planar_cdt(complex);
+  auto cdt = constrained::gift_wrapping_cdt(complex);
+  if (!cdt) return std::nullopt;
+  return *std::move(cdt);
+}
+
+TEST_CASE("C2 CDTs pass by lemma and by definition; all but some faces or simplices do not") {
+  std::size_t broken = 0;
+  CHECK(holds("every corruption is rejected", 150, [&] {
+    const ComplexCase one = any_domain();
+    const PiecewiseLinearComplex complex = one.complex();
+    const auto cdt = cdt_of(complex);
+    if (!cdt) return;
+    Mesh mesh = mesh_of(complex.points, *cdt);
+    print(mesh);
+    const auto answers = judged(mesh, complex);
+    RC_ASSERT(answers.at(Claim::kCdt));
+    if (!mesh.faces.empty()) {
+      Mesh without = mesh;
+      without.faces.erase(without.faces.begin() +
+                          *generators::below(static_cast<long>(mesh.faces.size())));
+      RC_ASSERT_FALSE(judged(without, complex).at(Claim::kSteinerTriangulation));
+    }
+    if (mesh.simplices.empty()) return;
+    const Mutant mutant = *corruption(mesh.simplices, complex.points.size());
+    if (mutant.simplices == mesh.simplices) return;  // of a point merged that is isolated
+    mesh.simplices = mutant.simplices;
+    RC_ASSERT_FALSE(judged(mesh, complex).at(Claim::kSteinerTriangulation));
+    ++broken;
+  }));
+  CHECK(occurs(broken));
+}
+
+TEST_CASE("C1 lemma and definition agree on altered CDTs") {
+  std::map<Claim, std::size_t> hold;
+  CHECK(holds("both ways agree", 150, [&] {
+    const ComplexCase one = any_domain();
+    const PiecewiseLinearComplex complex = one.complex();
+    const auto cdt = cdt_of(complex);
+    if (!cdt || cdt->simplices.empty()) return;
+    Mesh mesh = mesh_of(complex.points, *cdt);
+    mesh.simplices = (*alteration(mesh.simplices, complex.points.size())).simplices;
+    print(mesh);
+    for (const auto& [claim, answer] : judged(mesh, complex)) hold[claim] += answer ? 1u : 0u;
+  }));
+  CHECK(occurs(hold[Claim::kPlcTriangulation]));
+}
+
+// The triangles, segments and vertices of the triangulation that lie in cells of lower dimension.
+std::set<Simplex> faces_in_cells(const PiecewiseLinearComplex& complex, const Regions& regions,
+                                 const PlcTriangulation& triangulation) {
+  std::set<Simplex> faces(complex.segments.begin(), complex.segments.end());
+  faces.insert(triangulation.dangling.begin(), triangulation.dangling.end());
+  for (const Simplex& facet : facets_of(triangulation.simplices)) {
+    const Point centre = barycentre(coordinates(complex.points, facet));
+    if (regions.locate(centre) == Where::kOnWall) faces.insert(facet);
+  }
+  return faces;
+}
+
+TEST_CASE("C2 a polyhedron left empty, or a hole filled, is no triangulation of the domain") {
+  std::size_t left_empty = 0, filled = 0;
+  CHECK(holds("regions", 150, [&] {
+    const ComplexCase one = any_domain();
+    const PiecewiseLinearComplex complex = one.complex();
+    const Regions regions(complex);
+    const auto cdt = cdt_of(complex);
+    if (!cdt || cdt->simplices.empty()) return;
+    const Simplex& any = cdt->simplices[static_cast<std::size_t>(
+        *generators::below(static_cast<long>(cdt->simplices.size())))];
+    const auto region_of = [&](const Simplex& simplex) {
+      return regions.region_at(barycentre(coordinates(complex.points, simplex)));
+    };
+    std::vector<Simplex> others = cdt->simplices;
+    std::erase_if(others,
+                  [&](const Simplex& simplex) { return region_of(simplex) == region_of(any); });
+    const auto faces = faces_in_cells(complex, regions, *cdt);
+    const Mesh mesh = mesh_of(complex.points, constrained::with_dangling(std::move(others), faces));
+    print(mesh);
+    RC_ASSERT_FALSE(judged(mesh, complex).at(Claim::kSteinerTriangulation));
+    ++left_empty;
+    bool has_hole = false;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      has_hole = has_hole || regions.where(r) == Where::kHole;
+    }
+    if (!has_hole) return;
+    PiecewiseLinearComplex without_holes = complex;
+    without_holes.hole_seeds.clear();
+    const auto full = cdt_of(without_holes);
+    if (!full) return;
+    RC_ASSERT_FALSE(
+        judged(mesh_of(complex.points, *full), complex).at(Claim::kSteinerTriangulation));
+    ++filled;
+  }));
+  CHECK(occurs(left_empty));
+  CHECK(occurs(filled));
+}
+
+// The dangling triangles of the polygons cut in another way.
+std::vector<Simplex> recut(const PiecewiseLinearComplex& complex, std::vector<Simplex> dangling) {
+  for (const Polygon& polygon : complex.polygons) {
+    const std::size_t before = dangling.size();
+    std::erase_if(dangling, [&](const Simplex& simplex) {
+      return simplex.size() == 3 && is_included(complex.points, simplex, polygon);
+    });
+    if (dangling.size() == before) continue;
+    for (Simplex& triangle : any_triangulation_of(complex.points, polygon)) {
+      dangling.push_back(std::move(triangle));
+    }
+  }
+  return dangling;
+}
+
+TEST_CASE("C1 lemma and definition agree on dangling polygons however they are cut") {
+  std::size_t cdts = 0, others = 0;
+  CHECK(holds("both ways agree", 150, [&] {
+    const ComplexCase one = *generators::scattered_cells(generators::rather_large(
+        rc::gen::oneOf(generators::plane_points(3, 9), generators::grid_points(3, 12)), 3));
+    const PiecewiseLinearComplex complex = one.complex();
+    RC_PRE(complex.kind == DomainKind::kEnclosed);
+    const auto cdt = cdt_of(complex);
+    if (!cdt) return;
+    Mesh mesh = mesh_of(complex.points, *cdt);
+    mesh.faces = recut(complex, mesh.faces);
+    print(mesh);
+    const auto answers = judged(mesh, complex);
+    ++(answers.at(Claim::kCdt) ? cdts : others);
+  }));
+  CHECK(occurs(cdts));
+  CHECK(occurs(others));
+}
+
+TEST_CASE("C1 lemma and definition agree on any triangulation of a complex in space") {
+  std::map<Claim, std::size_t> hold;
+  std::size_t others = 0;
+  CHECK(holds("both ways agree", 60, [&] {
+    const ComplexCase one = *rc::gen::oneOf(any_protected_complex(8), generators::any_complex(7));
+    const PiecewiseLinearComplex complex = one.complex();
+    const auto cdt = cdt_of(complex);
+    RC_PRE(cdt.has_value() && !cdt->simplices.empty());
+    const Regions regions(complex);
+    const auto candidates = existence::respecting_tetrahedra(complex, regions);
+    for (const auto& tetrahedra : plc_triangulations(complex, regions, candidates, 5)) {
+      // What dangles is the same in each, but for the way a polygon is cut.
+      const Mesh mesh = mesh_of(complex.points, {tetrahedra, cdt->dangling});
+      print(mesh);
+      const auto answers = judged(mesh, complex);
+      RC_ASSERT(answers.at(Claim::kPlcTriangulation));
+      ++(answers.at(Claim::kCdt) ? hold[Claim::kCdt] : others);
+    }
+  }));
+  CHECK(occurs(hold[Claim::kCdt]));
+  CHECK(occurs(others));
+}
+
+// Fewer cells, and without some of the points that no cell uses and that are not extreme: then a
+// triangulation of the finer complex is one of the coarser with Steiner points. (Of the hull kind.)
+PiecewiseLinearInput coarser(PiecewiseLinearInput input) {
+  const auto by_chance = [](const auto&) { return *generators::below(2) == 0; };
+  std::erase_if(input.segments, by_chance);
+  std::erase_if(input.polygons, by_chance);
+  for (std::size_t v = input.points.size(); v > 0 && input.points.size() > 4; --v) {
+    if (generators::is_used(input)[v - 1] || *generators::below(4) == 0) continue;
+    std::vector<Point> others = input.points;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(v - 1));
+    const PointSet points(others);
+    if (points.dimension() < 3) continue;
+    const Triangulation hull = delaunay::bowyer_watson(points);
+    if (!optimality::lifted_height(points, hull, input.points[v - 1])) continue;
+    std::vector<bool> dropped(input.points.size());
+    dropped[v - 1] = true;
+    generators::drop_points(input, dropped);
+  }
+  return input;
+}
+
+TEST_CASE("C1 lemma and definition agree on triangulations of a finer complex") {
+  std::map<Claim, std::size_t> hold;
+  std::size_t steiner_points = 0;
+  CHECK(holds("both ways agree", 100, [&] {
+    const ComplexCase fine = *rc::gen::oneOf(any_protected_complex(9), generators::any_complex(8));
+    const PiecewiseLinearComplex complex = fine.complex();
+    const auto cdt = cdt_of(complex);
+    if (!cdt || complex.kind != DomainKind::kHull) return;
+    const auto coarse = validated(coarser(fine.input));
+    const Mesh mesh = mesh_of(complex.points, *cdt);
+    RC_ASSERT(coarse.has_value());
+    steiner_points += complex.points.size() - coarse->points.size();
+    print(mesh);
+    for (const auto& [claim, answer] : judged(mesh, *coarse)) hold[claim] += answer ? 1u : 0u;
+  }));
+  CHECK(occurs(hold[Claim::kSteinerTriangulation]));
+  CHECK(occurs(hold[Claim::kSteinerCdt]));
+  CHECK(occurs(steiner_points));
+}
+
+}  // namespace
+}  // namespace circumspect::properties
