@@ -1,25 +1,18 @@
 // Prints the tables of bench/README.md. With arguments, only the algorithms whose name contains the
 // first one.
 #include <cmath>
-#include <ctime>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "bench/algorithms.hpp"
+#include "bench/constrained.hpp"
 #include "bench/point_families.hpp"
+#include "bench/processor_time.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::bench {
 namespace {
-
-// Processor time: other programs on the machine do not count.
-template <typename Work>
-double seconds(const Work& work) {
-  const std::clock_t begin = std::clock();
-  work();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
 
 // The exponent e for which n^e grows as the measured values do.
 double growth(double smaller_n, double smaller, double larger_n, double larger) {
@@ -98,7 +91,8 @@ void count_changes_on_grids() {
 
 int main(int count, char** arguments) {
   const std::string wanted = count > 1 ? arguments[1] : "";
-  const int too_slow = circumspect::bench::time_all(wanted);
+  int too_slow = circumspect::bench::time_all(wanted);
+  too_slow += circumspect::bench::time_constrained(wanted);
   if (wanted.empty()) circumspect::bench::count_changes_on_grids();
   if (too_slow > 0) fmt::print("\n{} algorithms took longer than they may\n", too_slow);
   return too_slow == 0 ? 0 : 1;
