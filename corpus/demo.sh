@@ -1,6 +1,6 @@
 #!/bin/bash
-# The demonstration: judges meshes of this corpus, good ones and broken ones, made by TetGen, Qhull, CGAL
-# and us, then builds a reference and judges it. Exit 0 if every verdict was the expected one.
+# The demonstration: judges meshes of this corpus, good ones and broken ones, made by TetGen, Gmsh, Qhull,
+# CGAL and us, then builds references and judges them. Exit 0 if every verdict was the expected one.
 set -uo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -84,6 +84,35 @@ fails triangulation.hull-not-convex corpus/reject/triangulation.hull-not-convex-
 
 say 'Ours: coordinates 1e300 beside 1e-300, where products of doubles overflow and underflow.'
 holds delaunay corpus/accept/huge-beside-tiny.ele
+
+domains=corpus/domains
+
+say 'TetGen -p, a cube with a square tunnel: a constrained Delaunay triangulation of that domain.'
+expect 0 "holds: cdt $domains/tetgen/tunnel.1.ele" \
+  check --domain "$domains/tunnel.poly" "$domains/tetgen/tunnel.1.ele"
+
+say 'Gmsh, the same domain: a triangulation of it with further vertices, and no more is claimed.'
+expect 0 "holds: steiner-triangulation $domains/gmsh/tunnel--finer.mesh" \
+  check --domain "$domains/tunnel.poly" --claim steiner-triangulation "$domains/gmsh/tunnel--finer.mesh"
+
+say 'TetGen -p, Schonhardt'"'"'s polyhedron, which needs Steiner points: rounded to doubles they are off their segments.'
+expect 1 "fails: steiner-cdt $domains/tetgen/figure-4-10-schonhardt.1.ele domain.segment-missing" \
+  check --max-errors 1 --domain "$domains/figure-4-10-schonhardt.poly" "$domains/tetgen/figure-4-10-schonhardt.1.ele"
+
+say 'Ours: two rooms, the square between them cut along one diagonal from the left and the other from the right.'
+expect 1 "fails: cdt $domains/reject/complex.overlap--both-sides-differ.ele complex.overlap" \
+  check --max-errors 1 --domain "$domains/reject/complex.overlap--both-sides-differ.poly" \
+  "$domains/reject/complex.overlap--both-sides-differ.ele"
+
+say 'A cube with one corner one unit in the last place off: the input is at fault, not the mesh.'
+expect 3 "circumspect: $domains/invalid/plc.polygon-not-planar--one-ulp.poly:14: expected a piecewise linear complex" \
+  check --domain "$domains/invalid/plc.polygon-not-planar--one-ulp.poly" "$domains/tetgen/cube.1.ele"
+
+say 'Schonhardt'"'"'s polyhedron has no triangulation; with Steiner points a reference is built, then judged.'
+expect 0 "inspected: $domains/figure-4-10-schonhardt.poly" inspect "$domains/figure-4-10-schonhardt.poly"
+expect 0 'built: steiner-cdt' build steiner-cdt "$domains/figure-4-10-schonhardt.poly" -o "$work/schonhardt.ele"
+expect 0 "holds: steiner-cdt $work/schonhardt.ele" \
+  check --domain "$domains/figure-4-10-schonhardt.poly" "$work/schonhardt.ele"
 
 say 'A reference: the canonical Delaunay triangulation of the twelve points of Figure 4.4, then judged.'
 expect 0 'built: delaunay' build delaunay corpus/accept/figure-4-4-two-cubes.node -o "$work/two-cubes.ele"

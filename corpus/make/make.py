@@ -1,8 +1,15 @@
-"""Writes corpus/accept, corpus/reject, corpus/peers/inputs and the tables: python3 corpus/make/make.py
+"""Writes corpus/accept, corpus/reject, corpus/peers/inputs, corpus/domains and the tables: python3 corpus/make/make.py
 
-peers.sh, beside this file, writes corpus/peers/tetgen, qhull and cgal; it needs the inputs made here.
+peers.sh, beside this file, writes corpus/peers/tetgen, qhull and cgal, and domain_peers.sh writes
+corpus/domains/tetgen and gmsh; they need the inputs made here.
 """
 import accept
+import domain_accept
+import domain_invalid
+import domain_meshes
+import domain_reject
+import domain_tables
+import domains
 import files
 import reject
 import tables
@@ -16,3 +23,10 @@ for name, _, points in inputs():
     target.parent.mkdir(parents=True, exist_ok=True)
     files.write_node(target, points, len(points[0]))
 tables.write(entries)
+
+domain_entries = [*domain_accept.entries(), *domain_reject.entries()]
+domains.write()
+domain_invalid.write()
+for entry in domain_entries:
+    domain_meshes.write(entry)
+domain_tables.write(domain_entries, domain_invalid.entries())

@@ -25,7 +25,8 @@ where no other is given.
 
 A new case is a few lines in `make/accept.py` or `make/reject.py`, or a new `peers/inputs/NAME.node` with its
 line in `make/inputs.py` and a run of `make/peers.sh`; then run `make/make.py`. A mesh that was once judged
-wrongly goes to `regressions/`, which has its own list.
+wrongly goes to `regressions/`, which has its own list. Domains, meshes of them, and inputs that are no
+piecewise linear complexes are in `domains/`: [domains/README.md](domains/README.md).
 
 """
 

@@ -1,0 +1,91 @@
+// The rows of domains/expected.tsv, and the meshes and domains they are about, for the tests in this
+// folder.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "corpus/expected_table.hpp"
+#include "oracle/check/domain/judge_domain.hpp"
+#include "oracle/formats/domain_files.hpp"
+#include "reference/piecewise_linear/regions.hpp"
+#include "reference/piecewise_linear/validity.hpp"
+
+namespace circumspect::corpus {
+
+// One line: a mesh and a domain, both below corpus/domains/, options for the domain, a claim with
+// options, and the rules that are broken, none if the claim holds.
+struct DomainRow {
+  std::string mesh;
+  std::string domain;
+  std::optional<DomainKind> kind = {};
+  Claim claim = Claim::kCdt;
+  check::Options options = {.max_violations = 1};
+  std::set<std::string> broken = {};
+  std::string text = {};  // the line, for messages
+};
+
+inline const std::string kDomainFolder = CIRCUMSPECT_CORPUS_DIR "/domains/";
+
+inline Claim claim_about_a_domain(const std::string& word) {
+  for (const Claim claim : {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
+                            Claim::kSteinerCdt, Claim::kConformingDelaunay}) {
+    if (word == name(claim)) return claim;
+  }
+  throw std::runtime_error("expected a claim about a domain, found " + word);
+}
+
+inline DomainRow domain_row_of(const std::string& line) {
+  const std::vector<std::string> cells = split(line, '\t');
+  const std::vector<std::string> domain = split(cells.at(1), ' ');
+  const std::vector<std::string> claim = split(cells.at(2), ' ');
+  DomainRow row{.mesh = cells.at(0), .domain = domain.at(0), .text = line};
+  for (const std::string& word : domain) {
+    if (word == "hull") row.kind = DomainKind::kHull;
+    if (word == "enclosed") row.kind = DomainKind::kEnclosed;
+  }
+  row.claim = claim_about_a_domain(claim.at(0));
+  if (claim.back() == "definition") row.options.by = check::By::kDefinition;
+  if (cells.at(3) != "holds") {
+    const std::vector<std::string> rules = split(cells.at(3), ',');
+    row.broken = {rules.begin(), rules.end()};
+  }
+  return row;
+}
+
+inline std::vector<DomainRow> domain_rows() {
+  std::ifstream file(kDomainFolder + "expected.tsv");
+  std::vector<DomainRow> rows;
+  for (std::string line; std::getline(file, line);) rows.push_back(domain_row_of(line));
+  return rows;
+}
+
+// What the command makes of a file. Without a kind, a domain is enclosed if it encloses anything.
+// Throws if the file holds no valid complex.
+inline Domain domain_of(const std::string& path, std::optional<DomainKind> kind = {}) {
+  const auto file = formats::read_domain(path, NumberReading::kDouble);
+  if (!file) throw std::runtime_error(file.error().to_string());
+  auto complex = validated(file->input);
+  if (!complex) {
+    throw std::runtime_error(path + ": " + std::string(identifier(complex.error().front().kind)));
+  }
+  const bool encloses = Regions(*complex).size() > 1;
+  complex->kind = kind.value_or(encloses ? DomainKind::kEnclosed : DomainKind::kHull);
+  return {std::move(*complex), file->labels, file->first_index};
+}
+
+inline Mesh mesh_with_faces(const std::string& path) {
+  auto raw = formats::read_mesh({.mesh = path, .with_faces = true});
+  if (!raw) throw std::runtime_error(raw.error().to_string());
+  Mesh mesh{PointSet(std::move(raw->points.points)),
+            std::move(raw->simplices.simplices),
+            {},
+            raw->first_index};
+  std::erase_if(raw->faces,
+                [&](const Simplex& face) { return face.size() > mesh.points.ambient_dimension(); });
+  mesh.faces = std::move(raw->faces);
+  return mesh;
+}
+
+}  // namespace circumspect::corpus
