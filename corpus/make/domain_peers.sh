@@ -52,9 +52,10 @@ done
 for name in joint pig; do
   run_tetgen -p "surfaces/$name.off" "$name"
 done
-for name in figure-4-10-schonhardt fan-of-rooms hollow-cube internal-square l-prism slits tunnel two-rooms; do
+for name in figure-4-10-schonhardt fan-of-rooms hollow-cube internal-square l-prism one-segment slits tunnel two-rooms; do
   run_tetgen -pq1.4 "$name.poly" "$name--quality"
 done
+run_tetgen -pq1.4O0 one-segment.poly one-segment--unoptimized
 for name in dangling-square figure-4-10-schonhardt l-prism tunnel; do
   run_tetgen -pc "$name.poly" "$name--hull"
 done

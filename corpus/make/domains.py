@@ -164,6 +164,16 @@ def space():
     yield Domain("unlisted-vertex", "a tetrahedron and a vertex inside a facet that does not list it",
                  [(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (1, 1, 0)],
                  facets([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)]), rooms=[])
+    tetrahedron = [(0, 0, 0), (9, 0, 0), (0, 9, 0), (0, 0, 9)]
+    yield Domain("segment-listed-twice", "a tetrahedron and a segment inside it that stands in the file twice",
+                 tetrahedron + [(1, 1, 1), (1, 1, 2)],
+                 facets([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3), (4, 5), (4, 5)]), rooms=[])
+    large, _ = box((0, 0, 0), (8, 8, 8))
+    yield Domain("one-segment", "a cube with a segment inside", large + [(6, 3, 2), (6, 5, 5)],
+                 facets([*polygons, (8, 9)]), rooms=[])
+    yield Domain("two-triangles", "a cube with two triangles inside, one of which hangs from a corner",
+                 large + [(4, 1, 5), (1, 6, 7), (3, 2, 5), (1, 6, 1), (1, 1, 1)],
+                 facets([*polygons, (0, 8, 9), (10, 11, 12)]), rooms=[])
     pyramid = [(2, 0, 0), (-1, 2, 0), (-1, -2, 0), (0, 0, 9), (0, 0, -9)]
     sides = [(i, (i + 1) % 3, apex) for i in range(3) for apex in (3, 4)]
     yield Domain("figure-4-15-encircled-segment", "a segment that three tetrahedra encircle: no CDT", pyramid,
