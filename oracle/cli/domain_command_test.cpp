@@ -191,6 +191,29 @@ TEST_CASE("Schonhardt's polyhedron has no triangulation, which is proved") {
   CHECK(!std::filesystem::exists(folder.path("schonhardt.1.ele")));
 }
 
+TEST_CASE("inspect --refutations and replay: the proofs as files") {
+  const ScratchFolder folder;
+  const std::string prefix = folder.path("proof");
+  const std::string domain =
+      std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/figure-4-13-chazelle-2.poly";
+  CHECK(run({"inspect", domain, "--refutations", prefix}).exit_code == 0);
+  for (const std::string what : {"-cdt", "-triangulation"}) {
+    const std::string formula = prefix + what + ".cnf";
+    const std::string refutation = prefix + what + ".drat";
+    const Run replayed = run({"replay", formula, refutation});
+    CHECK(replayed.exit_code == 0);
+    CHECK(begins_with(replayed.out, "refuted: " + formula));
+    // Without its clauses the formula is not refuted; a cut file is the input's fault.
+    const std::string weaker = folder.write("weaker.cnf", "p cnf 1000 1\n1 2 0\n");
+    CHECK(run({"replay", weaker, refutation}).exit_code == 1);
+    const std::string text = contents(formula);
+    const std::string cut = folder.write("cut.cnf", text.substr(0, text.size() - 3));
+    CHECK(run({"replay", cut, refutation}).exit_code == 3);
+  }
+  CHECK(run({"replay", folder.path("absent.cnf"), folder.path("absent.drat")}).exit_code == 3);
+  CHECK(run({"replay", prefix + "-cdt.cnf"}).exit_code == 2);
+}
+
 TEST_CASE("build cdt: every algorithm writes the same files, and they pass") {
   const ScratchFolder folder;
   const std::string domain = folder.write("cube.poly", cube());

@@ -1,9 +1,9 @@
 #include "oracle/cli/domain_facts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/existence/existence.hpp"
 #include "reference/piecewise_linear/regions.hpp"
 
 namespace circumspect::cli {
@@ -27,13 +27,19 @@ void look_for_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
     return;
   }
   const existence::Limits within{limits.vertices, limits.conflicts};
-  const existence::Existence cdt = existence::any_cdt(complex, regions, within);
+  existence::Existence cdt = existence::any_cdt(complex, regions, within);
   if (std::holds_alternative<existence::Exists>(cdt)) facts.cdt = CdtAnswer::kAnother;
-  if (std::holds_alternative<existence::Impossible>(cdt)) facts.cdt = CdtAnswer::kNone;
   if (facts.cdt == CdtAnswer::kAnother) return;
-  const existence::Existence any = existence::any_triangulation(complex, regions, within);
+  if (auto* impossible = std::get_if<existence::Impossible>(&cdt)) {
+    facts.cdt = CdtAnswer::kNone;
+    facts.no_cdt = std::move(*impossible);
+  }
+  existence::Existence any = existence::any_triangulation(complex, regions, within);
   if (std::holds_alternative<existence::Exists>(any)) facts.triangulation = true;
-  if (std::holds_alternative<existence::Impossible>(any)) facts.triangulation = false;
+  if (auto* impossible = std::get_if<existence::Impossible>(&any)) {
+    facts.triangulation = false;
+    facts.no_triangulation = std::move(*impossible);
+  }
 }
 
 }  // namespace

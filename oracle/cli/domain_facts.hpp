@@ -7,6 +7,7 @@
 
 #include "oracle/cli/domain_input.hpp"
 #include "reference/constrained/edge_protection.hpp"
+#include "reference/existence/existence.hpp"
 #include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
@@ -29,6 +30,9 @@ struct DomainFacts {
   CdtAnswer cdt = CdtAnswer::kUnknown;
   // Is there any triangulation, where there is no CDT? Unknown: not within the limits.
   std::optional<bool> triangulation = {};
+  // Where there is none: the proofs.
+  std::optional<existence::Impossible> no_cdt = {};
+  std::optional<existence::Impossible> no_triangulation = {};
 };
 
 struct SearchLimits {

@@ -6,6 +6,7 @@
 
 #include "oracle/cli/breach_text.hpp"
 #include "oracle/cli/domain_facts.hpp"
+#include "oracle/cli/refutation_files.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -196,6 +197,11 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->option_text("N");
   command
+      .add_option("--refutations", options.refutations,
+                  "Where there is no CDT or no triangulation, write the proofs: PREFIX-cdt.cnf and "
+                  ".drat, PREFIX-triangulation.cnf and .drat, for `replay`")
+      ->option_text("PREFIX");
+  command
       .add_option("--search-conflicts", options.limits.conflicts,
                   "Give the search up after N conflicts (default 1000000; 0: never)")
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
@@ -215,6 +221,10 @@ void inspect_domain(const std::string& path, const InputOptions& input,
   }
   const DomainFacts facts = facts_of(*loaded, options.limits);
   if (facts.cdt == CdtAnswer::kUnknown) output.exit_with(ExitCode::kUndecided);
+  if (!options.refutations.empty()) {
+    const std::string error = write_refutations(options.refutations, loaded->domain, facts);
+    if (!error.empty()) output.error(ExitCode::kInputFault, "file", options.refutations, error);
+  }
   output.text(text(*loaded, facts, options.all_segments));
   if (output.wants_json()) output.json(json(*loaded, facts));
 }

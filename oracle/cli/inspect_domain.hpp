@@ -17,9 +17,11 @@ struct DomainInspection {
   std::optional<DomainKind> kind = {};
   bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
   SearchLimits limits = {};
+  std::string refutations = {};  // where proofs go that there is no triangulation; empty: nowhere
 };
 
-// --domain, --domain-kind, --all-segments, --search-vertices, --search-conflicts.
+// --domain, --domain-kind, --all-segments, --search-vertices, --search-conflicts,
+// --refutations.
 void add_domain_inspection_options(CLI::App& command, DomainInspection& options);
 
 void inspect_domain(const std::string& path, const InputOptions& input,

@@ -8,15 +8,17 @@
 #include "oracle/cli/exit_code.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "reference/exact/write_number.hpp"
+#include "reference/existence/solver.hpp"
 
 namespace {
 
 using circumspect::cli::ExitCode;
 
 std::string version() {
-  return fmt::format("circumspect {} ({}, {{fmt}} {}.{}.{}, CLI11 {})", CIRCUMSPECT_VERSION,
-                     circumspect::number_libraries(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                     FMT_VERSION % 100, CLI11_VERSION);
+  return fmt::format("circumspect {} ({}, {}, {{fmt}} {}.{}.{}, CLI11 {})", CIRCUMSPECT_VERSION,
+                     circumspect::number_libraries(), circumspect::existence::solver_version(),
+                     FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
+                     CLI11_VERSION);
 }
 
 ExitCode run(int argc, char** argv) {
@@ -30,6 +32,7 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_check(app, exit_code);
   circumspect::cli::add_build(app, exit_code);
   circumspect::cli::add_inspect(app, exit_code);
+  circumspect::cli::add_replay(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -12,6 +12,7 @@ namespace circumspect::cli {
 void add_check(CLI::App& app, ExitCode& exit_code);
 void add_build(CLI::App& app, ExitCode& exit_code);
 void add_inspect(CLI::App& app, ExitCode& exit_code);
+void add_replay(CLI::App& app, ExitCode& exit_code);
 
 // Subcommands of build.
 void add_build_subdivision(CLI::App& build, ExitCode& exit_code);

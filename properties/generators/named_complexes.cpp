@@ -32,6 +32,22 @@ PiecewiseLinearInput schonhardt() {
   return input;
 }
 
+PiecewiseLinearInput prism_on_a_sphere(bool with_floor) {
+  PiecewiseLinearInput input;
+  // Integer points at distance 65 from the origin.
+  input.points = {{65, 0, 0},    {-33, 56, 0},  {-33, -56, 0}, {24, 7, 60},
+                  {-20, 15, 60}, {-7, -24, 60}, {0, 0, -65}};
+  input.polygons = {{{{3, 4, 5}}, {}}};
+  for (Vertex i = 0; i < 3; ++i) {
+    const Vertex next = (i + 1) % 3;
+    input.polygons.push_back({{{i, next, next + 3}}, {}});
+    input.polygons.push_back({{{i, next + 3, i + 3}}, {}});
+    input.polygons.push_back({{{i, next, 6}}, {}});
+  }
+  if (with_floor) input.polygons.push_back({{{0, 1, 2}}, {}});
+  return input;
+}
+
 PiecewiseLinearInput cube_with_three_segments(int without) {
   PiecewiseLinearInput input = box(0, 4);
   for (int axis = 0; axis < 3; ++axis) {

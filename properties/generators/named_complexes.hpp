@@ -13,6 +13,12 @@ PiecewiseLinearInput box(const Rational& low, const Rational& high);
 // edges 0 4, 1 5, 2 3 are reflex. No triangulation. Book: Figure 4.10.
 PiecewiseLinearInput schonhardt();
 
+// A twisted prism like Schönhardt's, with an apex 6 below its floor 0 1 2 which is open, so that the
+// apex sees all of it; all seven vertices on a sphere. Every triangulation of it is a CDT. With the
+// floor for another polygon (`with_floor`), Schönhardt's prism is closed and there is no triangulation.
+// Book: Exercise 5 of Chapter 5.
+PiecewiseLinearInput prism_on_a_sphere(bool with_floor);
+
 // A cube of side 4 with three segments inside that pass each other at distance 1/2, one along each axis,
 // their ends isolated vertices in the faces. No triangulation; one if a segment is left out
 // (`without` names it: 0, 1 or 2). Book: Figure 4.12.

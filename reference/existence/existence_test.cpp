@@ -63,6 +63,12 @@ TEST_CASE("existence: an encircled segment has one triangulation, which is no CD
   CHECK(tetrahedra(cdt_of(without)) == 2);
 }
 
+// Book: Exercise 5 of Chapter 5.
+TEST_CASE("existence: a complex with a CDT, and none once a polygon has been inserted") {
+  CHECK(tetrahedra(cdt_of(generators::prism_on_a_sphere(false))) == 7);
+  CHECK(is_impossible(triangulation_of(generators::prism_on_a_sphere(true))));
+}
+
 TEST_CASE("existence: a cube, hollow or with a cube inside, and as a hull") {
   CHECK(tetrahedra(cdt_of(generators::box(0, 1))) >= 5);
   auto boxes = generators::both(generators::box(0, 9), generators::box(3, 6));

@@ -125,9 +125,6 @@ void skip_spaces(std::string_view& rest) {
   rest.remove_prefix(std::min(rest.find_first_not_of(" \r"), rest.size()));
 }
 
-// A variable that no clause names only wastes memory; a proof that names a huge one is malformed.
-constexpr Literal kLargestVariable = 50'000'000;
-
 bool read_step(std::string_view line, ProofStep& step) {
   skip_spaces(line);
   if (line.starts_with("d ")) {

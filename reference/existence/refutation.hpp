@@ -21,7 +21,10 @@ struct ProofStep {
 };
 using Refutation = std::vector<ProofStep>;
 
-// A line of a proof file that is not one, counted from 1, and what was expected there.
+// A variable that no clause names only wastes memory: a file that names a larger one is malformed.
+inline constexpr Literal kLargestVariable = 50'000'000;
+
+// A line of a file that is not one of the format, counted from 1, and what was expected there.
 struct MalformedProof {
   std::size_t line;
   std::string expected;

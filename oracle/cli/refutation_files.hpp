@@ -1,0 +1,16 @@
+// Proofs that a domain has no triangulation, as files.
+#pragma once
+
+#include <string>
+
+#include "oracle/cli/domain_facts.hpp"
+
+namespace circumspect::cli {
+
+// Writes PREFIX-cdt.cnf and .drat if it is proved that there is no CDT, and PREFIX-triangulation.cnf
+// and .drat if there is no triangulation at all. A formula says in comments which tetrahedron each
+// variable is. Returns an error message, or an empty string.
+std::string write_refutations(const std::string& prefix, const Domain& domain,
+                              const DomainFacts& facts);
+
+}  // namespace circumspect::cli
