@@ -53,6 +53,13 @@ def schonhardt():
     return points, [(0, 1, 2), (3, 4, 5), *sides]
 
 
+def prism_on_a_sphere():
+    """A twisted prism with an apex below its open floor, all at distance 65 from the origin."""
+    points = [(65, 0, 0), (-33, 56, 0), (-33, -56, 0), (24, 7, 60), (-20, 15, 60), (-7, -24, 60), (0, 0, -65)]
+    sides = [t for i in range(3) for j in [(i + 1) % 3] for t in [(i, j, j + 3), (i, j + 3, i + 3), (i, j, 6)]]
+    return points, [(3, 4, 5), *sides]
+
+
 def chazelle(notches, places=None):
     """Wedges cut out of a box from below and from above; their edges lie on z = xy and just above it.
 
@@ -148,6 +155,11 @@ def space():
     centred = schonhardt()
     yield Domain("schonhardt-with-centre", "the same with a vertex in its middle: eight tetrahedra",
                  centred[0] + [(0, 0, 5)], facets(centred[1]) + [([(6,)], [])], rooms=[])
+    cap = prism_on_a_sphere()
+    yield Domain("exercise-5-5-open", "a twisted prism with an apex below, on a sphere: every triangulation is a CDT",
+                 *parts(cap), rooms=[])
+    yield Domain("exercise-5-5-closed", "the same with one polygon more, the prism's floor: no triangulation", cap[0],
+                 facets([*cap[1], (0, 1, 2)]), rooms=[])
     for notches in (1, 2, 3):
         yield Domain(f"figure-4-13-chazelle-{notches}", f"Chazelle's polyhedron with {notches} + {notches} notches",
                      *parts(chazelle(notches)))
