@@ -34,10 +34,20 @@ function(circumspect_layer name folder)
   target_link_libraries(circumspect_${name} ${visibility}
                         circumspect_settings ${ARG_DEPENDS} ${ARG_LINKS})
 
+  if(folder MATCHES "^properties/")
+    circumspect_compile_quickly(circumspect_${name})
+  endif()
+
   set(test_links circumspect_${name} ${ARG_TEST_DEPENDS})
   circumspect_test(${name}_test LABEL unit SOURCES ${tests} LINKS ${test_links})
   circumspect_test(${name}_cgal_test LABEL unit SOURCES ${cgal_tests}
                    LINKS ${test_links} CGAL::CGAL)
+endfunction()
+
+# Code full of other people's templates takes the compiler most of its time to optimize, and the
+# sanitizers learn nothing from it: what they are to look at are the layers, which stay optimized.
+function(circumspect_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
 endfunction()
 
 # circumspect_test(TARGET LABEL label SOURCES file... LINKS target... [DEFINES definition...])
@@ -53,6 +63,7 @@ function(circumspect_test target)
                           PUBLIC circumspect_settings doctest::doctest rapidcheck)
   endif()
   add_executable(${target} ${ARG_SOURCES})
+  circumspect_compile_quickly(${target})
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} circumspect_test_main)
   target_compile_definitions(${target} PRIVATE
     CIRCUMSPECT_CORPUS_DIR="${PROJECT_SOURCE_DIR}/corpus" ${ARG_DEFINES})

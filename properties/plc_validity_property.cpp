@@ -285,7 +285,7 @@ TEST_CASE("PLC validity in the plane agrees with pairwise intersections (Definit
     if (*below(2) == 1) input.hole_seeds = grid_points(2, 4, 1);
     agree(input, valid);
   }));
-  CHECK(valid > 50);
+  CHECK(occurs(valid, 51));
   CHECK(valid < 350);
 }
 
@@ -310,7 +310,7 @@ TEST_CASE("PLC validity in space agrees with pairwise intersections (Definition 
       if (*below(4) == 0) input.hole_seeds = grid_points(3, side, 1);
       agree(input, valid);
     }));
-    CHECK(valid > 100);
+    CHECK(occurs(valid, 101));
     CHECK(valid < 900);
   }
 }
@@ -338,8 +338,8 @@ TEST_CASE("PLC validity about two squares agrees with pairwise intersections") {
     if (!complex && complex.error().front().kind == BreachKind::kPolygonsCross) ++crossing;
     agree(input, valid);
   }));
-  CHECK(valid > 50);
-  CHECK(crossing > 50);
+  CHECK(occurs(valid, 51));
+  CHECK(occurs(crossing, 51));
 }
 
 // Anything: indices that name nothing, lines that go to and fro, seeds anywhere.

@@ -17,16 +17,15 @@ README = ROOT / "README.md"
 RULES = ROOT / "oracle" / "rule.cpp"
 
 
-def output_of(command, line):
-    """What the command prints, stdout and stderr, run at the root; files it writes go elsewhere."""
+def output_of(command, line, folder):
+    """What the command prints, stdout and stderr, run at the root; files it writes are in the folder."""
     words = shlex.split(line)[1:]
-    with tempfile.TemporaryDirectory() as folder:
-        words = [f"{folder}/{word}" if word == "reference.ele" else word for word in words]
-        run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)
-        return (run.stdout + run.stderr).replace(f"{folder}/", "").splitlines()
+    words = [f"{folder}/{word}" if word.startswith(("reference", "proof")) else word for word in words]
+    run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)
+    return (run.stdout + run.stderr).replace(f"{folder}/", "").splitlines()
 
 
-def with_outputs(command, text):
+def with_outputs(command, text, folder):
     """The text, with the lines behind each `$ circumspect …` replaced by what it prints."""
     lines = []
     in_block = shown = False
@@ -34,7 +33,7 @@ def with_outputs(command, text):
         if line.startswith("```"):
             in_block, shown = not in_block, False
         elif in_block and line.startswith("$ circumspect "):
-            lines += [line, *output_of(command, line[2:])]
+            lines += [line, *output_of(command, line[2:], folder)]
             shown = True
             continue
         elif shown:
@@ -67,7 +66,8 @@ def with_rule_table(text):
 def main():
     command = str(pathlib.Path(sys.argv[1]).resolve())
     text = README.read_text(encoding="utf-8")
-    true_text = with_rule_table(with_outputs(command, text))
+    with tempfile.TemporaryDirectory() as folder:
+        true_text = with_rule_table(with_outputs(command, text, folder))
     if "--update" in sys.argv[2:]:
         README.write_text(true_text, encoding="utf-8")
         return 0
