@@ -62,7 +62,7 @@ TEST_CASE("lemma and definition agree on altered meshes, valid or not") {
     }));
     // The property says nothing unless both answers come up.
     CHECK(occurs(triangulations));
-    if (d > 1) CHECK(triangulations > delaunay_ones);
+    if (d > 1) CHECK(occurs(triangulations - delaunay_ones));
   }
 }
 
