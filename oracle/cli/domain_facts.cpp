@@ -26,7 +26,7 @@ void look_for_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
     facts.cdt = CdtAnswer::kCanonical;
     return;
   }
-  const existence::Limits within{limits.vertices, limits.conflicts};
+  const existence::Limits within{.vertices = limits.vertices, .conflicts = limits.conflicts};
   existence::Existence cdt = existence::any_cdt(complex, regions, within);
   if (std::holds_alternative<existence::Exists>(cdt)) facts.cdt = CdtAnswer::kAnother;
   if (facts.cdt == CdtAnswer::kAnother) return;

@@ -15,6 +15,9 @@ Existence decide(const PiecewiseLinearComplex& complex, const Regions& regions,
     return Unknown{"more than " + std::to_string(limits.vertices) + " vertices"};
   }
   std::vector<Simplex> candidates = candidates_of(complex, regions);
+  if (candidates.size() > limits.candidates) {
+    return Unknown{"more than " + std::to_string(limits.candidates) + " candidates"};
+  }
   Formula formula = matching_formula(complex, regions, candidates);
   auto answer = solve(formula, limits.conflicts);
   if (const auto* satisfied = std::get_if<Satisfied>(&answer)) {

@@ -34,7 +34,9 @@ using Existence = std::variant<Exists, Impossible, Unknown>;
 
 struct Limits {
   std::size_t vertices = 60;  // of the complex; candidates grow with their fourth power
-  int conflicts = 1'000'000;  // of the solver; 0: none
+  int conflicts = 1'000'000;  // of the solver; 0: as many as it takes
+  // Tetrahedra that respect the complex: the clauses about them must fit into memory.
+  std::size_t candidates = 20'000;
 };
 
 // Is there any triangulation (Definition 4.4) of the polyhedra of the complex?

@@ -93,6 +93,7 @@ TEST_CASE("existence: Chazelle's polyhedron") {
 TEST_CASE("existence: a limit is an answer, not a guess") {
   const auto complex = assemble(generators::box(0, 1));
   CHECK(std::holds_alternative<Unknown>(any_triangulation(complex, Regions(complex), {7, 0})));
+  CHECK(std::holds_alternative<Unknown>(any_cdt(complex, Regions(complex), {60, 0, 10})));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ class Matching {
   // Exactly one of the tetrahedra that reach a generic point of a facet from its side.
   void cover(const SidedFacet& facet) {
     for (long weight = 1;; ++weight) {
-      // Points along a curve in the facet, of which a line meets at most two.
+      // Points along a curve in the facet, of which a line meets at most three.
       const Rational a = Rational(1, 3 + weight), b = Rational(1, 3 + weight * weight);
       const Point point = a * complex_.points[facet.facet[0]] +
                           b * complex_.points[facet.facet[1]] +

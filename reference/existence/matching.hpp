@@ -7,7 +7,7 @@
 namespace circumspect::existence {
 
 // Variable i + 1 says that tetrahedron i is chosen. The formula is true iff the chosen ones are a
-// triangulation of the complex. Its clauses:
+// triangulation of the polyhedra of the complex (Definition 4.4). Its clauses:
 //  1. Of the tetrahedra on one side of a facet, at most one is chosen.
 //  2. A chosen tetrahedron has a chosen one across each of its facets that has some of the domain on
 //     its other side.

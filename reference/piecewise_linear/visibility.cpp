@@ -156,7 +156,7 @@ class Visibility {
   }
 
   // Does anything occlude v from x, and if so, an open set of directions? Then they are taken away.
-  // Walls in a plane with x and v need no look, for segments bound polygons.
+  // A wall in a plane with x and v hides few directions, those of its corners; segments bound polygons.
   enum class Occlusion { kNone, kFewDirections, kOpen };
   Occlusion occlude(SightCone& cone, const Simplex& face, const Point& x) const {
     const std::vector<Point> sight = {x, points()[v_]};
@@ -206,11 +206,12 @@ class Visibility {
     return orientation(points().configuration(), kSpace, Simplex{edge[0], edge[1], v_, w});
   }
 
-  // What the plane through v and an edge cuts out of a triangle that is not in it: at most two
-  // ends.
+  // What the plane through v and an edge cuts out of a triangle: at most two ends. Nothing of a
+  // triangle that lies in the plane: what it hides there, its segments hide.
   std::vector<Point> section_of(const Simplex& wall, const Simplex& edge) const {
     std::vector<int> sides;
     for (const Vertex w : wall) sides.push_back(side(edge, w));
+    if (sides == std::vector<int>{0, 0, 0}) return {};
     std::vector<Point> ends;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;

@@ -168,5 +168,18 @@ TEST_CASE("visibility in the plane: segments occlude, slits, holes, both kinds")
   CHECK(seen_from(bent, {2, 3}) == std::vector<Vertex>{0, 1, 4});
 }
 
+// A line of sight that passes a corner of a triangle of the polygon that it lies in is not closed off
+// by that triangle.
+TEST_CASE("visibility: within a dangling polygon, past a vertex inside it") {
+  PiecewiseLinearInput input;
+  input.points = {{1, -5, 0}, {2, 0, 0}, {3, -5, 0}, {1, 5, 0}, {3, 5, 0},
+                  {4, -1, 0}, {4, 1, 0}, {6, 0, 0},  {0, 0, 0}};
+  input.polygons = {{{{8, 0, 2, 7, 4, 3}, {1}, {5}, {6}}, {}}};
+  const auto complex = assemble(input);
+  const Regions regions(complex);
+  REQUIRE(respects(complex, regions, {5, 6, 7}));
+  CHECK(is_visible(complex, regions, 8, {5, 6, 7}));
+}
+
 }  // namespace
 }  // namespace circumspect

@@ -34,8 +34,7 @@ struct WallSides {
 // D_1, D_2, …; the boundary of one is connected, for the sphere is unicoherent: if two connected
 // closed sets D_i and the closure of the rest cover it, they meet in a connected set. So all sides
 // that face U from one D_i are joined by walking along the surface: by step 1 and, at corners, step
-// 2. Every D_i that U has a wall in common with contains with one wall all that is connected to it,
-//    so
+// 2. Every D_i that U has a wall in common with contains with one wall all that is connected to it, so
 // the path visits every D_i. Between its stay in one D_i and the next in D_j it goes through U
 // alone, and the last wall it has left and the next one it meets join the sides of D_i with those
 // of D_j. As it visits all of them, all are joined.
