@@ -1,5 +1,6 @@
 // circumspect build planar-cdt|cdt|steiner-cdt|conforming-delaunay INPUT
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -104,6 +105,12 @@ void build(const ConstrainedOptions& options, Output& output) {
     return;
   }
   if (!options.output_file.empty()) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.output_file, options.input_file, ignored)) {
+      output.error(ExitCode::kUsage, "domain", options.input_file,
+                   "expected another name for the mesh, found that of the domain");
+      return;
+    }
     if (writes_to(options.output_file, loaded->file.points_name)) {
       output.error(ExitCode::kUsage, "domain", options.input_file,
                    "expected another name for the mesh, found one whose points would replace " +

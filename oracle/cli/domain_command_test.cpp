@@ -278,6 +278,8 @@ TEST_CASE("build: the points of the input are not replaced") {
   CHECK(result.exit_code == 2);
   CHECK(contents(folder.path("t.node")) == kFour);
   CHECK(run({"build", "cdt", domain, "-o", folder.path("t.1.ele")}).exit_code == 0);
+  CHECK(run({"build", "cdt", domain, "-o", domain}).exit_code == 2);
+  CHECK(contents(domain) == "0 3\n" + kFourFacets);
   CHECK(run({"build", "cdt", domain}).exit_code == 2);
 }
 
