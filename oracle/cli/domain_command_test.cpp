@@ -211,6 +211,7 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
     CHECK(run({"replay", cut, refutation}).exit_code == 3);
   }
   CHECK(run({"replay", folder.path("absent.cnf"), folder.path("absent.drat")}).exit_code == 3);
+  CHECK(run({"replay", prefix + "-cdt.cnf", folder.path("")}).exit_code == 3);
   CHECK(run({"replay", prefix + "-cdt.cnf"}).exit_code == 2);
 }
 

@@ -1,4 +1,5 @@
 // circumspect replay FORMULA REFUTATION
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -22,9 +23,12 @@ struct ReplayOptions {
 
 std::optional<std::string> contents(const std::string& path, Output& output) {
   std::ostringstream text;
+  // A directory can be opened, and reads as if it were empty.
+  std::error_code ignored;
+  const bool is_directory = std::filesystem::is_directory(path, ignored);
   std::ifstream file(path, std::ios::binary);
   if (file) text << file.rdbuf();
-  if (!file) {
+  if (is_directory || !file) {
     output.error(ExitCode::kInputFault, "file", path, path + ": expected a file that can be read");
     return std::nullopt;
   }
