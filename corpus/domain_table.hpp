@@ -61,8 +61,9 @@ inline std::vector<DomainRow> domain_rows() {
   return rows;
 }
 
-// What the command makes of a file. Without a kind, a domain is enclosed if it encloses anything.
-// Throws if the file holds no valid complex.
+// What the command makes of a file. Without a kind, a domain is enclosed if it encloses anything, and
+// its convex hull if it has no walls. Throws if the file holds no valid complex, or one whose kind has
+// to be said.
 inline Domain domain_of(const std::string& path, std::optional<DomainKind> kind = {}) {
   const auto file = formats::read_domain(path, NumberReading::kDouble);
   if (!file) throw std::runtime_error(file.error().to_string());
@@ -71,6 +72,9 @@ inline Domain domain_of(const std::string& path, std::optional<DomainKind> kind 
     throw std::runtime_error(path + ": " + std::string(identifier(complex.error().front().kind)));
   }
   const bool encloses = Regions(*complex).size() > 1;
+  if (!kind && !encloses && !walls(*complex).empty()) {
+    throw std::runtime_error(path + ": expected a kind for walls that enclose nothing");
+  }
   complex->kind = kind.value_or(encloses ? DomainKind::kEnclosed : DomainKind::kHull);
   return {std::move(*complex), file->labels, file->first_index};
 }

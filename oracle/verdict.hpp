@@ -52,6 +52,12 @@ struct SteinerPoints {
   std::size_t count() const { return on_segments + in_polygons + in_polyhedra; }
 };
 
+// The vertices that a mesh has beyond those of the domain: how many, and the first ones.
+struct ExtraVertices {
+  std::size_t count = 0;
+  std::vector<Vertex> first = {};  // ascending
+};
+
 class Verdict {
  public:
   Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations);
@@ -60,6 +66,8 @@ class Verdict {
   void add(Rule rule, const Witness& witness, const std::optional<Rational>& margin = std::nullopt);
   // Does the next violation have room? A checker need not work out a witness that is dropped.
   bool keeps_more() const { return max_violations_ == 0 || violations_.size() < max_violations_; }
+  // How many violations are kept; 0: all.
+  std::size_t max_violations() const { return max_violations_; }
   // Counts a violation without a witness.
   void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
 
@@ -75,7 +83,9 @@ class Verdict {
   std::optional<bool> canonical = {};
 
   // For a claim about a domain: the vertices that the mesh has beyond those of the domain.
+  // Which (as many as there is room for violations) is known sooner than where they lie.
   std::optional<SteinerPoints> steiner_points = {};
+  std::optional<ExtraVertices> extra_vertices = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;

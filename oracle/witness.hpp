@@ -16,6 +16,13 @@ struct NamedValue {
   Rational value;
 };
 
+// The vertex of a mesh that is nearest to where one was expected: far below the size of the mesh, the
+// distance tells rounding from a fault.
+struct NearestVertex {
+  Vertex vertex;
+  Rational squared_distance;
+};
+
 // Simplices and vertices are named by indices from 0 (see Mesh::label for the user's own). Which
 // fields are set depends on the rule; report/ puts them into words.
 struct Witness {
@@ -29,6 +36,7 @@ struct Witness {
   // by its place in the domain's list.
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
+  std::optional<NearestVertex> nearest = {};  // to what is missing of the domain
 };
 
 }  // namespace circumspect

@@ -7,7 +7,7 @@
 
 #include "properties/constrained_delaunay.hpp"
 #include "properties/generators/complexes.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"

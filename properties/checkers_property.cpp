@@ -6,8 +6,8 @@
 
 #include "oracle/check/check.hpp"
 #include "properties/generators/point_sets.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/mutations/mutations.hpp"
-#include "properties/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::properties {

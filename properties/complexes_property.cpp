@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/complexes.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/constrained/edge_protection.hpp"

@@ -6,9 +6,9 @@
 
 #include "properties/constrained_delaunay.hpp"
 #include "properties/generators/complexes.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/plc_triangulations.hpp"
 #include "properties/polygon_triangulations.hpp"
-#include "properties/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"

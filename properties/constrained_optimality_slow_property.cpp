@@ -6,8 +6,8 @@
 
 #include "properties/constrained_delaunay.hpp"
 #include "properties/generators/complexes.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/plc_triangulations.hpp"
-#include "properties/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/existence/candidates.hpp"
 #include "reference/optimality/interpolation.hpp"

@@ -8,7 +8,7 @@
 #include "oracle/check/check.hpp"
 #include "properties/every_construction.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 
 namespace circumspect::properties {
 namespace {

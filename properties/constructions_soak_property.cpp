@@ -6,7 +6,7 @@
 
 #include "properties/every_construction.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "oracle/check/check.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"

@@ -7,8 +7,8 @@
 
 #include "oracle/check/check.hpp"
 #include "properties/generators/point_sets.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "properties/triangulations/random_flips.hpp"
 #include "reference/complex/subsets.hpp"
 #include "reference/delaunay/by_definition.hpp"

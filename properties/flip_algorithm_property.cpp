@@ -8,7 +8,7 @@
 #include "oracle/check/check.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/triangulations/random_flips.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"

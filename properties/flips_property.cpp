@@ -6,7 +6,7 @@
 
 #include "oracle/check/check.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/triangulations/random_flips.hpp"
 #include "reference/complex/subsets.hpp"
 #include "reference/delaunay/flip_tetrahedra.hpp"

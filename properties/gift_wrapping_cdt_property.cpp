@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/complexes.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/complex/proper_intersection.hpp"
 #include "reference/complex/subsets.hpp"

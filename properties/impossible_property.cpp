@@ -9,8 +9,8 @@
 
 #include "properties/generators/complexes.hpp"
 #include "properties/generators/named_complexes.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"

@@ -7,7 +7,7 @@
 
 #include "properties/generators/laws.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/conflict_graph.hpp"

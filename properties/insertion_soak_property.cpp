@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 

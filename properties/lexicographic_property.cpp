@@ -8,7 +8,7 @@
 #include "oracle/check/check.hpp"
 #include "properties/generators/any_case.hpp"
 #include "properties/generators/laws.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/lexicographic.hpp"

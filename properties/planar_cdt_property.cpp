@@ -5,8 +5,8 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/complexes.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "reference/complex/circumball.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/complex/triangulation.hpp"

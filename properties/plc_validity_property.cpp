@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/piecewise_linear/lines.hpp"
 #include "reference/piecewise_linear/validity.hpp"

@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/complexes.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"

@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/piecewise_linear/incidence.hpp"
 #include "reference/piecewise_linear/triangulate_by_sweep.hpp"

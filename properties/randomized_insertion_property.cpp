@@ -10,7 +10,7 @@
 
 #include "properties/generators/laws.hpp"
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/subsets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/genericity.hpp"

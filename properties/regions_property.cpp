@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/facets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/piecewise_linear/disjoint_sets.hpp"

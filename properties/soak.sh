@@ -10,8 +10,9 @@
 # test of the one before has been started. When the time is up, the tests that are running are
 # stopped and count as cut off, neither passed nor failed; their cases so far count as cases.
 #
-# A property may insist that some kind of input occurs (`occurs` in run.hpp). That is a fact about the
-# fixed inputs of `make test`; CIRCUMSPECT_SOAK in the environment takes the question back.
+# A property may insist that some kind of input occurs (`occurs` in generators/run.hpp). That is a
+# fact about the fixed inputs of `make test`; CIRCUMSPECT_SOAK in the environment takes the question
+# back.
 #
 # Exit 0: the time is up and nothing failed. Exit 1: something failed; its output, its seed and the
 # command that repeats it are printed. Exit 2: wrong usage, nothing to run.

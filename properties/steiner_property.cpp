@@ -8,7 +8,7 @@
 
 #include "properties/constrained_delaunay.hpp"
 #include "properties/generators/complexes.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/subsets.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"

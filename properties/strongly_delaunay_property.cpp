@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/proper_intersection.hpp"
 #include "reference/complex/subsets.hpp"
 #include "reference/delaunay/genericity.hpp"

@@ -7,8 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/any_case.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"

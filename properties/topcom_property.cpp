@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "properties/generators/point_sets.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/flip_graph.hpp"

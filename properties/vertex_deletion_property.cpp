@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/any_case.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"

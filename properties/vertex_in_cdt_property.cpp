@@ -1,13 +1,13 @@
-// C9: a vertex is inserted into a CDT, or it is said why not and nothing has changed; deletion undoes
-// insertion, of vertices and of polygons. Book: Sections 5.6 and 5.7.
+// C9: a vertex is inserted into a CDT, or it is said why not and nothing has changed; deletion
+// undoes insertion, of vertices and of polygons. Book: Sections 5.6 and 5.7.
 #include <algorithm>
 #include <map>
 
 #include <doctest/doctest.h>
 
 #include "properties/generators/complexes.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "properties/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/carve.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
@@ -21,7 +21,7 @@ namespace circumspect::properties {
 namespace {
 
 using constrained::EvolvingCdt;
-using constrained::Obstacle;
+using constrained::WhyNoChange;
 using generators::ComplexCase;
 
 // The mean of two to four of the points: on edges and polygons often, and never an extreme point;
@@ -70,7 +70,7 @@ PiecewiseLinearInput with_point(PiecewiseLinearInput input, const Point& point) 
 }
 
 TEST_CASE("C9 a vertex is inserted iff that leaves a CDT, and deletion undoes it (Section 5.7)") {
-  std::map<Obstacle, std::size_t> refused;
+  std::map<WhyNoChange, std::size_t> refused;
   std::size_t inserted = 0, in_polygon = 0, in_segment = 0;
   CHECK(holds("vertex insertion", 300, [&] {
     ComplexCase base = *protected_polygons(generators::any_point_set(3, 12));
@@ -88,7 +88,7 @@ TEST_CASE("C9 a vertex is inserted iff that leaves a CDT, and deletion undoes it
     RC_ASSERT(!wrong == wrapped.has_value());
     if (wrong) {
       RC_ASSERT(cdt == before);
-      ++refused[wrong->obstacle];
+      ++refused[wrong->why];
       return;
     }
     RC_ASSERT(constrained::carve(larger, cdt) == *wrapped);
@@ -104,11 +104,11 @@ TEST_CASE("C9 a vertex is inserted iff that leaves a CDT, and deletion undoes it
   CHECK(occurs(inserted, 31));
   CHECK(occurs(in_polygon));
   CHECK(occurs(in_segment));
-  // The two signs of the book, one of them for segments and for polygons; and a third: the cavity is
-  // star-shaped and empty, but not all of its new facets are locally Delaunay.
-  CHECK(occurs(refused[Obstacle::kNotStarShaped]));
-  CHECK(occurs(refused[Obstacle::kSegmentInCavity]));
-  CHECK(occurs(refused[Obstacle::kPolygonInCavity]));
+  // The two signs of the book, one of them for segments and for polygons; and a third: the cavity
+  // is star-shaped and empty, but not all of its new facets are locally Delaunay.
+  CHECK(occurs(refused[WhyNoChange::kNotStarShaped]));
+  CHECK(occurs(refused[WhyNoChange::kSegmentInCavity]));
+  CHECK(occurs(refused[WhyNoChange::kPolygonInCavity]));
 }
 
 TEST_CASE("C9 deleting the polygons one by one ends in the Delaunay triangulation (Section 5.6)") {

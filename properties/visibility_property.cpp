@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/complexes.hpp"
-#include "properties/run.hpp"
+#include "properties/generators/run.hpp"
 #include "reference/exact/affine_hull.hpp"
 #include "reference/exact/linear_program.hpp"
 #include "reference/exact/linear_system.hpp"

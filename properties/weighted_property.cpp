@@ -4,8 +4,8 @@
 
 #include "oracle/check/check.hpp"
 #include "properties/generators/point_sets.hpp"
+#include "properties/generators/run.hpp"
 #include "properties/mutations/mutations.hpp"
-#include "properties/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 

@@ -64,7 +64,7 @@ def others():
                  points, facets(polygons), [(*t, 6) for t in polygons],
                  [*TRIANGULATION[1:], ("plc-triangulation", "domain.steiner-forbidden")], centre)
     yield accept("one-triangle-in-space", "a surface and no volume: triangles alone", [(0, 0, 0), (3, 0, 0), (0, 3, 0)],
-                 facets([(0, 1, 2)]), [], DELAUNAY, listed=[(0, 1, 2)])
+                 facets([(0, 1, 2)]), [], DELAUNAY, listed=[(0, 1, 2)], kind="enclosed")
 
 
 def plane():

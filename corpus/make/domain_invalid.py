@@ -33,6 +33,8 @@ def cases():
     yield "plc.polygon-hole-seed", "the seed of a polygon's hole is off its plane", window, framed((2, 2, 1)), []
     yield "plc.polygon-hole-seed--on-line", "the seed lies on the outline of the hole", window, framed((1, 2, 0)), []
     yield "plc.polygon-hole-seed--outside", "the seed lies beyond the polygon", window, framed((9, 9, 0)), []
+    yield ("plc.polygon-hole-seed--beside-hole", "the seed lies beside the hole, in the polygon itself", window,
+           framed((0.5, 2, 0)), [])
     yield ("plc.segment-pierces-polygon", "a segment goes in through a square of a cube", CUBE + [(2, 2, 2), (2, 2, 9)],
            SIDES + facets([(8, 9)]), [])
     yield ("plc.segment-pierces-polygon--lone-triangle", "a triangle that encloses nothing, and a segment through it",

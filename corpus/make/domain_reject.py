@@ -82,6 +82,9 @@ def polygons():
     left, right = [0, 4, 2, 6, 1, 5, 3, 7], [4, 8, 6, 10, 5, 9, 7, 11]
     yield reject("complex.overlap--both-sides-differ", "two rooms: the square between them is cut along one diagonal from the left "
                  "and along the other from the right", two, facets(rooms), five(left) + five(right), "plc-triangulation")
+    yield reject("complex.overlap--hanging-node-2d", "inside a square, a triangle whose edge is two edges, with a vertex between, "
+                 "for its neighbours", RING[:4], RING_LINES[:4], [(0, 1, 2), (0, 3, 4), (2, 3, 4)], "steiner-triangulation",
+                 RING[:4] + [(4, 4)])
     mirrored = [right[i ^ 1] for i in range(8)]
     yield reject("complex.overlap--stray-face", "the two rooms as they should be, and a listed triangle across one of them", two, facets(rooms),
                  five(left) + five(mirrored), "plc-triangulation", listed=[(0, 6, 5), (0, 7, 5)])

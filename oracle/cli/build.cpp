@@ -1,4 +1,5 @@
 // circumspect build WHAT INPUT: one triangulation. What is more than that has files of its own.
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/ele.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lexicographic.hpp"
@@ -72,16 +74,20 @@ Triangulation construct(const BuildOptions& options, const PointSet& points,
 // Writes the files asked for; false if one could not be written.
 bool write_files(const BuildOptions& options, const Mesh& mesh, const Triangulation& triangulation,
                  Output& output) {
+  const auto write_mesh = [&](std::ostream& stream) {
+    if (formats::extension(options.output_file) == ".json") {
+      formats::write_json(stream, json_file(mesh, triangulation));
+    } else {
+      formats::write_ele(stream, simplex_file(mesh, triangulation));
+    }
+  };
   const auto write = [&](const std::string& path, const auto& writer) {
     if (path.empty()) return true;
     const std::string failure = write_file(path, writer);
     if (!failure.empty()) output.error(ExitCode::kUsage, "points", options.points, failure);
     return failure.empty();
   };
-  return write(options.output_file,
-               [&](std::ostream& stream) {
-                 formats::write_ele(stream, simplex_file(mesh, triangulation));
-               }) &&
+  return write(options.output_file, write_mesh) &&
          write(options.neighbors_file, [&](std::ostream& stream) {
            formats::write_neigh(stream, neighbor_file(mesh, triangulation));
          });
@@ -110,9 +116,24 @@ void build_triangulation(const BuildOptions& options, Output& output) {
                           facts(options, mesh, triangulation)));
 }
 
+// What is wrong with the name of the file that is to be written; empty if nothing is.
+std::string output_fault(const BuildOptions& options) {
+  if (options.output_file.empty()) return "";
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.output_file, options.points, ignored)) {
+    return "expected another name for the mesh, found that of its points";
+  }
+  return output_name_fault(options.output_file, {".ele", ".json"});
+}
+
 ExitCode run(const BuildOptions& options) {
   if (options.output_file.empty() && options.output.format == OutputFormat::kText) {
-    fmt::print(stderr, "circumspect: expected -o OUT.ele or --format json, found neither\n");
+    fmt::print(stderr,
+               "circumspect: expected -o OUT.ele, -o OUT.json or --format json, found none\n");
+    return ExitCode::kUsage;
+  }
+  if (const std::string fault = output_fault(options); !fault.empty()) {
+    fmt::print(stderr, "circumspect: {}\n", fault);
     return ExitCode::kUsage;
   }
   const int on_stdout = (options.output_file == "-" ? 1 : 0) +
@@ -183,7 +204,9 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
       what));
   command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
       ->required();
-  command->add_option("-o,--output", options->output_file, "Where to write the .ele file; - stdout")
+  command
+      ->add_option("-o,--output", options->output_file,
+                   "Where to write: an .ele or a .json file; - writes the .ele on stdout")
       ->option_text("OUT.ele");
   command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
       ->option_text("OUT.neigh");
@@ -199,6 +222,13 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
 
 void add_build(CLI::App& app, ExitCode& exit_code) {
   CLI::App* build = app.add_subcommand("build", "Make a reference");
+  build->footer(
+      "Examples:\n"
+      "  circumspect build delaunay points.node -o reference.ele\n"
+      "  circumspect build cdt part.poly -o part.1.ele\n"
+      "  circumspect build cdt --help            # what each of them takes and writes\n\n"
+      "Exit codes: 0 built, 1 there is none (of domains: the reason is printed), 2 usage, 3 the\n"
+      "input is at fault, 4 not found within a limit or by this algorithm, 5 internal error.");
   build->require_subcommand(1);
   add_triangulation(*build, "delaunay",
                     "The canonical Delaunay triangulation of a point set of any dimension",

@@ -70,6 +70,28 @@ TEST_CASE("build: -o - writes the mesh and nothing else") {
   CHECK(run({"build", "delaunay", "-", "-o", "-"}, contents(points)).out == result.out);
 }
 
+TEST_CASE("build: -o x.json writes what --format json prints, but never over the points") {
+  const ScratchFolder folder;
+  const std::string points = folder.write("x.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  const std::string mesh = folder.path("x.json");
+  CHECK(run({"build", "delaunay", points, "-o", mesh}).exit_code == 0);
+  CHECK(contents(mesh) == run({"build", "delaunay", points, "--format", "json"}).out);
+  CHECK(run({"check", mesh}).exit_code == 0);
+  const std::string before = contents(mesh);
+  const Run over = run({"build", "lexicographic", mesh, "-o", mesh});
+  CHECK(over.exit_code == 2);
+  CHECK(has(over.err, "expected another name for the mesh, found that of its points"));
+  CHECK(contents(mesh) == before);
+}
+
+TEST_CASE("build --help has examples, which work, and the exit codes") {
+  const std::string help = run({"build", "--help"}).out;
+  CHECK(has(help, "  circumspect build delaunay points.node -o reference.ele\n"));
+  CHECK(has(help, "  circumspect build cdt part.poly -o part.1.ele\n"));
+  CHECK(has(help, "Exit codes: 0 built, 1 there is none"));
+  CHECK(has(help, "5 internal error."));
+}
+
 TEST_CASE("build: usage errors") {
   const ScratchFolder folder;
   const std::string points = folder.write("x.node", "1 1 0 0\n0 0\n");

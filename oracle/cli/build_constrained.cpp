@@ -12,6 +12,7 @@
 #include "oracle/cli/constrained_constructions.hpp"
 #include "oracle/cli/domain_input.hpp"
 #include "oracle/cli/domain_mesh_output.hpp"
+#include "oracle/cli/mesh_output.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/report/wording.hpp"
@@ -86,13 +87,32 @@ void say_no_mesh(const ConstrainedOptions& options, const NoMesh& none, Output& 
   }
 }
 
+// Writes the files asked for. Returns an error message, or an empty string.
+std::string write(const ConstrainedOptions& options, const std::string& points_name,
+                  const DomainMesh& mesh, Vertex first_index) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.output_file, options.input_file, ignored)) {
+    return "expected another name for the mesh, found that of the domain";
+  }
+  if (writes_to(options.output_file, points_name)) {
+    return "expected another name for the mesh, found one whose points would replace " +
+           points_name;
+  }
+  std::string fault = domain_mesh_fault(options.output_file, mesh);
+  return fault.empty() ? write_domain_mesh(options.output_file, mesh, first_index) : fault;
+}
+
 void build(const ConstrainedOptions& options, Output& output) {
   const auto loaded = load_domain(options.input_file, options.input, options.domain_kind);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
     return;
   }
-  for (const std::string& note : loaded->file.notes) output.text("note: " + note + "\n");
+  for (const std::string& note : loaded->file.notes) {
+    // The JSON document is the mesh alone.
+    if (output.wants_json()) fmt::print(stderr, "note: {}\n", note);
+    output.text("note: " + note + "\n");
+  }
   const Domain& domain = loaded->domain;
   const auto algorithm = algorithm_of(options, domain.complex.ambient_dimension());
   if (!algorithm) {
@@ -105,19 +125,7 @@ void build(const ConstrainedOptions& options, Output& output) {
     return;
   }
   if (!options.output_file.empty()) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(options.output_file, options.input_file, ignored)) {
-      output.error(ExitCode::kUsage, "domain", options.input_file,
-                   "expected another name for the mesh, found that of the domain");
-      return;
-    }
-    if (writes_to(options.output_file, loaded->file.points_name)) {
-      output.error(ExitCode::kUsage, "domain", options.input_file,
-                   "expected another name for the mesh, found one whose points would replace " +
-                       loaded->file.points_name);
-      return;
-    }
-    const std::string failure = write_domain_mesh(options.output_file, *mesh, domain.first_index);
+    const std::string failure = write(options, loaded->file.points_name, *mesh, domain.first_index);
     if (!failure.empty()) {
       output.error(ExitCode::kUsage, "domain", options.input_file, failure);
       return;
@@ -133,7 +141,14 @@ void build(const ConstrainedOptions& options, Output& output) {
 ExitCode run(const ConstrainedOptions& options) {
   const bool to_json = options.output.format == OutputFormat::kJson;
   if (options.output_file.empty() && !to_json) {
-    fmt::print(stderr, "circumspect: expected -o OUT.ele or --format json, found neither\n");
+    fmt::print(stderr,
+               "circumspect: expected -o OUT.ele, -o OUT.mesh, -o OUT.json or --format json, found "
+               "none\n");
+    return ExitCode::kUsage;
+  }
+  const std::string name_fault = output_name_fault(options.output_file, {".ele", ".mesh", ".json"});
+  if (!options.output_file.empty() && !name_fault.empty()) {
+    fmt::print(stderr, "circumspect: {}\n", name_fault);
     return ExitCode::kUsage;
   }
   if (options.output_file == "-" && to_json) {
@@ -148,28 +163,41 @@ ExitCode run(const ConstrainedOptions& options) {
   return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
 }
 
+std::string footer(const std::string& what) {
+  const bool is_planar = what == "planar-cdt";
+  const std::string part = is_planar ? "plan" : "part";
+  const std::string of_polygons =
+      "The mesh of a domain in the plane is its CDT. That of one in space has only the triangles "
+      "of\n"
+      "its polygons and the segments in none of them, which is a CDT of the domain, and for check\n"
+      "one, where nothing is to be filled: all of the domain lies in one plane.\n\n";
+  return fmt::format(
+      "Example:\n"
+      "  circumspect build {0} {1}.poly -o {1}.1.ele\n"
+      "  circumspect check {1}.1.ele --domain {1}.poly --claim {2}\n\n"
+      "{3}"
+      "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the triangles and "
+      "edges\n"
+      "that are faces of nothing; or all in one OUT.mesh or OUT.json. Steiner points come last.\n\n"
+      "Exit codes: 0 built, 1 there is none, and why, 2 usage, 3 the input is at fault, 4 this\n"
+      "algorithm cannot tell, 5 internal error.",
+      what, part, is_planar ? "cdt" : what, is_planar ? of_polygons : "");
+}
+
 void add_one(CLI::App& build, const std::string& what, const std::string& description,
              const std::string& algorithms, ExitCode& exit_code) {
   const auto options = std::make_shared<ConstrainedOptions>();
   options->what = what;
   CLI::App* command = build.add_subcommand(what, description);
-  command->footer(
-      fmt::format("Example:\n"
-                  "  circumspect build {} part.poly -o part.1.ele\n"
-                  "  circumspect check part.1.ele --domain part.poly --claim {}\n\n"
-                  "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the "
-                  "triangles and edges\n"
-                  "that are faces of nothing; or all in one OUT.mesh. Steiner points come last. "
-                  "Exit code 1 says\n"
-                  "that there is none, and why; 4 that this algorithm cannot tell.",
-                  what, what == "planar-cdt" ? "cdt" : what));
+  command->footer(footer(what));
   command
       ->add_option("domain", options->input_file,
                    "The domain: .poly, .smesh, .off, .stl, .ply, .mesh")
       ->required();
   command
       ->add_option("-o,--output", options->output_file,
-                   "Where to write: an .ele or a .mesh file; - writes the .ele on stdout")
+                   "Where to write: an .ele, a .mesh or a .json file; - writes the .ele on stdout, "
+                   "if that is all there is")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command

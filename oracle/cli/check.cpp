@@ -54,13 +54,25 @@ Verdict judge(Claim claim, const Mesh& mesh, const LoadedDomain* domain,
   return check::judge_domain(claim, mesh, domain->domain, options);
 }
 
+// Which part of the plane or of space the mesh is held against.
+std::string domain_line(const LoadedDomain& domain) {
+  const PiecewiseLinearComplex& complex = domain.domain.complex;
+  const std::string_view filled = complex.kind == DomainKind::kHull  ? "the convex hull"
+                                  : complex.ambient_dimension() == 2 ? "what its segments enclose"
+                                                                     : "what its polygons enclose";
+  return fmt::format("domain: {} {}, {}\n", domain.name, word(complex.kind), filled);
+}
+
 void check_one(const std::string& path, const CheckOptions& options, const LoadedDomain* domain,
                Output& output) {
-  const auto loaded = load_mesh(path, options.input);
+  const auto dimension =
+      domain == nullptr ? std::optional<std::size_t>() : domain->domain.complex.ambient_dimension();
+  const auto loaded = load_mesh(path, options.input, dimension);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
+  for (const std::string& note : loaded->notes) output.text("note: " + note + "\n");
   const Mesh& mesh = loaded->mesh;
   if (domain != nullptr && !mesh.points.empty() &&
       mesh.points.ambient_dimension() != domain->domain.complex.ambient_dimension()) {
@@ -76,6 +88,7 @@ void check_one(const std::string& path, const CheckOptions& options, const Loade
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
   const Domain* about = domain == nullptr ? nullptr : &domain->domain;
   if (output.wants_text()) {
+    if (domain != nullptr) output.text(domain_line(*domain));
     output.text(report::explanation(verdict, mesh, about));
     output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
   }
@@ -85,13 +98,15 @@ void check_one(const std::string& path, const CheckOptions& options, const Loade
       result["domain"] = domain->name;
       result["domain_kind"] = word(domain->domain.complex.kind);
       result["notes"] = domain->file.notes;
+      for (const std::string& note : loaded->notes) result["notes"].push_back(note);
     }
     output.json(std::move(result));
   }
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
-  const auto domain = load_domain(*options.domain, options.input, options.domain_kind);
+  const auto domain = load_domain(*options.domain, options.input, options.domain_kind,
+                                  options.check.max_violations);
   if (!domain) {
     output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
     return;

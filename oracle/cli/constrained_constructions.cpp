@@ -1,10 +1,13 @@
 #include "oracle/cli/constrained_constructions.hpp"
 
 #include <cassert>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reference/complex/flat.hpp"
+#include "reference/constrained/carve.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -41,8 +44,6 @@ std::string in_words(const constrained::NoCdt& no_cdt, const Domain& domain) {
                          witness);
     case WhyNoCdt::kSegmentMissing:
       return fmt::format("segment {} is no edge", witness);
-    case WhyNoCdt::kVertexMissing:
-      return fmt::format("vertex {} is no vertex", witness);
   }
   return "";
 }
@@ -66,7 +67,7 @@ tl::expected<DomainMesh, NoMesh> by_polygon_insertion(const Domain& domain,
   if (!wrapped) return wrapped;
   const std::string what = cdt.error().polygon
                                ? "polygon " + domain.polygon_name(*cdt.error().polygon)
-                               : "segment " + labels(domain, cdt.error().obstruction.witness);
+                               : "segment " + labels(domain, cdt.error().cause.witness);
   return tl::unexpected(
       NoMesh{false, what + " could not be inserted; --algorithm gift-wrapping finds the CDT"});
 }
@@ -77,6 +78,13 @@ tl::expected<DomainMesh, NoMesh> planar(const Domain& domain, const std::string&
   return mesh_of(domain, constrained::planar_cdt(domain.complex,
                                                  by_wrapping ? PlanarAlgorithm::kGiftWrapping
                                                              : PlanarAlgorithm::kSegmentInsertion));
+}
+
+// The CDTs of all polygons of a domain in space; segments and vertices in none of them dangle.
+PlcTriangulation of_polygons(const PiecewiseLinearComplex& complex) {
+  std::set<Simplex> faces(complex.segments.begin(), complex.segments.end());
+  for (const Vertex v : all_vertices(complex.points)) faces.insert({v});
+  return constrained::with_dangling(constrained::triangulated_polygons(complex), faces);
 }
 
 std::string on_segment(const Domain& domain, const constrained::PointOnSegment& point) {
@@ -132,7 +140,7 @@ tl::expected<DomainMesh, NoMesh> construct(const DomainConstruction& constructio
   if (domain.complex.ambient_dimension() == 2) return planar(domain, algorithm);
   if (what == "steiner-cdt") return steiner(domain, algorithm);
   if (what == "planar-cdt") {
-    return mesh_of(domain, {constrained::triangulated_polygons(domain.complex), {}});
+    return mesh_of(domain, of_polygons(domain.complex));
   }
   if (algorithm == "polygon-flips") {
     return by_polygon_insertion(domain, constrained::PolygonInsertion::kFlips);

@@ -43,14 +43,17 @@ TEST_CASE("check --domain: the default claim is cdt, or steiner-cdt with more ve
   const Tetrahedron files;
   const Run cdt = run({"check", files.mesh, "--domain", files.domain});
   CHECK(cdt.exit_code == 0);
-  CHECK(begins_with(cdt.out, "holds: cdt " + files.mesh + " 4 points 1 tetrahedra"));
+  CHECK(begins_with(cdt.out, "domain: " + files.domain +
+                                 " enclosed, what its polygons enclose\nholds: cdt " + files.mesh +
+                                 " 4 points 1 tetrahedra"));
   CHECK(cdt.err.empty());
   files.folder.write("s.node", "5 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .125 .125 .125\n");
   const std::string steiner =
       files.folder.write("s.ele", "4 4\n1 1 2 3 5\n2 1 2 4 5\n3 1 3 4 5\n4 2 3 4 5\n");
   const Run result = run({"check", steiner, "--domain", files.domain});
   CHECK(result.exit_code == 0);
-  CHECK(begins_with(result.out, "holds: steiner-cdt " + steiner + " 5 points 4 tetrahedra"));
+  CHECK(begins_with(last_line(result.out),
+                    "holds: steiner-cdt " + steiner + " 5 points 4 tetrahedra"));
   const Run strict = run({"check", steiner, "--domain", files.domain, "--claim", "cdt"});
   CHECK(strict.exit_code == 1);
   CHECK(has(strict.out, "domain.steiner-forbidden"));
@@ -116,7 +119,60 @@ TEST_CASE("a domain at fault: exit code 3, with the line and the exact offset") 
   CHECK(json["results"][0]["breaches"][0]["polygons"][0]["line"] == 13);
 }
 
-TEST_CASE("a domain at fault: duplicates, unless they are merged; nothing enclosed") {
+TEST_CASE("a domain at fault: when breaches are left out, it is said") {
+  // Crossing segments: three with each other make three breaches.
+  const ScratchFolder folder;
+  const std::string domain = folder.write("star.poly",
+                                          "6 2\n1 0 0\n2 4 4\n3 0 4\n4 4 0\n5 0 1\n6 4 2\n3 0\n"
+                                          "1 1 2\n2 3 4\n3 5 6\n0\n");
+  const Run all = run({"inspect", domain});
+  CHECK(all.exit_code == 3);
+  CHECK(!has(all.out, "stopped"));
+  CHECK(has(all.out, " no piecewise linear complex, 3 breaches of which the first is plc."));
+  const auto whole = document(run({"inspect", domain, "--format", "json"}))["results"][0];
+  CHECK(whole["breaches"].size() == 3);
+  CHECK(whole["truncated"] == false);
+  CHECK(run({"inspect", domain, "--max-errors", "0"}).out == all.out);
+  CHECK(run({"inspect", domain, "--max-errors", "3"}).out == all.out);
+  const Run cut = run({"inspect", domain, "--max-errors", "2"});
+  CHECK(has(cut.out, "\n… stopped at 2; --max-errors 0 lists all\ninspected: "));
+  CHECK(has(cut.out, " no piecewise linear complex, more than 2 breaches of which "));
+  const auto part =
+      document(run({"inspect", domain, "--max-errors", "2", "--format", "json"}))["results"][0];
+  CHECK(part["breaches"].size() == 2);
+  CHECK(part["truncated"] == true);
+  const Tetrahedron files;
+  CHECK(has(run({"check", files.mesh, "--domain", domain}).err, " (and 2 more)\n"));
+  const Run checked = run({"check", files.mesh, "--domain", domain, "--max-errors", "1"});
+  CHECK(checked.exit_code == 3);
+  CHECK(is_error_line(checked.err));
+  CHECK(
+      has(checked.err, " (and at least 1 more; `circumspect inspect --max-errors 0` lists all)\n"));
+}
+
+TEST_CASE(
+    "check --domain: what is missing is told with what is nearest, and Steiner points are named") {
+  const Tetrahedron files;
+  files.folder.write("off.node", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1.0000000000000002\n");
+  const std::string off = files.folder.write("off.ele", "1 4\n1 1 2 3 4\n");
+  const Run text = run({"check", off, "--domain", files.domain, "--claim", "steiner-cdt"});
+  CHECK(text.exit_code == 1);
+  CHECK(has(text.out, "  nearest  vertex 4 at (0, 0, 1.0000000000000002), squared distance "));
+  CHECK(has(text.out, ", distance ~ 2.220446049250313e-16\n"));
+  const std::vector<std::string> json = {"check",   off,           "--domain", files.domain,
+                                         "--claim", "steiner-cdt", "--format", "json"};
+  const auto result = document(run(json))["results"][0];
+  const auto nearest = result["violations"][0]["nearest"];
+  CHECK(nearest["vertex"] == 4);
+  CHECK(nearest["distance_decimal"] == "2.220446049250313e-16");
+  CHECK(nearest["squared_distance"]["exact"] == "1/20282409603651670423947251286016");
+  CHECK(result["violations"][0]["coordinates"].contains("4"));
+  CHECK(result["steiner_vertices"]["count"] == 1);
+  CHECK(result["steiner_vertices"]["first"][0]["vertex"] == 4);
+  CHECK(result["steiner_vertices"]["truncated"] == false);
+}
+
+TEST_CASE("a domain at fault: duplicates, unless they are merged") {
   const ScratchFolder folder;
   const std::string twice =
       folder.write("d.smesh",
@@ -129,13 +185,6 @@ TEST_CASE("a domain at fault: duplicates, unless they are merged; nothing enclos
   CHECK_MESSAGE(merge.exit_code == 0, (merge.out + merge.err));
   CHECK(has(merge.out, "note: " + twice + ": 1 points merged with equal ones\n"));
   CHECK(has(merge.out, " 4 vertices 6 segments 4 polygons 1 polyhedra enclosed "));
-  const std::string open = folder.write("o.smesh", kFour + "1 0\n3 1 2 3\n0\n");
-  const Run enclosed = run({"inspect", open, "--domain-kind", "enclosed"});
-  CHECK(enclosed.exit_code == 3);
-  CHECK(is_error_line(enclosed.err));
-  const Run hull = run({"inspect", open});
-  CHECK(hull.exit_code == 0);
-  CHECK(has(hull.out, " 0 polyhedra hull "));
 }
 
 TEST_CASE("inspect: what a domain is made of, and its canonical CDT") {
@@ -208,10 +257,20 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
     CHECK(run({"replay", weaker, refutation}).exit_code == 1);
     const std::string text = contents(formula);
     const std::string cut = folder.write("cut.cnf", text.substr(0, text.size() - 3));
-    CHECK(run({"replay", cut, refutation}).exit_code == 3);
+    const Run malformed = run({"replay", cut, refutation});
+    CHECK(malformed.exit_code == 3);
+    CHECK(begins_with(malformed.err, "circumspect: " + cut + ":"));
+    CHECK(has(malformed.err, ": expected a 0 at the end of the clause, found the end of the file"));
   }
-  CHECK(run({"replay", folder.path("absent.cnf"), folder.path("absent.drat")}).exit_code == 3);
+  const Run absent = run({"replay", folder.path("absent.cnf"), folder.path("absent.drat")});
+  CHECK(absent.exit_code == 3);
+  CHECK(has(absent.err, "absent.cnf: expected a file, found no file of that name\n"));
   CHECK(run({"replay", prefix + "-cdt.cnf", folder.path("")}).exit_code == 3);
+  const std::string wrong = folder.write("wrong.drat", "1 0\nx 0\n");
+  CHECK(run({"replay", prefix + "-cdt.cnf", wrong}).err ==
+        "circumspect: " + wrong +
+            ":2: expected literals and a 0, after d for a deletion, found 'x 0'\n");
+  CHECK(has(run({"replay", "--help"}).out, "That the formula encodes the domain is not checked"));
   CHECK(run({"replay", prefix + "-cdt.cnf"}).exit_code == 2);
 }
 
@@ -269,6 +328,13 @@ TEST_CASE("build steiner-cdt and conforming-delaunay of what has no CDT") {
                            folder.path("limited.ele")});
   CHECK(limited.exit_code == 4);
   CHECK(begins_with(limited.out, "undecided: conforming-delaunay "));
+}
+
+TEST_CASE("circumspect --help has an example and the exit codes") {
+  const Run help = run({"--help"});
+  CHECK(help.exit_code == 0);
+  CHECK(has(help.out, "Example:\n  circumspect check "));
+  CHECK(has(help.out, "Exit codes: 0 it holds, 1 it does not, 2 usage, 3 the input is at fault"));
 }
 
 TEST_CASE("build: the points of the input are not replaced") {

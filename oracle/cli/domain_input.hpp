@@ -7,10 +7,12 @@
 
 #include <tl/expected.hpp>
 
+#include "oracle/cli/enclosure.hpp"
 #include "oracle/cli/input.hpp"
 #include "oracle/domain.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "reference/piecewise_linear/breach.hpp"
+#include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
 
@@ -27,16 +29,20 @@ struct DomainFault {
   std::string message;
   std::vector<Breach> breaches = {};
   formats::DomainFile file = {};
+  bool truncated = false;  // are there more breaches?
 };
 
-// Adds --domain-kind enclosed|hull. Without it, a domain is enclosed if it encloses anything.
+// Adds --domain-kind enclosed|hull. Without it, `choose_kind` decides.
 void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind);
 
-// Errors: a malformed file; duplicates, unless they are merged; any other breach; `kind` says
-// enclosed, and nothing is.
+// Errors: a malformed file; duplicates, unless they are merged; any other breach, up to
+// `max_breaches` of them (0: all); no kind that `choose_kind` can give it. The notes of the file have
+// those about the kind too.
 tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
-                                                    std::optional<DomainKind> kind);
+                                                    std::optional<DomainKind> kind,
+                                                    std::size_t max_breaches = kBreachLimit,
+                                                    Leak leak = Leak::kRefused);
 
 std::string_view word(DomainKind kind);
 

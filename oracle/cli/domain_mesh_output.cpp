@@ -2,6 +2,9 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "oracle/cli/output.hpp"
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/face.hpp"
@@ -34,6 +37,15 @@ formats::SimplexFile simplices_of(const DomainMesh& mesh, Vertex first_index) {
   }
   const std::size_t size = simplices.empty() ? full : simplices.front().size();
   return numbered(simplices, size, first_index);
+}
+
+// The dangling triangles and edges. (Isolated vertices are among the points.)
+std::vector<Simplex> dangling_faces(const DomainMesh& mesh) {
+  std::vector<Simplex> faces;
+  for (const Simplex& simplex : mesh.triangulation.dangling) {
+    if (simplex.size() > 1) faces.push_back(simplex);
+  }
+  return faces;
 }
 
 formats::SimplexFile dangling(const DomainMesh& mesh, std::size_t size, Vertex first_index) {
@@ -71,12 +83,40 @@ formats::MeditFile medit_file(const DomainMesh& mesh, Vertex first_index) {
   return file;
 }
 
+// Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any name,
+// has nothing beside it.
+bool has_files_beside(const std::string& path) { return formats::extension(path) == ".ele"; }
+bool is_stream(const std::string& path) {
+  const std::string end = formats::extension(path);
+  return end != ".ele" && end != ".mesh" && end != ".json";
+}
+
 }  // namespace
+
+std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh) {
+  if (!is_stream(path)) return "";
+  const std::size_t dangling = dangling_faces(mesh).size();
+  const std::size_t steiner_points = mesh.steiner_points.size();
+  std::vector<std::string> lost;
+  if (dangling > 0) lost.push_back(fmt::format("{} dangling triangles and edges", dangling));
+  if (steiner_points > 0) {
+    lost.push_back(fmt::format("the places of {} Steiner points", steiner_points));
+  }
+  if (lost.empty()) return "";
+  return fmt::format(
+      "expected -o OUT.ele, OUT.mesh, OUT.json or --format json, found -o {}, which would lose {}",
+      path, fmt::join(lost, " and "));
+}
 
 std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index) {
   if (formats::extension(path) == ".mesh") {
     return write_file(path, [&](std::ostream& stream) {
       formats::write_medit(stream, medit_file(mesh, first_index));
+    });
+  }
+  if (formats::extension(path) == ".json") {
+    return write_file(path, [&](std::ostream& stream) {
+      formats::write_json(stream, json_file(mesh, first_index));
     });
   }
   const std::string stem = stem_of(path);
@@ -86,7 +126,7 @@ std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, V
     });
   };
   std::string failure;
-  if (path != "-") {
+  if (has_files_beside(path)) {
     failure = write_file(stem + ".node", [&](std::ostream& stream) {
       formats::write_node(stream, points_of(mesh, first_index));
     });
@@ -100,7 +140,7 @@ std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, V
 }
 
 bool writes_to(const std::string& path, const std::string& points_name) {
-  if (path == "-" || points_name.empty() || formats::extension(path) == ".mesh") return false;
+  if (points_name.empty() || !has_files_beside(path)) return false;
   std::error_code ignored;
   return std::filesystem::equivalent(stem_of(path) + ".node", points_name, ignored);
 }
@@ -110,6 +150,7 @@ formats::JsonFile json_file(const DomainMesh& mesh, Vertex first_index) {
   file.points = points_of(mesh, first_index);
   file.has_simplices = true;
   file.simplices = simplices_of(mesh, first_index);
+  file.faces = numbered(dangling_faces(mesh), 0, first_index);
   return file;
 }
 

@@ -6,14 +6,19 @@
 
 namespace circumspect::cli {
 
-// OUT.ele, and beside it OUT.node, OUT.face (in space) and OUT.edge; or OUT.mesh; "-": the .ele on
-// stdout. Indices are counted from `first_index`. Returns an error message, or an empty string.
+// What is wrong with writing this mesh there; empty if nothing is. An .ele alone, as "-" gets, holds
+// neither what dangles nor points that the domain does not have.
+std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh);
+
+// OUT.ele, and beside it OUT.node, OUT.face (in space) and OUT.edge; or OUT.mesh, or OUT.json; "-":
+// the .ele on stdout. Indices are counted from `first_index`. Returns an error message, or an empty
+// string.
 std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index);
 
 // Would the points of a mesh at this path take the place of that file?
 bool writes_to(const std::string& path, const std::string& points_name);
 
-// The points and the simplices; JSON has no place for dangling ones.
+// The points, the simplices, and for faces the dangling triangles and edges.
 formats::JsonFile json_file(const DomainMesh& mesh, Vertex first_index);
 
 }  // namespace circumspect::cli

@@ -169,9 +169,10 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
 }
 
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
-                                                const InputOptions& options) {
-  auto raw = formats::read_mesh(
-      {path, options.points, options.coordinates, options.neighbors, options.faces});
+                                                const InputOptions& options,
+                                                std::optional<std::size_t> domain_dimension) {
+  auto raw = formats::read_mesh({path, options.points, options.coordinates, options.neighbors,
+                                 options.faces, domain_dimension});
   if (!raw) return tl::unexpected(raw.error().to_string());
   raw->points.first_index = raw->first_index;
   std::vector<Simplex> faces = proper_faces(std::move(raw->faces), raw->points.dimension);
@@ -183,7 +184,7 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
     const std::string fault = attach_neighbors(*mesh, path, raw->neighbors);
     if (!fault.empty()) return tl::unexpected(fault);
   }
-  return LoadedMesh{path, std::move(*mesh)};
+  return LoadedMesh{path, std::move(*mesh), std::move(raw->notes)};
 }
 
 tl::expected<LoadedMesh, std::string> load_points(const std::string& path,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -24,7 +25,7 @@ struct InputOptions {
   Duplicates duplicates = Duplicates::kReject;
   std::optional<std::string> points = {};  // --points FILE
   bool neighbors = false;                  // --neighbors
-  bool faces = false;                      // the claim is about a domain: read .face and .edge
+  bool faces = false;                      // read .face and .edge too, and their like
   bool weighted = false;                   // the claim or the construction is about weights
 };
 
@@ -35,9 +36,13 @@ void add_duplicates_option(CLI::App& command, InputOptions& options);
 struct LoadedMesh {
   std::string name;
   Mesh mesh;
+  std::vector<std::string> notes = {};  // what was read otherwise than it stands there
 };
+// `domain_dimension`: of the domain that the mesh is held against, if it is. Then what
+// formats/fit_to_domain.hpp says is done.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
-                                                const InputOptions& options);
+                                                const InputOptions& options,
+                                                std::optional<std::size_t> domain_dimension = {});
 
 // Errors besides those of the formats: duplicates, unless they are merged (weighted: into the one with
 // the largest weight, since all others are submerged below it); weights asked for and not there;

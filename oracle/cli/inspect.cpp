@@ -225,7 +225,9 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       "code 3. For one that is, 'cdt canonical' says that it has a constrained Delaunay\n"
       "triangulation, that of the symbolic perturbation; 'another' that other tie-breaks\n"
       "give one; 'none' that there is none without Steiner points, which is proved;\n"
-      "'unknown' is exit code 4.");
+      "'unknown' is exit code 4.\n\n"
+      "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 undecided within a limit,\n"
+      "5 internal error.");
   command
       ->add_option(
           "input", options->inputs,

@@ -87,10 +87,6 @@ std::string text(const LoadedDomain& loaded, const DomainFacts& facts, bool all_
   const Domain& domain = loaded.domain;
   std::string out;
   for (const std::string& note : loaded.file.notes) out += "note: " + note + "\n";
-  for (const std::size_t seed : facts.ignored_hole_seeds) {
-    out += fmt::format("hole seed {} at {}: ignored, it is in nothing enclosed\n", seed + 1,
-                       point_text(domain.complex.hole_seeds[seed]));
-  }
   if (facts.holes > 0) out += fmt::format("holes: {}\n", facts.holes);
   for (const Adoption& adoption : facts.adoptions) out += adoption_line(domain, adoption);
   for (const SegmentProtection& protection : facts.segments) {
@@ -172,13 +168,20 @@ void report_breaches(const std::string& path, const DomainFault& fault, Output& 
     lines += breach_line(breach, fault.file) + "\n";
     breaches.push_back(breach_json(breach, fault.file));
   }
-  output.text(lines + fmt::format("inspected: {} no piecewise linear complex, {} {} of which the "
-                                  "first is {}\n",
-                                  path, fault.breaches.size(),
-                                  fault.breaches.size() == 1 ? "breach" : "breaches",
-                                  identifier(fault.breaches.front().kind)));
+  if (fault.truncated) {
+    lines += fmt::format("… stopped at {}; --max-errors 0 lists all\n", fault.breaches.size());
+  }
+  output.text(
+      lines +
+      fmt::format("inspected: {} no piecewise linear complex, {}{} {} of which the first is {}\n",
+                  path, fault.truncated ? "more than " : "", fault.breaches.size(),
+                  fault.breaches.size() == 1 && !fault.truncated ? "breach" : "breaches",
+                  identifier(fault.breaches.front().kind)));
   if (output.wants_json()) {
-    output.json({{"domain", path}, {"valid", false}, {"breaches", breaches}});
+    output.json({{"domain", path},
+                 {"valid", false},
+                 {"breaches", breaches},
+                 {"truncated", fault.truncated}});
   }
 }
 
@@ -190,6 +193,11 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
   add_domain_kind_option(command, options.kind);
   command.add_flag("--all-segments", options.all_segments,
                    "Name every segment of a domain, not only those that are not strongly Delaunay");
+  command
+      .add_option("--max-errors", options.max_errors,
+                  "How many breaches of a domain are reported (default 20; 0: all)")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->option_text("N");
   command
       .add_option("--search-vertices", options.limits.vertices,
                   "Search for any CDT, where there is no canonical one, in domains of at most N "
@@ -210,7 +218,7 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
 
 void inspect_domain(const std::string& path, const InputOptions& input,
                     const DomainInspection& options, Output& output) {
-  const auto loaded = load_domain(path, input, options.kind);
+  const auto loaded = load_domain(path, input, options.kind, options.max_errors, Leak::kTold);
   if (!loaded && !loaded.error().breaches.empty()) {
     report_breaches(path, loaded.error(), output);
     return;

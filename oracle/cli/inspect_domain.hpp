@@ -9,6 +9,7 @@
 #include "oracle/cli/input.hpp"
 #include "oracle/cli/output.hpp"
 #include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
 
@@ -16,11 +17,12 @@ struct DomainInspection {
   bool is_asked_for = false;  // whatever the name of the file says
   std::optional<DomainKind> kind = {};
   bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
+  std::size_t max_errors = kBreachLimit;  // how many breaches are reported; 0: all
   SearchLimits limits = {};
   std::string refutations = {};  // where proofs go that there is no triangulation; empty: nowhere
 };
 
-// --domain, --domain-kind, --all-segments, --search-vertices, --search-conflicts,
+// --domain, --domain-kind, --all-segments, --max-errors, --search-vertices, --search-conflicts,
 // --refutations.
 void add_domain_inspection_options(CLI::App& command, DomainInspection& options);
 

@@ -1,7 +1,11 @@
 #include "oracle/cli/mesh_output.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include <fmt/format.h>
+
+#include "oracle/formats/mesh_files.hpp"
 #include "reference/complex/facets.hpp"
 
 namespace circumspect::cli {
@@ -12,7 +16,26 @@ std::size_t vertices_of_each(const Triangulation& triangulation) {
   return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
 }
 
+bool is_there_and_no_file(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status there = std::filesystem::status(path, error);
+  return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+         !std::filesystem::is_directory(there);
+}
+
 }  // namespace
+
+std::string output_name_fault(const std::string& path,
+                              const std::vector<std::string_view>& extensions) {
+  const std::string end = formats::extension(path);
+  if (path == "-" || std::find(extensions.begin(), extensions.end(), end) != extensions.end() ||
+      is_there_and_no_file(path)) {
+    return "";
+  }
+  std::string names;
+  for (const std::string_view extension : extensions) names += fmt::format("OUT{}, ", extension);
+  return fmt::format("expected -o {}or - for standard output, found {}", names, path);
+}
 
 formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
   formats::SimplexFile file;

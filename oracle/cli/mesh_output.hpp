@@ -1,6 +1,10 @@
 // Triangulations in the forms of the files that users keep.
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/simplex_file.hpp"
@@ -8,6 +12,12 @@
 #include "reference/complex/triangulation.hpp"
 
 namespace circumspect::cli {
+
+// What is wrong with OUT of `-o OUT`, if only files of some extensions and "-" can be written; empty
+// if nothing is. Whatever is there and no file, a pipe say, may have any name, and then gets what
+// would go to standard output.
+std::string output_name_fault(const std::string& path,
+                              const std::vector<std::string_view>& extensions);
 
 // `mesh` gives the points and how the user counts them.
 

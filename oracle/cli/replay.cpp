@@ -1,15 +1,13 @@
 // circumspect replay FORMULA REFUTATION
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/formats/source.hpp"
 #include "reference/existence/dimacs.hpp"
 
 namespace circumspect::cli {
@@ -22,23 +20,17 @@ struct ReplayOptions {
 };
 
 std::optional<std::string> contents(const std::string& path, Output& output) {
-  std::ostringstream text;
-  // A directory can be opened, and reads as if it were empty.
-  std::error_code ignored;
-  const bool is_directory = std::filesystem::is_directory(path, ignored);
-  std::ifstream file(path, std::ios::binary);
-  if (file) text << file.rdbuf();
-  if (is_directory || !file) {
-    output.error(ExitCode::kInputFault, "file", path, path + ": expected a file that can be read");
-    return std::nullopt;
-  }
-  return text.str();
+  auto source = formats::load(path);
+  if (source) return std::move(source->text);
+  output.error(ExitCode::kInputFault, "file", path, source.error().to_string());
+  return std::nullopt;
 }
 
 void report_malformed(const std::string& path, const existence::MalformedProof& fault,
                       Output& output) {
-  output.error(ExitCode::kInputFault, "file", path,
-               fmt::format("{}:{}: expected {}", path, fault.line, fault.expected));
+  output.error(
+      ExitCode::kInputFault, "file", path,
+      fmt::format("{}:{}: expected {}, found {}", path, fault.line, fault.expected, fault.found));
 }
 
 void replay(const ReplayOptions& options, Output& output) {
@@ -83,9 +75,11 @@ void add_replay(CLI::App& app, ExitCode& exit_code) {
       "  circumspect inspect room.poly --refutations room      # writes room-cdt.cnf, "
       "room-cdt.drat\n"
       "  circumspect replay room-cdt.cnf room-cdt.drat\n\n"
-      "Each step must follow from the clauses before it by unit propagation. What the clauses mean "
-      "is\n"
-      "explained in reference/existence/matching.hpp.\n\n"
+      "Each step must follow from the clauses before it by unit propagation: the proof shows that\n"
+      "nothing satisfies the formula. That the formula encodes the domain is not checked here: "
+      "its\n"
+      "comments and reference/existence/matching.hpp say what the clauses mean, and `circumspect\n"
+      "inspect DOMAIN --refutations PREFIX` derives them from the domain again, to be compared.\n\n"
       "Exit codes: 0 the formula cannot be satisfied, 1 the steps do not show it, 2 usage,\n"
       "3 a file is at fault, 5 internal error.");
   command->add_option("formula", options->formula, "The formula: DIMACS")->required();

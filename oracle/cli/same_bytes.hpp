@@ -2,7 +2,6 @@
 // writes the same files. For tests: what same_bytes_test and same_bytes_soak_test share.
 #pragma once
 
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -69,12 +68,11 @@ inline std::string everything_written(const std::string& points, const std::stri
   return built.out + "neighbours\n" + contents(neighbors);
 }
 
-// Does the command write the same bytes for `count` random sets of dimension d, whichever way it
-// goes? `sets` makes generators::PointsCase, which prints itself as a .node file. RapidCheck prints
-// a set that fails, shrunk.
+// The property that the command writes the same bytes for a random set of dimension d, whichever way
+// it goes. `sets` makes generators::PointsCase, which prints itself as a .node file.
 template <typename Set>
-bool same_bytes(std::size_t d, int count, const rc::Gen<Set>& sets) {
-  const auto property = [&] {
+auto same_bytes(std::size_t d, const rc::Gen<Set>& sets) {
+  return [d, sets] {
     const Set set = *sets;
     const auto seeds =
         *rc::gen::pair(rc::gen::arbitrary<std::uint64_t>(), rc::gen::arbitrary<std::uint64_t>());
@@ -99,16 +97,6 @@ bool same_bytes(std::size_t d, int count, const rc::Gen<Set>& sets) {
       RC_ASSERT(written == expected);
     }
   };
-  rc::detail::TestMetadata metadata;
-  metadata.id = metadata.description = "the same bytes, dimension " + std::to_string(d);
-  rc::detail::TestParams params = rc::detail::configuration().testParams;
-  params.maxSuccess = count;
-  const auto result = rc::detail::checkTestable(property, metadata, params);
-  if (result.template is<rc::detail::SuccessResult>()) return true;
-  std::cerr << metadata.description << "\n";
-  rc::detail::printResultMessage(result, std::cerr);
-  std::cerr << "\n";
-  return false;
 }
 
 }  // namespace circumspect::cli

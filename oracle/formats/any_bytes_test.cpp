@@ -272,12 +272,16 @@ TEST_CASE("points that are written are read back") {
     }
     file.has_simplices = *rc::gen::arbitrary<bool>();
     if (file.has_simplices) file.simplices = some_simplices();
+    file.faces = some_simplices();
+    std::erase_if(file.faces.simplices,
+                  [&file](const Simplex& face) { return face.size() > file.points.dimension; });
     const auto again = read_json(written(file, write_json), kDouble);
     RC_ASSERT(again.has_value());
     RC_ASSERT(again->points == file.points);
     RC_ASSERT(again->weights == file.weights);
     RC_ASSERT(again->has_simplices == file.has_simplices);
     RC_ASSERT(again->simplices.simplices == file.simplices.simplices);
+    RC_ASSERT(again->faces.simplices == file.faces.simplices);
   }));
 }
 

@@ -82,6 +82,7 @@ void write_json(std::ostream& out, const JsonFile& file) {
   write_rows(out, "points", file.points.points);
   if (!file.weights.empty()) out << ",\n\"weights\": [" + comma_separated(file.weights) + "]";
   if (file.has_simplices) write_rows(out, "simplices", file.simplices.simplices);
+  if (!file.faces.simplices.empty()) write_rows(out, "faces", file.faces.simplices);
   out << "}\n";
 }
 

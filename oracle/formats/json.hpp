@@ -1,4 +1,4 @@
-// Points, weights and simplices in our own JSON; README.md beside this file has the schema.
+// Points, weights, simplices and faces in our own JSON; README.md beside this file has the schema.
 #pragma once
 
 #include <ostream>
@@ -19,6 +19,9 @@ struct JsonFile {
   std::vector<Rational> weights = {};  // empty, or one a point
   bool has_simplices = false;          // a list may be there and empty
   SimplexFile simplices = {};          // indices of points and of simplices begin at first_index
+  // Listed beside the simplices, of at most as many vertices as there are coordinates: for a mesh of
+  // a domain, those that are faces of no simplex.
+  SimplexFile faces = {};
 };
 
 // Numbers are taken from the text as it is written, whether they stand in quotes or not; without
@@ -28,7 +31,7 @@ Result<JsonFile> read_json(const Source& source, NumberReading reading);
 
 // Coordinates and weights are numbers if they are doubles, else strings. Attributes and markers are
 // not written. Requires: all points have `dimension` coordinates, from 1 to kLargestDimension;
-// weights are empty or one a point.
+// weights are empty or one a point; no face has more than `dimension` vertices.
 void write_json(std::ostream& out, const JsonFile& file);
 
 }  // namespace circumspect::formats

@@ -46,6 +46,9 @@ std::string JsonEvents::wanted() const {
     case kSimplices:
       if (depth_ > 2) return "a vertex, an integer that fits 64 bits";
       return in_list ? "a simplex, which is an array of vertices" : "an array of simplices";
+    case kFaces:
+      if (depth_ > 2) return "a vertex, an integer that fits 64 bits";
+      return in_list ? "a face, which is an array of vertices" : "an array of faces";
     case kFirstIndex:
       return "the index of the first point, an integer that fits 64 bits";
     default:
@@ -76,7 +79,7 @@ bool JsonEvents::number(std::string_view text) {
     case 3:
       if (key_ == kPoints) return exact(text, file_.points.points.back());
       if (!integer(text, vertex)) return false;
-      file_.simplices.simplices.back().push_back(vertex);
+      cells().simplices.back().push_back(vertex);
       return true;
     default:
       break;
@@ -141,14 +144,14 @@ bool JsonEvents::end_object() {
 }
 
 bool JsonEvents::start_array(std::size_t) {
-  const bool is_list_of_lists = key_ == kPoints || key_ == kSimplices;
-  const bool is_wanted = (depth_ == 1 && is_list(key_)) || (depth_ == 2 && is_list_of_lists);
+  const bool is_list = key_ == kWeights || is_list_of_lists();
+  const bool is_wanted = (depth_ == 1 && is_list) || (depth_ == 2 && is_list_of_lists());
   if (!is_wanted) return mismatch("an array");
   ++depth_;
   if (depth_ == 3 && key_ == kPoints) file_.points.points.emplace_back();
-  if (depth_ == 3 && key_ == kSimplices) {
-    file_.simplices.simplices.emplace_back();
-    file_.simplices.lines.push_back(line());
+  if (depth_ == 3 && is_list_of_vertices()) {
+    cells().simplices.emplace_back();
+    cells().lines.push_back(line());
   }
   return true;
 }
@@ -169,8 +172,9 @@ bool JsonEvents::end_of_point() {
 }
 
 bool JsonEvents::end_of_simplex() {
-  if (!file_.simplices.simplices.back().empty()) return true;
-  return fail("a simplex of at least 1 vertex", "an empty array");
+  if (!cells().simplices.back().empty()) return true;
+  const std::string one = key_ == kFaces ? "a face" : "a simplex";
+  return fail(one + " of at least 1 vertex", "an empty array");
 }
 
 bool JsonEvents::parse_error(std::size_t, const std::string& last_token,
@@ -220,6 +224,21 @@ Status JsonEvents::check_whole() const {
                    "one weight for each of " + std::to_string(points.points.size()) + " points",
                    std::to_string(file_.weights.size()));
   }
+  return check_faces();
+}
+
+// What has as many vertices as a simplex of full dimension is no face of one.
+Status JsonEvents::check_faces() const {
+  const SimplexFile& faces = file_.faces;
+  for (std::size_t i = 0; i < faces.simplices.size(); ++i) {
+    const std::size_t size = faces.simplices[i].size();
+    if (size <= file_.points.dimension) continue;
+    return tl::unexpected(
+        FormatError{source_.name, faces.lines[i],
+                    "a face of at most " + std::to_string(file_.points.dimension) +
+                        " vertices in dimension " + std::to_string(file_.points.dimension),
+                    "one of " + std::to_string(size)});
+  }
   return {};
 }
 
@@ -229,6 +248,8 @@ Result<JsonFile> JsonEvents::finish() {
   file_.has_simplices = line_of_[kSimplices] > 0;
   file_.simplices.first_index = file_.points.first_index;
   file_.simplices.vertices_per_simplex = size_of_each(file_.simplices.simplices);
+  file_.faces.first_index = file_.points.first_index;
+  file_.faces.vertices_per_simplex = size_of_each(file_.faces.simplices);
   return std::move(file_);
 }
 

@@ -39,9 +39,20 @@ class JsonEvents {
   Result<JsonFile> finish();
 
  private:
-  enum Key { kVersion, kDimension, kPoints, kWeights, kSimplices, kFirstIndex, kComment, kKeys };
+  enum Key {
+    kVersion,
+    kDimension,
+    kPoints,
+    kWeights,
+    kSimplices,
+    kFaces,
+    kFirstIndex,
+    kComment,
+    kKeys
+  };
   static constexpr std::array<std::string_view, kKeys> kNames = {
-      "circumspect", "dimension", "points", "weights", "simplices", "first_index", "comment"};
+      "circumspect", "dimension", "points",      "weights",
+      "simplices",   "faces",     "first_index", "comment"};
 
   bool number(std::string_view text);
   bool integer(std::string_view text, Vertex& value);
@@ -51,8 +62,12 @@ class JsonEvents {
   bool end_of_point();
   bool end_of_simplex();
   Status check_whole() const;
+  Status check_faces() const;
 
-  bool is_list(Key key) const { return key == kPoints || key == kWeights || key == kSimplices; }
+  bool is_list_of_vertices() const { return key_ == kSimplices || key_ == kFaces; }
+  bool is_list_of_lists() const { return key_ == kPoints || is_list_of_vertices(); }
+  // Requires: the key is kSimplices or kFaces. Those read so far.
+  SimplexFile& cells() { return key_ == kFaces ? file_.faces : file_.simplices; }
   // What the schema wants at this place.
   std::string wanted() const;
   bool mismatch(const std::string& found) { return fail(wanted(), found); }

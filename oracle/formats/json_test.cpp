@@ -46,6 +46,36 @@ TEST_CASE("json: a whole document") {
   CHECK(out.str() == kTriangle);
 }
 
+TEST_CASE("json: faces beside the simplices, written only where there are any") {
+  const std::string text =
+      "{\"circumspect\": 1, \"dimension\": 2, \"first_index\": 1,\n"
+      "\"points\": [\n[0, 0],\n[1, 0],\n[0, 1]],\n"
+      "\"simplices\": [],\n"
+      "\"faces\": [\n[1, 2],\n[3, 1]]}\n";
+  const Result<JsonFile> file = read(text);
+  REQUIRE(file);
+  CHECK(file->simplices.simplices.empty());
+  CHECK(file->faces.simplices == std::vector<Simplex>{{1, 2}, {3, 1}});
+  CHECK(file->faces.lines == std::vector<std::size_t>{8, 9});
+  CHECK(file->faces.vertices_per_simplex == 2);
+  std::ostringstream out;
+  write_json(out, *file);
+  CHECK(out.str() == text);
+}
+
+TEST_CASE("json: faces that are none") {
+  const std::string points = "{\"circumspect\": 1, \"dimension\": 2, \"points\": [[0, 0]],\n";
+  CHECK(error(points + "\"faces\": [[0, 1],\n[0, 1, 2]]}") ==
+        "f:3: expected a face of at most 2 vertices in dimension 2, found one of 3");
+  CHECK(error("{\"faces\": [[]]}") ==
+        "f:1: expected a face of at least 1 vertex, found an empty array");
+  CHECK(error("{\"faces\": [7]}") ==
+        "f:1: expected a face, which is an array of vertices, found \"7\"");
+  CHECK(error("{\"faces\": [[\"0\"]]}") ==
+        "f:1: expected a vertex, an integer that fits 64 bits, found the string \"0\"");
+  CHECK(error("{\"faces\": 7}") == "f:1: expected an array of faces, found \"7\"");
+}
+
 TEST_CASE("json: keys in any order, a comment, no points") {
   const Result<JsonFile> file =
       read("{\"comment\": \"x\", \"points\": [], \"dimension\": 3, \"circumspect\": 1}");
@@ -119,7 +149,7 @@ TEST_CASE("json: documents that contradict the schema") {
         "f:2: expected every key once, found \"circumspect\" again");
   CHECK(error("{\"simplexes\": []}") ==
         "f:1: expected one of the keys \"circumspect\", \"dimension\", \"points\", \"weights\", "
-        "\"simplices\", \"first_index\", \"comment\", found \"simplexes\"");
+        "\"simplices\", \"faces\", \"first_index\", \"comment\", found \"simplexes\"");
   CHECK(error("{\"points\": [[1, 2],\n[1]]}") ==
         "f:2: expected a point with 2 coordinates, found one with 1");
   CHECK(error("{\"circumspect\": 1, \"points\": [[1, 2]],\n\"dimension\": 3}") ==

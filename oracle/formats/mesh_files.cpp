@@ -8,6 +8,7 @@
 
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/face.hpp"
+#include "oracle/formats/fit_to_domain.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/medit.hpp"
@@ -85,7 +86,7 @@ Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
         FormatError{source.name, 0, "a mesh, with the key \"simplices\"", "points alone"});
   }
   RawPoints points{std::move(file->points), std::move(file->weights), source.name};
-  return Contents{std::move(file->simplices), std::move(points)};
+  return Contents{std::move(file->simplices), std::move(points), std::move(file->faces.simplices)};
 }
 
 Result<RawPoints> points_of_medit(const Source& source, NumberReading reading) {
@@ -326,6 +327,7 @@ Result<RawMesh> read_mesh(const MeshRequest& request) {
   mesh.points_name = std::move(points->name);
   mesh.first_index = mesh.points.first_index;
   mesh.simplices = std::move(contents->simplices);
+  if (request.domain_dimension == 2) leave_out_constant_coordinate(mesh);
   if (Status sizes = check_sizes(mesh); !sizes) return tl::unexpected(sizes.error());
   count_from_zero(mesh.simplices.simplices, mesh.first_index);
   if (request.with_faces) {
@@ -333,6 +335,9 @@ Result<RawMesh> read_mesh(const MeshRequest& request) {
     if (Status read = read_faces(path, mesh.faces); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
   }
+  // Neighbours are those of the simplices as the file has them.
+  const bool may_be_faces = request.domain_dimension == mesh.points.dimension;
+  if (may_be_faces && !request.with_neighbors) take_for_faces(mesh);
   if (request.with_neighbors) {
     if (Status read = read_neighbors(path, mesh); !read) return tl::unexpected(read.error());
   }

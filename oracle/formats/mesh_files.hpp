@@ -32,6 +32,9 @@ struct MeshRequest {
   NumberReading reading = NumberReading::kDouble;
   bool with_neighbors = false;  // read the .neigh beside an .ele, if there is one
   bool with_faces = false;      // and the .face and the .edge
+  // Of the points of the domain that the mesh is held against, if it is: what says the same in other
+  // words is read as the domain's dimension wants it; see fit_to_domain.hpp.
+  std::optional<std::size_t> domain_dimension = {};
 };
 
 struct RawMesh {
@@ -46,8 +49,10 @@ struct RawMesh {
   std::string mesh_name = {};
   std::optional<NeighborFile> neighbors = {};
   // Triangles and edges that the mesh lists beside its simplices, if they were asked for: those of
-  // .face and .edge files, and of Medit's. Vertices are counted from 0 as those of the simplices.
+  // .face and .edge files, of Medit's and of JSON. Vertices are counted from 0 as those of the
+  // simplices.
   std::vector<Simplex> faces = {};
+  std::vector<std::string> notes = {};  // what was read otherwise than it stands there, a line each
 };
 
 // Reads a mesh and its points. Errors: a file that is missing or malformed; elements of second

@@ -19,6 +19,7 @@ Json coordinates_of(const Witness& witness, const Mesh& mesh) {
   std::set<Vertex> named(witness.vertices.begin(), witness.vertices.end());
   for (const Simplex& simplex : witness.simplices) named.insert(simplex.begin(), simplex.end());
   if (witness.face) named.insert(witness.face->begin(), witness.face->end());
+  if (witness.nearest) named.insert(witness.nearest->vertex);
   Json object = Json::object();
   for (const Vertex v : named) {
     if (mesh.points.names(v)) object[std::to_string(mesh.label(v))] = point(mesh.points[v]);
@@ -40,6 +41,22 @@ Json cell_of(const Witness& witness, const Domain& domain) {
   return cell;
 }
 
+Json nearest(const NearestVertex& nearest, const Mesh& mesh) {
+  return {{"vertex", mesh.label(nearest.vertex)},
+          {"squared_distance", value(nearest.squared_distance)},
+          {"distance_decimal", square_root_to_decimal(nearest.squared_distance)}};
+}
+
+// The Steiner points of a mesh: how many, the first ones with their coordinates, are these all?
+Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
+  Json first = Json::array();
+  for (const Vertex v : extra.first) {
+    first.push_back({{"vertex", mesh.label(v)}, {"point", point(mesh.points[v])}});
+  }
+  return {
+      {"count", extra.count}, {"first", first}, {"truncated", extra.first.size() < extra.count}};
+}
+
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   const Witness& witness = broken.witness;
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
@@ -53,6 +70,7 @@ Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) 
   Json values = Json::object();
   for (const NamedValue& named : witness.values) values[named.name] = value(named.value);
   object["values"] = values;
+  if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
   if (domain != nullptr && (witness.domain_cell || witness.polygon)) {
     object["domain"] = cell_of(witness, *domain);
@@ -94,13 +112,11 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
                                 {"in_polygons", verdict.steiner_points->in_polygons},
                                 {"in_polyhedra", verdict.steiner_points->in_polyhedra}};
   }
+  if (verdict.extra_vertices) {
+    object["steiner_vertices"] = extra_vertices(*verdict.extra_vertices, mesh);
+  }
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
-  if (verdict.steiner_points) {
-    object["steiner_points"] = {{"on_segments", verdict.steiner_points->on_segments},
-                                {"in_polygons", verdict.steiner_points->in_polygons},
-                                {"in_polyhedra", verdict.steiner_points->in_polyhedra}};
-  }
   Json tallies = Json::array();
   for (const auto& [rule, tally] : verdict.tallies()) {
     Json entry = {{"rule", identifier(rule)}, {"count", tally.count}};

@@ -68,6 +68,12 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
     fmt::format_to(to, "  domain  {}\n", cell);
   }
   if (witness.point) fmt::format_to(to, "  point    {}\n", point_text(*witness.point));
+  if (witness.nearest) {
+    const auto& [vertex, squared] = *witness.nearest;
+    fmt::format_to(to, "  nearest  vertex {} at {}, squared distance {}, distance ~ {}\n",
+                   mesh.label(vertex), point_text(mesh.points[vertex]), value_text(squared),
+                   square_root_to_decimal(squared));
+  }
   if (witness.ball) {
     fmt::format_to(to, "  ball     centre {} radius ~ {}\n", point_text(witness.ball->centre),
                    square_root_to_decimal(witness.ball->squared_radius));

@@ -10,8 +10,8 @@
 namespace circumspect::constrained {
 namespace {
 
-std::optional<Obstruction> insert(const PointSet& points, EvolvingCdt& cdt, const Polygon& polygon,
-                                  PolygonInsertion by, std::vector<PolygonFlips>* runs) {
+std::optional<NoChange> insert(const PointSet& points, EvolvingCdt& cdt, const Polygon& polygon,
+                               PolygonInsertion by, std::vector<PolygonFlips>* runs) {
   if (by == PolygonInsertion::kCavities) return insert_polygon_by_cavity(points, cdt, polygon);
   auto run = flip_insert_polygon(points, cdt, polygon);
   if (!run) return run.error();
@@ -27,7 +27,8 @@ tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
   EvolvingCdt cdt = evolving_delaunay(complex.points);
   for (const Simplex& segment : complex.segments) {
     if (cdt.tetrahedra.star(segment).empty()) {
-      return tl::unexpected(NoPolygonInsertion{{Obstacle::kSegmentMissing, segment}, std::nullopt});
+      return tl::unexpected(
+          NoPolygonInsertion{{WhyNoChange::kSegmentMissing, segment}, std::nullopt});
     }
     cdt.segments.insert(segment);
   }
@@ -55,6 +56,7 @@ tl::expected<PlcTriangulation, NoPolygonInsertion> cdt_by_polygon_insertion(
 }
 
 EvolvingCdt evolving_cdt(const PiecewiseLinearComplex& complex, const PlcTriangulation& cdt) {
+  assert(complex.kind == DomainKind::kHull && complex.points.dimension() == 3);
   EvolvingCdt evolving{
       StarIndex(cdt.simplices), {complex.segments.begin(), complex.segments.end()}, {}};
   for (const Polygon& polygon : complex.polygons) {

@@ -16,10 +16,10 @@ namespace circumspect::constrained {
 enum class PolygonInsertion { kFlips, kCavities };
 
 // What stands in the way, and which polygon was to be inserted; without polygon, a segment that is
-// no edge of the canonical Delaunay triangulation of the vertices. Neither says that there is no CDT:
-// some of the polygons may have none though all of them have one.
+// no edge of the canonical Delaunay triangulation of the vertices. Neither says that there is no
+// CDT: some of the polygons may have none though all of them have one.
 struct NoPolygonInsertion {
-  Obstruction obstruction;
+  NoChange cause;
   std::optional<std::size_t> polygon;
 };
 
@@ -32,19 +32,20 @@ struct PolygonInsertionOptions {
 // triangulation of the vertices, in particular if the complex is edge-protected (Theorem 4.9), for
 // then every subset of the polygons has a CDT too. `runs` receives what each insertion by flips
 // did, in the order of insertion.
-// Requires: a complex in space.
+// Requires: a complex in space, valid; the order is empty or names each polygon once.
+// Throws tl::bad_expected_access if points of one plane turn out to have no CDT, which they always do.
 tl::expected<PlcTriangulation, NoPolygonInsertion> cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
     std::vector<PolygonFlips>* runs = nullptr);
 
-// The CDT of the convex hull with all segments, and with the polygons in it.
-// Requires: complex.points.dimension() == 3.
+// The CDT of the convex hull with all segments, and with the polygons in it, whatever the kind of the
+// domain. Requires: as above, and complex.points.dimension() == 3.
 tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
     std::vector<PolygonFlips>* runs = nullptr);
 
 // A CDT that some other construction has found, ready to change.
-// Requires: the canonical CDT of a complex of the hull kind without hole seeds, dimension 3.
+// Requires: the canonical CDT of a complex of the hull kind, which is asserted, in dimension 3.
 EvolvingCdt evolving_cdt(const PiecewiseLinearComplex& complex, const PlcTriangulation& cdt);
 
 }  // namespace circumspect::constrained

@@ -1,5 +1,8 @@
-// CDTs by polygon insertion, carved to the domain; and polygons deleted. Book: Sections 5.6 and 5.8.
+// CDTs by polygon insertion, carved to the domain; and polygons deleted. Book: Sections 5.6 and
+// 5.8.
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
+
+#include <algorithm>
 
 #include <doctest/doctest.h>
 
@@ -37,6 +40,28 @@ TEST_CASE("a box, a box within a box, and the same as a cavity") {
   CHECK(hollow.dangling.empty());
 }
 
+TEST_CASE("a domain that is not convex is carved from its hull") {
+  // A prism over an L; the tetrahedra in the notch go.
+  PiecewiseLinearInput input;
+  for (const long z : {0, 4}) {
+    for (const auto& [x, y] : {std::pair{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, std::pair{0, 8}}) {
+      input.points.push_back({x, y, z});
+    }
+  }
+  input.polygons = {{{{0, 1, 2, 3, 4, 5}}, {}}, {{{6, 7, 8, 9, 10, 11}}, {}}};
+  for (Vertex v = 0; v < 6; ++v) {
+    const Vertex w = (v + 1) % 6;
+    input.polygons.push_back({{{v, w, w + 6, v + 6}}, {}});
+  }
+  const PlcTriangulation carved = made(input);
+  CHECK(carved.dangling.empty());
+  input.kind = DomainKind::kHull;
+  const PlcTriangulation hull = made(input);
+  CHECK(hull.simplices.size() > carved.simplices.size());
+  CHECK(std::includes(hull.simplices.begin(), hull.simplices.end(), carved.simplices.begin(),
+                      carved.simplices.end()));
+}
+
 TEST_CASE("what dangles, inside and outside") {
   PiecewiseLinearInput input = box(0, 4);
   input.points.insert(input.points.end(), {{1, 1, 2},
@@ -71,7 +96,7 @@ TEST_CASE("polygons that enclose nothing, and polygons in one plane with all the
 TEST_CASE("a segment that is no Delaunay edge is named (Figure 4.10)") {
   const auto failed = cdt_by_polygon_insertion(assemble(generators::schonhardt()));
   REQUIRE(!failed.has_value());
-  CHECK(failed.error().obstruction.obstacle == Obstacle::kSegmentMissing);
+  CHECK(failed.error().cause.why == WhyNoChange::kSegmentMissing);
   CHECK(!failed.error().polygon.has_value());
 }
 
@@ -88,6 +113,37 @@ TEST_CASE("without its polygon the CDT is Delaunay again") {
   CHECK(!delete_polygon(complex.points, cdt, complex.polygons.front()));
   CHECK(cdt.walls.empty());
   CHECK(cdt.tetrahedra.simplices() == evolving_delaunay(complex.points).tetrahedra.simplices());
+}
+
+// What deleting the polygon from the CDT, found by gift-wrapping, comes up against.
+WhyNoChange why_not_deleted(const std::vector<Point>& points,
+                            const std::vector<std::vector<Vertex>>& segments,
+                            const std::vector<std::vector<Vertex>>& polygons, std::size_t place) {
+  PiecewiseLinearInput input{points, segments, {}, {}, DomainKind::kHull};
+  for (const auto& line : polygons) input.polygons.push_back({{line}, {}});
+  const PiecewiseLinearComplex complex = assemble(input);
+  EvolvingCdt cdt = evolving_cdt(complex, gift_wrapping_cdt(complex).value());
+  const EvolvingCdt before = cdt;
+  const auto wrong = delete_polygon(complex.points, cdt, complex.polygons[place]);
+  REQUIRE(wrong.has_value());
+  CHECK(cdt == before);
+  PiecewiseLinearComplex others = complex;
+  others.polygons.erase(others.polygons.begin() + static_cast<std::ptrdiff_t>(place));
+  CHECK(!gift_wrapping_cdt(others).has_value());
+  return wrong->why;
+}
+
+TEST_CASE("a polygon without which there is no CDT is not deleted") {
+  CHECK(why_not_deleted({{1, 0, 5}, {5, 0, -1}, {0, -5, -1}, {-1, -5, 0}, {0, 1, 5}},
+                        {{0, 4}, {0, 1}, {0, 3}}, {{2, 0, 4}, {2, 4, 1}},
+                        0) == WhyNoChange::kFacetUnfinished);
+  CHECK(why_not_deleted({{0, 4, -4}, {-4, 4, 0}, {4, 4, 0}, {4, -4, 0}, {4, 0, -4}}, {},
+                        {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}},
+                        2) == WhyNoChange::kSimplicesOverlap);
+  CHECK(
+      why_not_deleted(
+          {{3, -16, -20}, {-3, 18, -16}, {17, 20, 15}, {10, 19, -5}, {-17, 16, -20}, {-10, -15, 6}},
+          {{1, 2}, {3, 4}, {1, 4}}, {{4, 0, 2}, {2, 5, 0}}, 0) == WhyNoChange::kSegmentLost);
 }
 
 }  // namespace

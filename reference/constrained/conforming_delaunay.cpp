@@ -1,6 +1,7 @@
 #include "reference/constrained/conforming_delaunay.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <set>
 #include <utility>
@@ -57,16 +58,16 @@ class Refinement {
 
  private:
   void refine(const StarIndex& canonical) {
-    const auto added =
-        points_for_unprotected_pieces(points_, canonical, segments_, PieceCondition::kInCanonical);
+    const auto added = points_for_unprotected_subsegments(points_, canonical, segments_,
+                                                          SubsegmentCondition::kInCanonical);
     for (const PointOnSegment& point : added) add(point);
     if (!added.empty()) return;
     std::set<Simplex> to_split;
     for (std::size_t i = 0; i < complex_.polygons.size(); ++i) refine(canonical, i, to_split);
-    for (const Piece& piece : segments_.pieces()) {
-      if (!to_split.contains(piece.edge)) continue;
-      add({static_cast<Vertex>(fresh_points_.size()), piece.segment,
-           segments_.where_to_split(piece)});
+    for (const Subsegment& subsegment : segments_.subsegments()) {
+      if (!to_split.contains(subsegment.edge)) continue;
+      add({static_cast<Vertex>(fresh_points_.size()), subsegment.segment,
+           segments_.where_to_split(subsegment)});
     }
   }
 
@@ -84,10 +85,10 @@ class Refinement {
     std::vector<Simplex> missing = subfacets(points_, polygon, vertices_[i]);
     std::erase_if(missing, [&](const Simplex& facet) { return !canonical.star(facet).empty(); });
     if (missing.empty()) return;
-    const std::vector<Simplex> pieces = pieces_of(i);
-    std::vector<Simplex> encroached = pieces;
-    std::erase_if(encroached, [&](const Simplex& piece) {
-      return has_empty_diametral_ball(points_, canonical, piece);
+    const std::vector<Simplex> subsegments = subsegments_of(i);
+    std::vector<Simplex> encroached = subsegments;
+    std::erase_if(encroached, [&](const Simplex& subsegment) {
+      return has_empty_diametral_ball(points_, canonical, subsegment);
     });
     to_split.insert(encroached.begin(), encroached.end());
     if (!encroached.empty()) return;
@@ -96,7 +97,7 @@ class Refinement {
       const Ball ball = circumball(points_, subfacet);
       Candidate candidate{near_circumcentre(points_, polygon, ball), ball.squared_radius};
       const std::vector<Simplex> in_the_way =
-          pieces_in_the_way(polygon, pieces, subfacet, candidate);
+          subsegments_in_the_way(polygon, subsegments, subfacet, candidate);
       to_split.insert(in_the_way.begin(), in_the_way.end());
       if (in_the_way.empty() && keeps_its_distance(candidate, accepted)) {
         accepted.push_back(std::move(candidate));
@@ -110,34 +111,38 @@ class Refinement {
     }
   }
 
-  std::vector<Simplex> pieces_of(std::size_t i) const {
+  std::vector<Simplex> subsegments_of(std::size_t i) const {
     std::vector<Simplex> own;
-    for (const Piece& piece : segments_.pieces()) {
-      const std::vector<std::size_t>& polygons = polygons_of_segment_[piece.segment];
+    for (const Subsegment& subsegment : segments_.subsegments()) {
+      const std::vector<std::size_t>& polygons = polygons_of_segment_[subsegment.segment];
       if (std::find(polygons.begin(), polygons.end(), i) != polygons.end()) {
-        own.push_back(piece.edge);
+        own.push_back(subsegment.edge);
       }
     }
     return own;
   }
 
-  // Those pieces whose closed diametral balls contain the point; or else, if it is outside the
+  // Those subsegments whose closed diametral balls contain the point; or else, if it is outside the
   // polygon, one that is between it and the subfacet.
-  std::vector<Simplex> pieces_in_the_way(const Polygon& polygon, const std::vector<Simplex>& pieces,
-                                         const Simplex& subfacet,
-                                         const Candidate& candidate) const {
+  std::vector<Simplex> subsegments_in_the_way(const Polygon& polygon,
+                                              const std::vector<Simplex>& subsegments,
+                                              const Simplex& subfacet,
+                                              const Candidate& candidate) const {
     std::vector<Simplex> in_the_way;
-    for (const Simplex& piece : pieces) {
-      if (sign(inner_product(points_[piece[0]] - candidate.point,
-                             points_[piece[1]] - candidate.point)) <= 0) {
-        in_the_way.push_back(piece);
+    for (const Simplex& subsegment : subsegments) {
+      if (sign(inner_product(points_[subsegment[0]] - candidate.point,
+                             points_[subsegment[1]] - candidate.point)) <= 0) {
+        in_the_way.push_back(subsegment);
       }
     }
     if (!in_the_way.empty() || is_in_polygon(points_, polygon, candidate.point)) return in_the_way;
     const Point middle = barycentre(coordinates(points_, subfacet));
-    const auto between = std::find_if(pieces.begin(), pieces.end(), [&](const Simplex& piece) {
-      return do_meet(polygon.axes, middle, candidate.point, points_[piece[0]], points_[piece[1]]);
-    });
+    const auto between =
+        std::find_if(subsegments.begin(), subsegments.end(), [&](const Simplex& subsegment) {
+          return do_meet(polygon.axes, middle, candidate.point, points_[subsegment[0]],
+                         points_[subsegment[1]]);
+        });
+    assert(between != subsegments.end());  // The boundary is a union of them.
     return {*between};
   }
 

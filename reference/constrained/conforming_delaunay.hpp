@@ -25,30 +25,33 @@ struct SteinerLimitReached {
 
 // Adds vertices until every segment is a union of edges, and every polygon of triangles, of the
 // canonical Delaunay triangulation of all vertices. (Under the perturbation these are strongly
-// Delaunay.) Then what of that triangulation is in the domain is a Steiner Delaunay triangulation of
-// the complex.
+// Delaunay.) Then what of that triangulation is in the domain is a Steiner Delaunay triangulation
+// of the complex.
 //
-// In the plane, splitting segments as in segment_recovery.hpp is all there is to it, and always ends.
+// In the plane, splitting segments as in segment_recovery.hpp is all there is to it, and always
+// ends.
 //
-// In space, that comes first. Then a polygon is a union of the Delaunay triangles of the
-// vertices in it, the subfacets. If a subfacet is missing from the Delaunay triangulation in space,
-// the segments of its polygon are split until the diametral balls of their pieces are empty. If it is
-// missing all the same, a point near its circumcentre is added to the polygon. But if that point would
-// be in the diametral ball of a piece of a segment of the polygon, or outside the polygon, then the
-// piece that is in the way is split instead.
+// In space, that comes first. Then a polygon is a union of the Delaunay triangles of the vertices
+// in it, the subfacets. If a subfacet is missing from the Delaunay triangulation in space, the
+// segments of its polygon are split until the diametral balls of their subsegments are empty. If it
+// is missing all the same, a point near its circumcentre is added to the polygon. But if that point
+// would be in the diametral ball of a subsegment of a segment of the polygon, or outside the
+// polygon, then the subsegment that is in the way is split instead.
 //
-// That ends where no two cells meet at an angle below 90°. Let the pieces of the polygon's segments
-// have empty diametral balls; sooner or later they do, see segment_recovery.hpp. A subfacet is only
-// missing if its smallest circumball contains a vertex v off the polygon. v is not on a cell that meets
-// the polygon: beyond a common segment or vertex, v would be in the diametral ball of a piece of the
-// polygon's boundary. So subfacets that are smaller than the distance of the polygon from all cells
-// that it does not meet are there. The points added to the polygon keep a distance from each other and
-// from all vertices in it that is at least half a missing subfacet's radius; so they are finitely many.
-// So are the points on its segments that give way to them.
+// That ends where no two cells meet at an angle below 90°. Let the subsegments of the polygon's
+// segments have empty diametral balls; sooner or later they do, see segment_recovery.hpp. A
+// subfacet is only missing if its smallest circumball contains a vertex v off the polygon. v is not
+// on a cell that meets the polygon: beyond a common segment or vertex, v would be in the diametral
+// ball of a subsegment of the polygon's boundary. So subfacets that are smaller than the distance
+// of the polygon from all cells that it does not meet are there. The points added to the polygon
+// keep a distance from each other and from all vertices in it that is at least half a missing
+// subfacet's radius; so they are finitely many. So are the points on its segments that give way to
+// them.
 //
-// Cells that meet at smaller angles may add points to each other for ever; therefore the limit. "There
-// are algorithms that can find a Steiner Delaunay tetrahedralization of any three-dimensional
-// polyhedron, but they might introduce a superpolynomial number of new vertices": this is none of them.
+// Cells that meet at smaller angles may add points to each other for ever; therefore the limit.
+// "There are algorithms that can find a Steiner Delaunay tetrahedralization of any
+// three-dimensional polyhedron, but they might introduce a superpolynomial number of new vertices":
+// this is none of them.
 // Requires: the complex is valid.
 tl::expected<ConformingDelaunay, SteinerLimitReached> conforming_delaunay(
     const PiecewiseLinearComplex& complex, std::size_t most_steiner_points);

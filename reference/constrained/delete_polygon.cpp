@@ -1,6 +1,7 @@
 #include "reference/constrained/delete_polygon.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
 #include "reference/constrained/crossed_tetrahedra.hpp"
@@ -21,8 +22,8 @@ bool grow(const EvolvingCdt& cdt, const std::set<Simplex>& walls, std::set<Simpl
   return cavity.size() > before;
 }
 
-std::optional<Obstruction> rewrap(const PointSet& points, EvolvingCdt& cdt,
-                                  const std::set<Simplex>& walls, Change change) {
+std::optional<NoChange> rewrap(const PointSet& points, EvolvingCdt& cdt,
+                               const std::set<Simplex>& walls, Change change) {
   auto created = gift_wrap_cavity(points, cavity_of(points, {0, 1, 2}, walls, change.deleted));
   if (!created) return created.error();
   change.created = *std::move(created);
@@ -31,10 +32,13 @@ std::optional<Obstruction> rewrap(const PointSet& points, EvolvingCdt& cdt,
 
 }  // namespace
 
-std::optional<Obstruction> delete_polygon(const PointSet& points, EvolvingCdt& cdt,
-                                          const Polygon& polygon) {
+std::optional<NoChange> delete_polygon(const PointSet& points, EvolvingCdt& cdt,
+                                       const Polygon& polygon) {
   const std::set<Simplex> included =
       facets_included_in(cdt.tetrahedra, PolygonInSpace(points, polygon));
+  for (const Simplex& facet : included) {
+    assert(cdt.tetrahedra.star(facet).size() == 2 || is_on_hull(points, cdt, facet));
+  }
   std::set<Simplex> walls;
   std::set_difference(cdt.walls.begin(), cdt.walls.end(), included.begin(), included.end(),
                       std::inserter(walls, walls.end()));
@@ -51,7 +55,7 @@ std::optional<Obstruction> delete_polygon(const PointSet& points, EvolvingCdt& c
     change.walls_removed = included;
     const auto wrong = rewrap(points, cdt, walls, change);
     if (!wrong) return std::nullopt;
-    const bool has_grown = (wrong->obstacle == Obstacle::kNotLocallyDelaunay &&
+    const bool has_grown = (wrong->why == WhyNoChange::kNotLocallyDelaunay &&
                             grow(cdt, walls, cavity, {wrong->witness})) ||
                            grow(cdt, walls, cavity, facets_of(change.deleted));
     if (!has_grown) return wrong;

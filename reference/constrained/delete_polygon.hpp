@@ -13,8 +13,8 @@ namespace circumspect::constrained {
 // beforehand which other tetrahedra must: the cavity grows over a facet that is found not to be
 // locally Delaunay after the wrapping, and over all its facets where the wrapping fails. In the end
 // it holds all tetrahedra that are not constrained Delaunay any more, if P \ {f} has a CDT.
-// Requires: f is a polygon of P.
-std::optional<Obstruction> delete_polygon(const PointSet& points, EvolvingCdt& cdt,
-                                          const Polygon& polygon);
+// Requires: f is a polygon of P; the CDT fills a convex hull, which is asserted of the facets in f.
+std::optional<NoChange> delete_polygon(const PointSet& points, EvolvingCdt& cdt,
+                                       const Polygon& polygon);
 
 }  // namespace circumspect::constrained

@@ -16,6 +16,13 @@ struct Fan {
   bool is_on_hull = false;
 };
 
+// A facet at v that stays in its plane, and whether it is in a fan already.
+struct FanFacet {
+  bool is_wall = false;
+  bool is_on_hull = false;
+  bool is_taken = false;
+};
+
 class VertexDeletion {
  public:
   VertexDeletion(const PointSet& points, EvolvingCdt& cdt, Vertex v)
@@ -23,8 +30,8 @@ class VertexDeletion {
     change_.deleted = cdt.tetrahedra.star({v});
   }
 
-  std::optional<Obstruction> run() {
-    if (change_.deleted.empty()) return Obstruction{Obstacle::kVertexNeeded, {v_}};
+  std::optional<NoChange> run() {
+    if (change_.deleted.empty()) return NoChange{WhyNoChange::kVertexNeeded, {v_}};
     if (const auto wrong = merge_segments()) return wrong;
     Cavity cavity = cavity_of(points_, {0, 1, 2}, {}, change_.deleted);
     for (const OrientedFacet& facet : cavity.facets.all()) {
@@ -41,7 +48,7 @@ class VertexDeletion {
   }
 
  private:
-  std::optional<Obstruction> merge_segments() {
+  std::optional<NoChange> merge_segments() {
     Simplex ends;
     for (const Simplex& edge : edges_of(change_.deleted)) {
       if (!contains(edge, v_) || !cdt_.segments.contains(edge)) continue;
@@ -50,7 +57,7 @@ class VertexDeletion {
     }
     if (ends.empty()) return std::nullopt;
     if (ends.size() != 2 || !is_parted_by_v(ends)) {
-      return Obstruction{Obstacle::kVertexNeeded, *change_.segments_removed.begin()};
+      return NoChange{WhyNoChange::kVertexNeeded, *change_.segments_removed.begin()};
     }
     change_.segments_added.insert(sorted(ends));
     return std::nullopt;
@@ -68,20 +75,23 @@ class VertexDeletion {
   }
 
   std::vector<Fan> fans() const {
-    std::map<Simplex, bool> facets;  // those that are to be in a fan; is it already in one?
+    std::map<Simplex, FanFacet> facets;  // those that are to be in a fan
     for (const Simplex& facet : facets_of(change_.deleted)) {
-      const bool is_kept = cdt_.walls.contains(facet) || cdt_.tetrahedra.star(facet).size() == 1;
-      if (contains(facet, v_) && is_kept) facets[facet] = false;
+      if (!contains(facet, v_)) continue;
+      const FanFacet kind{cdt_.walls.contains(facet), is_on_hull(points_, cdt_, facet)};
+      if (kind.is_wall || kind.is_on_hull) facets[facet] = kind;
     }
     std::vector<Fan> all;
-    for (auto& [first, is_taken] : facets) {
-      if (is_taken) continue;
-      is_taken = true;
-      Fan fan{{first}, cdt_.walls.contains(first), cdt_.tetrahedra.star(first).size() == 1};
+    for (auto& [first, kind] : facets) {
+      if (kind.is_taken) continue;
+      kind.is_taken = true;
+      Fan fan{{first}, kind.is_wall, kind.is_on_hull};
       for (std::size_t i = 0; i < fan.facets.size(); ++i) {
-        for (auto& [other, is_other_taken] : facets) {
-          if (is_other_taken || !continues(fan, fan.facets[i], other)) continue;
-          is_other_taken = true;
+        for (auto& [other, other_kind] : facets) {
+          const bool is_alike =
+              kind.is_wall == other_kind.is_wall && kind.is_on_hull == other_kind.is_on_hull;
+          if (other_kind.is_taken || !is_alike || !continues(fan.facets[i], other)) continue;
+          other_kind.is_taken = true;
           fan.facets.push_back(other);
         }
       }
@@ -91,17 +101,16 @@ class VertexDeletion {
     return all;
   }
 
-  // Is the other facet the next in the fan, beyond an edge at v?
-  bool continues(const Fan& fan, const Simplex& facet, const Simplex& other) const {
+  // Does the other facet lie in the plane of the facet, beyond an edge at v that is no segment?
+  bool continues(const Simplex& facet, const Simplex& other) const {
     const Simplex rest = without(facet, other);
     if (rest.size() != 1 || rest.front() == v_) return false;
-    return !cdt_.segments.contains(without(facet, rest)) && is_coplanar(facet, other) &&
-           fan.is_wall == cdt_.walls.contains(other) &&
-           fan.is_on_hull == (cdt_.tetrahedra.star(other).size() == 1);
+    return !cdt_.segments.contains(without(facet, rest)) && is_coplanar(facet, other);
   }
 
-  // Retriangulates a fan, and gives the facets to the cavity: on both sides of it, on the hull inside.
-  std::optional<Obstruction> close(const Fan& fan, Cavity& cavity) {
+  // Retriangulates a fan, and gives the facets to the cavity: on both sides of it, on the hull
+  // inside.
+  std::optional<NoChange> close(const Fan& fan, Cavity& cavity) {
     Cavity plane =
         cavity_of(points_, axes_of(points_.configuration(), fan.facets.front()), {}, fan.facets);
     Simplex ends;  // of the edges at v that bound the fan
@@ -113,7 +122,7 @@ class VertexDeletion {
       if (ends.size() == 2) add_replacing_v(plane, edge, ends[0]);
     }
     if (!ends.empty() && (ends.size() != 2 || !is_parted_by_v(ends))) {
-      return Obstruction{Obstacle::kExtremeVertex, {v_}};
+      return NoChange{WhyNoChange::kExtremeVertex, {v_}};
     }
     std::erase(plane.candidates, v_);
     const auto facets = gift_wrap_cavity(points_, plane);
@@ -146,7 +155,7 @@ class VertexDeletion {
 
 }  // namespace
 
-std::optional<Obstruction> delete_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v) {
+std::optional<NoChange> delete_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v) {
   return VertexDeletion(points, cdt, v).run();
 }
 

@@ -6,10 +6,11 @@
 namespace circumspect::constrained {
 
 // Makes the CDT of P ∪ {v} that of P, or says why it cannot be done, and then nothing has changed.
-// No segment may end at v, unless there are two which v parts: they become one. The polygons that
-// v lies in, and the facets of the hull, are retriangulated within their planes first; the star of v
+// No segment may end at v, unless there are two which v parts: they become one. The polygons that v
+// lies in, and the facets of the hull, are retriangulated within their planes first; the star of v
 // is then wrapped from these and from the facets of its link.
-// Requires: the CDT is the canonical one of its vertices, segments and polygons.
-std::optional<Obstruction> delete_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v);
+// Requires: the CDT is the canonical one of its vertices, segments and polygons, and fills a convex
+// hull: facets that one tetrahedron has are read as the hull's, which is asserted of those at v.
+std::optional<NoChange> delete_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v);
 
 }  // namespace circumspect::constrained

@@ -4,6 +4,7 @@
 
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip_algorithm.hpp"
+#include "reference/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 namespace {
@@ -12,27 +13,26 @@ bool is_absent(const EvolvingCdt& cdt, const Simplex& face) {
   return cdt.tetrahedra.star(face).empty();
 }
 
-std::optional<Obstruction> breach(const PointSet& points, const EvolvingCdt& cdt,
-                                  const Change& change) {
+std::optional<NoChange> why_no_cdt(const PointSet& points, const EvolvingCdt& cdt,
+                                   const Change& change) {
   std::set<Simplex> edges = edges_of(change.deleted);
   edges.insert(change.segments_added.begin(), change.segments_added.end());
   for (const Simplex& edge : edges) {
     if (cdt.segments.contains(edge) && is_absent(cdt, edge)) {
-      return Obstruction{Obstacle::kSegmentLost, edge};
+      return NoChange{WhyNoChange::kSegmentLost, edge};
     }
   }
   std::vector<Simplex> facets = facets_of(change.deleted);
   facets.insert(facets.end(), change.walls_added.begin(), change.walls_added.end());
   for (const Simplex& facet : facets) {
-    if (cdt.walls.contains(facet) && is_absent(cdt, facet)) {
-      return Obstruction{Obstacle::kWallLost, facet};
-    }
+    // Walls bound cavities, or stand in them on both sides; and see FlipInsertPolygon for flips.
+    assert(!cdt.walls.contains(facet) || !is_absent(cdt, facet));
   }
   for (const Simplex& facet : facets_of(change.created)) {
     if (!cdt.walls.contains(facet) &&
         !delaunay::is_locally_delaunay(points, cdt.tetrahedra, facet,
                                        delaunay::FlipTest::kPerturbed)) {
-      return Obstruction{Obstacle::kNotLocallyDelaunay, facet};
+      return NoChange{WhyNoChange::kNotLocallyDelaunay, facet};
     }
   }
   return std::nullopt;
@@ -53,18 +53,31 @@ EvolvingCdt evolving_delaunay(const PointSet& points) {
   return {StarIndex(delaunay::bowyer_watson(points, options).simplices()), {}, {}};
 }
 
-std::optional<Obstruction> try_change(const PointSet& points, EvolvingCdt& cdt,
-                                      const Change& change) {
+std::optional<NoChange> try_change(const PointSet& points, EvolvingCdt& cdt, const Change& change) {
   cdt.tetrahedra.replace(change.deleted, change.created);
   exchange(cdt.walls, change.walls_removed, change.walls_added);
   exchange(cdt.segments, change.segments_removed, change.segments_added);
-  std::optional<Obstruction> wrong = breach(points, cdt, change);
+  std::optional<NoChange> wrong = why_no_cdt(points, cdt, change);
   if (wrong) {
     cdt.tetrahedra.replace(change.created, change.deleted);
     exchange(cdt.walls, change.walls_added, change.walls_removed);
     exchange(cdt.segments, change.segments_added, change.segments_removed);
   }
   return wrong;
+}
+
+bool is_on_hull(const PointSet& points, const EvolvingCdt& cdt, const Simplex& facet) {
+  const std::vector<Simplex> star = cdt.tetrahedra.star(facet);
+  if (star.size() != 1) return false;
+  const auto side = [&](Vertex v) {
+    return orientation(points.configuration(), Simplex{facet[0], facet[1], facet[2], v});
+  };
+  const int inner = side(without(star.front(), facet).front());
+  for (Vertex v = 0; points.names(v); ++v) {
+    const bool is_beyond = !contains(facet, v) && side(v) == -inner;
+    assert(!is_beyond || cdt.tetrahedra.star({v}).empty());  // The CDT fills a convex hull.
+  }
+  return true;
 }
 
 std::set<Simplex> edges_of(const std::vector<Simplex>& simplices) {

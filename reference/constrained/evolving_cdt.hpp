@@ -11,12 +11,14 @@
 
 namespace circumspect::constrained {
 
-// The canonical CDT of a convex hull in space with some segments and polygons in it.
+// The canonical CDT of a convex hull in space with some segments and polygons in it: of a PLC of the
+// hull kind. What changes it takes facets that only one tetrahedron has for those of the hull. So a
+// domain that is not convex has no evolving CDT; it is carved from that of its hull (carve.hpp).
 struct EvolvingCdt {
   StarIndex tetrahedra;
   std::set<Simplex> segments;  // pairs of vertices, ascending
-  // The walls: the facets of the triangulation that a polygon includes, ascending. "Locally Delaunay
-  // except those included in a polygon" means: except these.
+  // The walls: the facets of the triangulation that a polygon includes, ascending. "Locally
+  // Delaunay except those included in a polygon" means: except these.
   std::set<Simplex> walls;
 
   friend bool operator==(const EvolvingCdt& a, const EvolvingCdt& b) {
@@ -30,33 +32,31 @@ struct EvolvingCdt {
 EvolvingCdt evolving_delaunay(const PointSet& points);
 
 // Why an evolving CDT cannot become the one that was asked for.
-enum class Obstacle {
+enum class WhyNoChange {
   kSegmentMissing,      // a segment of the polygon is no edge of the triangulation
   kFlipBlocked,         // a facet that must go cannot be flipped
-  kPolygonCrossed,      // no flip is left to do, and a tetrahedron still crosses the polygon
   kFacetUnfinished,     // no vertex in front of the facet can be joined to it in the cavity
   kSimplicesOverlap,    // a facet has two tetrahedra on one side
   kNotLocallyDelaunay,  // a facet that no polygon includes
   kSegmentLost,         // a segment is no edge any more
-  kWallLost,            // a facet included in a polygon is no facet any more
   kNotStarShaped,       // the facet of a vertex's cavity is not seen from the vertex
   kSegmentInCavity,     // a segment runs through the interior of a vertex's cavity
   kPolygonInCavity,     // the same of a polygon, which includes the facet
-  kVertexInCavity,      // inserting a vertex would bury another
   kOutsideHull,         // the vertex to be inserted lies outside the convex hull
   kVertexAlreadyThere,  // the vertex to be inserted is one of the triangulation's
   kExtremeVertex,       // without the vertex to be deleted the convex hull would shrink
   kVertexNeeded,        // segments end at the vertex to be deleted, or it is none of the vertices
 };
 
-struct Obstruction {
-  Obstacle obstacle;
-  Simplex witness;  // the segment, facet, tetrahedron or vertex that the obstacle names
+struct NoChange {
+  WhyNoChange why;
+  Simplex witness;  // the segment, facet, tetrahedron or vertex that it is about
 
-  bool operator==(const Obstruction&) const = default;
+  bool operator==(const NoChange&) const = default;
 };
 
-// What is to become of an evolving CDT. What is to be added is not there yet, what is to be removed is.
+// What is to become of an evolving CDT. What is to be added is not there yet, what is to be removed
+// is.
 struct Change {
   std::vector<Simplex> deleted;  // tetrahedra
   std::vector<Simplex> created;  // tetrahedra that fill the same space
@@ -69,9 +69,16 @@ struct Change {
 // Performs a change. Nothing, if the triangulation is a CDT still; otherwise what is wrong, and
 // nothing has changed. By the Constrained Delaunay Lemma (4.10) it suffices that all segments are
 // edges, all walls facets, and each facet of the new tetrahedra locally Delaunay or a wall.
-// Requires: the tetrahedra will be a triangulation of the hull.
-std::optional<Obstruction> try_change(const PointSet& points, EvolvingCdt& cdt,
-                                      const Change& change);
+// Requires: the tetrahedra will be a triangulation of the hull, with all of its vertices, and
+// besides only one that is to be inserted, or without one that is to be deleted; and all walls will be
+// facets of it, which is asserted. That the created
+// tetrahedra fill what the deleted ones leave, and that no vertex comes or goes, is not looked at.
+// Throws std::logic_error if a deleted tetrahedron is not there, or a created one already is.
+std::optional<NoChange> try_change(const PointSet& points, EvolvingCdt& cdt, const Change& change);
+
+// Is the facet of the triangulation on the boundary of the convex hull? So it is if only one
+// tetrahedron has it. Asserts that then no vertex of the triangulation lies beyond.
+bool is_on_hull(const PointSet& points, const EvolvingCdt& cdt, const Simplex& facet);
 
 // The edges of some simplices, each once, ascending, in lexicographic order.
 std::set<Simplex> edges_of(const std::vector<Simplex>& simplices);

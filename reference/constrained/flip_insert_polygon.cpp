@@ -1,6 +1,7 @@
 #include "reference/constrained/flip_insert_polygon.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 namespace circumspect::constrained {
@@ -26,14 +27,14 @@ class FlipInsertPolygon {
   FlipInsertPolygon(EvolvingCdt& cdt, const PolygonInSpace& polygon)
       : cdt_(cdt), polygon_(polygon) {}
 
-  tl::expected<PolygonFlips, Obstruction> run() {
+  tl::expected<PolygonFlips, NoChange> run() {
     const std::set<Simplex> region = crossed_tetrahedra(cdt_.tetrahedra, polygon_);  // 1, 2
     before_.assign(region.begin(), region.end());
     now_ = region;
     done_.vertices = vertices_of(before_).size();
     for (const Simplex& facet : facets_of(before_)) certify(facet);  // Step 3.
     while (flip_first_admissible()) continue;                        // Step 4.
-    if (const auto wrong = obstruction()) return tl::unexpected(*wrong);
+    if (const auto wrong = finish()) return tl::unexpected(*wrong);
     return std::move(done_);
   }
 
@@ -90,13 +91,23 @@ class FlipInsertPolygon {
   }
 
   // What is wrong at time ∞, if anything is; then the flips are taken back.
-  std::optional<Obstruction> obstruction() {
-    std::optional<Obstruction> wrong;
-    if (!queue_.empty()) wrong = Obstruction{Obstacle::kFlipBlocked, queue_.begin()->facet};
-    const auto crossing = std::find_if(now_.begin(), now_.end(), [&](const Simplex& tetrahedron) {
-      return polygon_.parts(tetrahedron);
-    });
-    if (!wrong && crossing != now_.end()) wrong = Obstruction{Obstacle::kPolygonCrossed, *crossing};
+  //
+  // If no event is left, the polygon is not crossed. For let u be linear on each tetrahedron, 0 at
+  // vertices left of h and on it, d(v, h) at those right of it. No facet that the polygon parts has an
+  // event to come, so u is convex across all of these. Where the polygon is crossed, u is positive on
+  // it somewhere, and greatest where an edge crosses it; about that point u is convex and so constant
+  // on h, and about all points to which this spreads. But u = 0 on the segments of the polygon.
+  //
+  // Nor has any wall or segment been lost. All that a flip deletes has a face A, which it exchanges for
+  // B, the other Radon part. Were A in a closed half-space of h, its u at the common point would be d
+  // or 0, and no greater than that of B, so A would stay below and there would be no event. And a wall
+  // or segment with vertices on both sides does not come near the polygon's interior.
+  std::optional<NoChange> finish() {
+    std::optional<NoChange> wrong;
+    if (!queue_.empty()) wrong = NoChange{WhyNoChange::kFlipBlocked, queue_.begin()->facet};
+    assert(wrong || std::none_of(now_.begin(), now_.end(), [&](const Simplex& tetrahedron) {
+             return polygon_.parts(tetrahedron);
+           }));
     Change change{before_, {now_.begin(), now_.end()}};
     for (const Simplex& facet : facets_of(change.created)) {
       if (polygon_.is_coplanar(facet)) change.walls_added.insert(facet);
@@ -116,12 +127,11 @@ class FlipInsertPolygon {
 
 }  // namespace
 
-tl::expected<PolygonFlips, Obstruction> flip_insert_polygon(const PointSet& points,
-                                                            EvolvingCdt& cdt,
-                                                            const Polygon& polygon) {
+tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points, EvolvingCdt& cdt,
+                                                         const Polygon& polygon) {
   for (const Simplex& segment : polygon.segments) {
     if (cdt.tetrahedra.star(segment).empty()) {
-      return tl::unexpected(Obstruction{Obstacle::kSegmentMissing, segment});
+      return tl::unexpected(NoChange{WhyNoChange::kSegmentMissing, segment});
     }
   }
   PolygonFlips done;

@@ -18,7 +18,10 @@ struct TimedFlip {
 struct PolygonFlips {
   std::size_t vertices = 0;      // m, of the region R: the union of the crossed tetrahedra
   std::vector<TimedFlip> flips;  // as they were performed
-  // How often an event was passed over for a later one, because its flip was inadmissible.
+  // How often an event was passed over for a later one, because its flip was inadmissible. Only where
+  // that never happens does Proposition 5.5 apply, by which there are fewer than m² flips: its proof,
+  // that no edge returns, needs each facet to go at the very time at which it ceases to be locally
+  // weighted Delaunay.
   std::size_t held_back = 0;
 };
 
@@ -29,9 +32,9 @@ struct PolygonFlips {
 // unless they belong to one flip, and their flips are admissible where P ∪ {f} has a CDT because P
 // is edge-protected. Inadmissible flips are held back all the same, as the book demands.
 // Requires: the CDT is that of a PLC P in which all vertices of the points that are in f are
-// vertices, and P ∪ {f} is a valid PLC.
-tl::expected<PolygonFlips, Obstruction> flip_insert_polygon(const PointSet& points,
-                                                            EvolvingCdt& cdt,
-                                                            const Polygon& polygon);
+// vertices, and P ∪ {f} is a valid PLC; it fills a convex hull, so that f does not leave it, which
+// is asserted.
+tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points, EvolvingCdt& cdt,
+                                                         const Polygon& polygon);
 
 }  // namespace circumspect::constrained

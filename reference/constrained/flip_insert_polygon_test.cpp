@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "properties/generators/named_complexes.hpp"
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/insert_polygon_by_cavity.hpp"
 
 namespace circumspect::constrained {
@@ -83,8 +85,39 @@ TEST_CASE("without one of its segments a polygon cannot be inserted, and nothing
   EvolvingCdt cdt = before;
   const auto run = flip_insert_polygon(complex.points, cdt, complex.polygons.front());
   REQUIRE(!run.has_value());
-  CHECK(run.error() == Obstruction{Obstacle::kSegmentMissing, {0, 1}});
+  CHECK(run.error() == NoChange{WhyNoChange::kSegmentMissing, {0, 1}});
   CHECK(insert_polygon_by_cavity(complex.points, cdt, complex.polygons.front()) == run.error());
+  CHECK(cdt == before);
+}
+
+TEST_CASE("a polygon that leaves no triangulation is not inserted (Exercise 5)") {
+  PiecewiseLinearInput input = generators::prism_on_a_sphere(true);
+  input.kind = DomainKind::kHull;
+  const PiecewiseLinearComplex closed = assemble(input);
+  const Polygon floor = closed.polygons.back();
+  REQUIRE(floor.vertices == std::vector<Vertex>{0, 1, 2});
+  PiecewiseLinearComplex open = closed;
+  open.polygons.pop_back();
+  // All on one sphere: a CDT, though not the canonical one, which there is not.
+  const EvolvingCdt before = evolving_cdt(open, {{{0, 1, 3, 4},
+                                                  {0, 1, 4, 6},
+                                                  {0, 2, 3, 5},
+                                                  {0, 2, 3, 6},
+                                                  {0, 3, 4, 6},
+                                                  {1, 2, 4, 5},
+                                                  {1, 2, 5, 6},
+                                                  {1, 4, 5, 6},
+                                                  {2, 3, 5, 6},
+                                                  {3, 4, 5, 6}},
+                                                 {}});
+  EvolvingCdt cdt = before;
+  const auto run = flip_insert_polygon(closed.points, cdt, floor);
+  REQUIRE(!run.has_value());
+  CHECK(run.error().why == WhyNoChange::kFlipBlocked);
+  CHECK(cdt == before);
+  const auto wrong = insert_polygon_by_cavity(closed.points, cdt, floor);
+  REQUIRE(wrong.has_value());
+  CHECK(wrong->why == WhyNoChange::kFacetUnfinished);
   CHECK(cdt == before);
 }
 

@@ -10,8 +10,8 @@
 namespace circumspect::constrained {
 namespace {
 
-// Finish, as in Section 3.11: of the candidates that count, the first in the pencil of spheres through
-// the facet. Obstacles that have no vertex in front of the facet cannot be in the way.
+// Finish, as in Section 3.11: of the candidates that count, the first in the pencil of spheres
+// through the facet. Obstacles that have no vertex in front of the facet cannot be in the way.
 std::optional<Vertex> apex_in_cavity(const PointSet& points, const Cavity& cavity,
                                      const std::vector<OrientedFacet>& cavity_facets,
                                      const OrientedFacet& facet) {
@@ -72,20 +72,20 @@ Cavity cavity_of(const PointSet& points, const std::vector<std::size_t>& axes,
   return cavity;
 }
 
-tl::expected<std::vector<Simplex>, Obstruction> gift_wrap_cavity(const PointSet& points,
-                                                                 const Cavity& cavity) {
+tl::expected<std::vector<Simplex>, NoChange> gift_wrap_cavity(const PointSet& points,
+                                                              const Cavity& cavity) {
   const std::vector<OrientedFacet> cavity_facets = cavity.facets.all();
   UnfinishedFacets unfinished = cavity.facets;
   SimplexDictionary finished;
   while (!unfinished.empty()) {
     const OrientedFacet facet = unfinished.first();
     const auto apex = apex_in_cavity(points, cavity, cavity_facets, facet);
-    if (!apex) return tl::unexpected(Obstruction{Obstacle::kFacetUnfinished, facet.vertices});
+    if (!apex) return tl::unexpected(NoChange{WhyNoChange::kFacetUnfinished, facet.vertices});
     const Simplex simplex = join(facet, *apex);
     for (std::size_t place = 0; place < simplex.size(); ++place) {
       const OrientedFacet side = OrientedFacet::opposite(simplex, place);
       if (finished.adjacent(side)) {
-        return tl::unexpected(Obstruction{Obstacle::kSimplicesOverlap, side.vertices});
+        return tl::unexpected(NoChange{WhyNoChange::kSimplicesOverlap, side.vertices});
       }
     }
     finished.add(simplex);

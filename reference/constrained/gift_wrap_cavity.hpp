@@ -25,16 +25,16 @@ Cavity cavity_of(const PointSet& points, const std::vector<std::size_t>& axes,
 
 // Simplices that fill the cavity exactly, ascending, or the facet at which the wrapping failed.
 //
-// Of the candidates in front of a facet only those count whose simplex with the facet no facet of the
-// cavity reaches into. If the cavity is a union of simplices of a CDT this finds the right one: it
-// counts, and any other that counts is visible from the facet, and so cannot be in its ball.
+// Of the candidates in front of a facet only those count whose simplex with the facet no facet of
+// the cavity reaches into. If the cavity is a union of simplices of a CDT this finds the right one:
+// it counts, and any other that counts is visible from the facet, and so cannot be in its ball.
 // Otherwise whatever comes out has a facet that is not locally Delaunay (Lemma 4.10), which is left
 // to the caller.
 //
 // A wrapping that ends has filled the cavity: the boundary of the simplices, with orientation, is
 // that of the cavity, so they cover each point as often, once within and never without. It ends
 // because no facet ever has two simplices on one side, and so no simplex comes twice.
-tl::expected<std::vector<Simplex>, Obstruction> gift_wrap_cavity(const PointSet& points,
-                                                                 const Cavity& cavity);
+tl::expected<std::vector<Simplex>, NoChange> gift_wrap_cavity(const PointSet& points,
+                                                              const Cavity& cavity);
 
 }  // namespace circumspect::constrained

@@ -53,7 +53,7 @@ TEST_CASE("Schönhardt's polyhedron has a facet that cannot be finished (Figure 
   }
   const auto wrapped = gift_wrap_cavity(points, cavity);
   REQUIRE(!wrapped.has_value());
-  CHECK(wrapped.error().obstacle == Obstacle::kFacetUnfinished);
+  CHECK(wrapped.error().why == WhyNoChange::kFacetUnfinished);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ enum class WhyNoCdt {
   kSimplicesOverlap,    // two tetrahedra are in each other's way
   kNotLocallyDelaunay,  // the vertex is in the ball of the tetrahedron behind the facet
   kSegmentMissing,      // the segment is no edge of the triangulation
-  kVertexMissing,       // the vertex is no vertex of it
 };
 
 struct NoCdt {

@@ -6,11 +6,11 @@
 
 namespace circumspect::constrained {
 
-std::optional<Obstruction> insert_polygon_by_cavity(const PointSet& points, EvolvingCdt& cdt,
-                                                    const Polygon& polygon) {
+std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, EvolvingCdt& cdt,
+                                                 const Polygon& polygon) {
   for (const Simplex& segment : polygon.segments) {
     if (cdt.tetrahedra.star(segment).empty()) {
-      return Obstruction{Obstacle::kSegmentMissing, segment};
+      return NoChange{WhyNoChange::kSegmentMissing, segment};
     }
   }
   const PolygonInSpace in_space(points, polygon);

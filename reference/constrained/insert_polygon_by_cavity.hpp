@@ -10,8 +10,9 @@ namespace circumspect::constrained {
 // constrained Delaunay. Then retriangulate the polyhedral cavities on either side of f." Makes the
 // CDT of P that of P ∪ {f}, or says why it cannot be done, and then nothing has changed.
 // Requires: the CDT is that of a PLC P in which all vertices of the points that are in f are
-// vertices, and P ∪ {f} is a valid PLC.
-std::optional<Obstruction> insert_polygon_by_cavity(const PointSet& points, EvolvingCdt& cdt,
-                                                    const Polygon& polygon);
+// vertices, and P ∪ {f} is a valid PLC; it fills a convex hull, so that f does not leave it, which
+// is asserted.
+std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, EvolvingCdt& cdt,
+                                                 const Polygon& polygon);
 
 }  // namespace circumspect::constrained

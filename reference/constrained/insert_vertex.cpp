@@ -1,6 +1,7 @@
 #include "reference/constrained/insert_vertex.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "reference/complex/facets.hpp"
@@ -35,13 +36,16 @@ class VertexInsertion {
   VertexInsertion(const PointSet& points, EvolvingCdt& cdt, Vertex v)
       : points_(points), cdt_(cdt), v_(v) {}
 
-  std::optional<Obstruction> run() {
+  std::optional<NoChange> run() {
     if (!cdt_.tetrahedra.star({v_}).empty())
-      return Obstruction{Obstacle::kVertexAlreadyThere, {v_}};
+      return NoChange{WhyNoChange::kVertexAlreadyThere, {v_}};
     dig_cavity();
-    if (change_.deleted.empty()) return Obstruction{Obstacle::kOutsideHull, {v_}};
+    if (change_.deleted.empty()) {
+      assert(is_beyond_hull());
+      return NoChange{WhyNoChange::kOutsideHull, {v_}};
+    }
     if (const auto wrong = find_border()) return wrong;
-    if (const auto wrong = find_what_is_buried()) return wrong;
+    if (const auto wrong = find_buried_segments()) return wrong;
     for (const OrientedFacet& facet : border_) change_.created.push_back(sorted(join(facet, v_)));
     join_walls_to_vertex();
     return try_change(points_, cdt_, change_);
@@ -74,12 +78,12 @@ class VertexInsertion {
 
   // The facets of the cavity; each must have v strictly in front, but those of the hull that v is
   // on. What walls there are inside must pass through v.
-  std::optional<Obstruction> find_border() {
+  std::optional<NoChange> find_border() {
     std::vector<Simplex> positive;
     for (const Simplex& tetrahedron : change_.deleted) {
       positive.push_back(positively_oriented(points_, tetrahedron));
     }
-    std::optional<Obstruction> wrong;
+    std::optional<NoChange> wrong;
     for_each_facet(facet_uses(positive), [&](std::span<const FacetUse> uses) {
       const Simplex& facet = uses.front().facet;
       const bool is_wall = cdt_.walls.contains(facet);
@@ -87,13 +91,13 @@ class VertexInsertion {
       const OrientedFacet inward =
           OrientedFacet::opposite(positive[uses.front().simplex], uses.front().opposite);
       const int side = orientation(points_.configuration(), join(inward, v_));
-      const bool is_on_hull = cdt_.tetrahedra.star(facet).size() == 1;
-      if (side == 0 && (uses.size() == 2 || is_on_hull)) {
+      const bool is_of_hull = is_on_hull(points_, cdt_, facet);
+      if (side == 0 && (uses.size() == 2 || is_of_hull)) {
         if (is_wall) change_.walls_removed.insert(facet);
       } else if (uses.size() == 2) {
-        wrong = Obstruction{Obstacle::kPolygonInCavity, facet};
+        wrong = NoChange{WhyNoChange::kPolygonInCavity, facet};
       } else if (side <= 0) {
-        wrong = Obstruction{Obstacle::kNotStarShaped, facet};
+        wrong = NoChange{WhyNoChange::kNotStarShaped, facet};
       } else {
         border_.push_back(inward);
       }
@@ -101,8 +105,27 @@ class VertexInsertion {
     return wrong;
   }
 
-  // Segments and vertices in the interior of the cavity.
-  std::optional<Obstruction> find_what_is_buried() {
+  // Is v beyond a facet of the convex hull?
+  bool is_beyond_hull() const {
+    for (const Simplex& tetrahedron : cdt_.tetrahedra.simplices()) {
+      for (std::size_t place = 0; place < tetrahedron.size(); ++place) {
+        const Simplex facet = facet_opposite(tetrahedron, place);
+        const Simplex replaced = with_vertex_replaced(tetrahedron, place, v_);
+        const bool is_beyond = orientation(points_.configuration(), tetrahedron) *
+                                   orientation(points_.configuration(), replaced) <
+                               0;
+        if (is_beyond && is_on_hull(points_, cdt_, facet)) return true;
+      }
+    }
+    return false;
+  }
+
+  // Segments in the interior of the cavity. Vertices there are none: suppose that all tetrahedra at a
+  // vertex u are in the cavity, and no facet at u bounds it. Then the line from v to u goes on in one
+  // of them, τ. (If u is on the hull, v is in the planes of all its facets at u, and they meet in more
+  // than u, so along that line.) The sphere of τ passes through u, and its ball has points beyond u on
+  // the line. So v is strictly outside, perturbed or not, and τ does not contain v: it was never dug.
+  std::optional<NoChange> find_buried_segments() {
     std::vector<Simplex> facets;
     for (const OrientedFacet& facet : border_) facets.push_back(facet.vertices);
     const std::set<Simplex> edges = edges_of(facets);
@@ -112,17 +135,16 @@ class VertexInsertion {
         change_.segments_removed.insert(edge);
         for (const Vertex end : edge) change_.segments_added.insert(sorted({end, v_}));
       } else if (!edges.contains(edge)) {
-        return Obstruction{Obstacle::kSegmentInCavity, edge};
+        return NoChange{WhyNoChange::kSegmentInCavity, edge};
       }
     }
     const std::set<Vertex> vertices = vertices_of(facets);
-    for (const Vertex u : vertices_of(change_.deleted)) {
-      if (!vertices.contains(u)) return Obstruction{Obstacle::kVertexInCavity, {u}};
-    }
+    for (const Vertex u : vertices_of(change_.deleted)) assert(vertices.contains(u));
     return std::nullopt;
   }
 
-  // The walls through v: from v to each edge that bounds, within their plane, those that were there.
+  // The walls through v: from v to each edge that bounds, within their plane, those that were
+  // there.
   void join_walls_to_vertex() {
     std::map<Simplex, int> uses;
     for (const Simplex& wall : change_.walls_removed) {
@@ -144,7 +166,7 @@ class VertexInsertion {
 
 }  // namespace
 
-std::optional<Obstruction> insert_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v) {
+std::optional<NoChange> insert_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v) {
   return VertexInsertion(points, cdt, v).run();
 }
 

@@ -7,12 +7,13 @@ namespace circumspect::constrained {
 
 // Makes the CDT of P that of P ∪ {v}, or says why it cannot be done, and then nothing has changed.
 //
-// The depth-first search of the Bowyer–Watson algorithm, which does not pass through walls, finds the
-// tetrahedra whose (perturbed) open circumballs hold v, starting from all that contain v: on both
-// sides of a wall, if v lies in one. The cavity must be star-shaped, and no segment or polygon may run
-// through its interior. A polygon that v lies in does not count: its facets in the cavity give way to
-// triangles with v for a vertex, and a segment that v lies in is parted.
-// Requires: the CDT is the canonical one of vertices among the points.
-std::optional<Obstruction> insert_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v);
+// The depth-first search of the Bowyer–Watson algorithm, which does not pass through walls, finds
+// the tetrahedra whose (perturbed) open circumballs hold v, starting from all that contain v: on
+// both sides of a wall, if v lies in one. The cavity must be star-shaped, and no segment or polygon
+// may run through its interior. A polygon that v lies in does not count: its facets in the cavity
+// give way to triangles with v for a vertex, and a segment that v lies in is parted.
+// Requires: the CDT is the canonical one of vertices among the points, and fills their convex hull:
+// facets that one tetrahedron has are read as the hull's, which is asserted of those at the cavity.
+std::optional<NoChange> insert_vertex(const PointSet& points, EvolvingCdt& cdt, Vertex v);
 
 }  // namespace circumspect::constrained

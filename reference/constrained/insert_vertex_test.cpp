@@ -26,8 +26,8 @@ Start start(const std::vector<Point>& points, const std::vector<std::vector<Vert
           static_cast<Vertex>(points.size())};
 }
 
-// Inserts the vertex, and deletes it again, which must restore; or the obstacle.
-std::optional<Obstruction> inserted(Start& s) {
+// Inserts the vertex, and deletes it again, which must restore; or why it cannot be.
+std::optional<NoChange> inserted(Start& s) {
   const EvolvingCdt before = s.cdt;
   const auto wrong = insert_vertex(s.larger, s.cdt, s.v);
   if (wrong) {
@@ -70,16 +70,16 @@ TEST_CASE("in a polygon, in the hull and in a segment") {
 
 TEST_CASE("outside the hull, and there already") {
   Start s = start(kPierced, {}, {}, {9, 9, 9});
-  CHECK(inserted(s) == Obstruction{Obstacle::kOutsideHull, {5}});
+  CHECK(inserted(s) == NoChange{WhyNoChange::kOutsideHull, {5}});
   s.v = 3;
-  CHECK(inserted(s) == Obstruction{Obstacle::kVertexAlreadyThere, {3}});
+  CHECK(inserted(s) == NoChange{WhyNoChange::kVertexAlreadyThere, {3}});
 }
 
 TEST_CASE("a segment runs through the cavity") {
   // The segment 3 4 in the tetrahedra around it; the vertex is in all their balls.
   std::vector<Point> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {0, 0, 8}, {0, 0, -8}};
   Start s = start(points, {}, {{3, 4}}, {0, Rational(1, 4), 0});
-  CHECK(inserted(s) == Obstruction{Obstacle::kSegmentInCavity, {3, 4}});
+  CHECK(inserted(s) == NoChange{WhyNoChange::kSegmentInCavity, {3, 4}});
 }
 
 TEST_CASE("a third sign: a cavity that is star-shaped and empty does not suffice") {
@@ -87,7 +87,7 @@ TEST_CASE("a third sign: a cavity that is star-shaped and empty does not suffice
   const std::vector<Point> points = {{1, 5, 3}, {0, 1, 3}, {0, 1, 4}, {2, 1, 3}, {1, 2, 2}};
   const Point point = {Rational(3, 4), 2, Rational(7, 2)};
   Start s = start(points, {{1, 2, 4}, {2, 3, 4}}, {}, point);
-  CHECK(inserted(s) == Obstruction{Obstacle::kNotLocallyDelaunay, {2, 4, 5}});
+  CHECK(inserted(s) == NoChange{WhyNoChange::kNotLocallyDelaunay, {2, 4, 5}});
   // There is no CDT, by gift-wrapping.
   PiecewiseLinearInput larger{
       s.larger.points(), {}, {{{{1, 2, 4}}, {}}, {{{2, 3, 4}}, {}}}, {}, DomainKind::kHull};
@@ -98,11 +98,11 @@ TEST_CASE("vertices that cannot be deleted") {
   Start s = start(kPierced, {{0, 1, 2}}, {}, {1, 1, Rational(1, 2)});
   CHECK(!insert_vertex(s.larger, s.cdt, 5));
   const EvolvingCdt before = s.cdt;
-  CHECK(delete_vertex(s.larger, s.cdt, 0)->obstacle == Obstacle::kVertexNeeded);
-  CHECK(delete_vertex(s.larger, s.cdt, 4)->obstacle == Obstacle::kExtremeVertex);
+  CHECK(delete_vertex(s.larger, s.cdt, 0)->why == WhyNoChange::kVertexNeeded);
+  CHECK(delete_vertex(s.larger, s.cdt, 4)->why == WhyNoChange::kExtremeVertex);
   CHECK(s.cdt == before);
   CHECK(!delete_vertex(s.larger, s.cdt, 5));
-  CHECK(delete_vertex(s.larger, s.cdt, 5)->obstacle == Obstacle::kVertexNeeded);
+  CHECK(delete_vertex(s.larger, s.cdt, 5)->why == WhyNoChange::kVertexNeeded);
 }
 
 }  // namespace

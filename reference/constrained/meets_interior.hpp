@@ -1,4 +1,5 @@
-// Does a facet reach into a simplex?
+// Does a facet reach into a simplex? Book: Section 4.5.2 (where it does, and lies in a polygon, the
+// simplex does not respect the PLC), Section 5.8 ("the tetrahedra whose interiors intersect f").
 #pragma once
 
 #include <span>

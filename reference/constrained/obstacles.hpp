@@ -1,4 +1,5 @@
-// What may not reach into a simplex of a constrained triangulation.
+// What may not reach into a simplex of a constrained triangulation. Book: Section 4.5.2 (a simplex of a
+// CDT respects the PLC).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 // What is to be triangulated in a plane: a polygon, a PLC in the plane, or a convex hull.
+// Book: Section 4.5.4, Proposition 4.11 (the faces of a polygon are a two-dimensional PLC).
 #pragma once
 
 #include <vector>

@@ -11,15 +11,16 @@
 
 namespace circumspect::constrained {
 
-// Two pieces va and vb of segments that meet in v at an angle θ < 90° stay out of each other's
+// Two subsegments va and vb of segments that meet in v at an angle θ < 90° stay out of each other's
 // diametral balls if they are equally long. (Those with θ ≥ 90° do at any length.) So segments are
-// split on spheres about v, the shells, with radii 2^k. (J. Ruppert, "A Delaunay refinement algorithm
-// for quality 2-dimensional mesh generation", J. Algorithms 18, 1995.)
+// split on spheres about v, the shells, with radii 2^k. (J. Ruppert, "A Delaunay refinement
+// algorithm for quality 2-dimensional mesh generation", J. Algorithms 18, 1995.)
 //
-// Equal lengths are irrational. But b is in the closed diametral ball of va iff |vb| ≤ |va| cos θ; so
-// it is enough if the lengths lie between 2^k and 2^k √m, where m cos² θ < 1 for all acute angles θ at
-// v. The squares of these bounds are rational. Segments are split at the fraction between them that
-// has the least power of two for its denominator: coordinates that are doubles stay dyadic.
+// Equal lengths are irrational. But b is in the closed diametral ball of va iff |vb| ≤ |va| cos θ;
+// so it is enough if the lengths lie between 2^k and 2^k √m, where m cos² θ < 1 for all acute
+// angles θ at v. The squares of these bounds are rational. Segments are split at the fraction
+// between them that has the least power of two for its denominator: coordinates that are doubles
+// stay dyadic.
 class ProtectingShells {
  public:
   // Refers to the complex. Requires: it is valid.
@@ -28,11 +29,11 @@ class ProtectingShells {
   // Does the segment make an acute angle with another at this end of it?
   bool is_acute(std::size_t segment, Vertex apex) const;
 
-  // Where to split a piece that begins at the acute end v of a segment, as a fraction of the whole
-  // segment as seen from v. The shell is the one with radius 2^k between a third and two thirds of the
-  // length, but never smaller than the least shell of v, which is at most a quarter as large as the
-  // distance of v from all vertices and all segments that do not end at v.
-  // Requires: the piece is longer than √m times the least shell.
+  // Where to split a subsegment that begins at the acute end v of a segment, as a fraction of the
+  // whole segment as seen from v. The shell is the one with radius 2^k between a third and two
+  // thirds of the length, but never smaller than the least shell of v, which is at most a quarter
+  // as large as the distance of v from all vertices and all segments that do not end at v.
+  // Requires: the subsegment is longer than √m times the least shell.
   Rational where_to_split(std::size_t segment, Vertex apex, const Rational& squared_length) const;
 
   // The squared radius of the least shell of a vertex; the bound m.
@@ -46,6 +47,7 @@ class ProtectingShells {
     long least_shell = 0;         // its k
   };
   const Apex& around(Vertex apex) const;
+  // Of all pairs of segments at the apex: the time is quadratic in their number.
   void measure_angles(Vertex apex, Apex& around) const;
   Rational squared_distance_to_others(Vertex apex) const;
 

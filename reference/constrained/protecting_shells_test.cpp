@@ -19,7 +19,8 @@ TEST_CASE("protecting shells: which ends are acute") {
   const auto complex = segments_only({{0, 0}, {4, 0}, {4, 1}, {0, 3}, {-4, 0}},
                                      {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}});
   const ProtectingShells shells(complex);
-  // Segments 0 1 and 0 2, 0 2 and 0 3 make acute angles, and 1 2 with 0 2 does; a right one is none.
+  // Segments 0 1 and 0 2, 0 2 and 0 3 make acute angles, and 1 2 with 0 2 does; a right one is
+  // none.
   CHECK(shells.is_acute(0, 0));
   CHECK(shells.is_acute(1, 0));
   CHECK(shells.is_acute(2, 0));
@@ -40,7 +41,7 @@ TEST_CASE("protecting shells: points on one shell are not in each other's diamet
   std::vector<Point> ends;
   for (std::size_t i = 0; i < 4; ++i) {
     const Point& tip = complex.points[static_cast<Vertex>(i + 1)];
-    // Long enough for a piece that is to be split at the least shell.
+    // Long enough for a subsegment that is to be split at the least shell.
     const Rational fraction = shells.where_to_split(i, 0, Rational(9, 4) * least);
     ends.push_back(fraction * tip);
     CHECK(squared_length(ends.back()) >= least);
@@ -57,7 +58,8 @@ TEST_CASE("protecting shells: points on one shell are not in each other's diamet
 }
 
 TEST_CASE("protecting shells: the least one keeps clear of everything else") {
-  // A vertex at distance 40; then, nearer, the middle of a segment at distance 8. A quarter of either.
+  // A vertex at distance 40; then, nearer, the middle of a segment at distance 8. A quarter of
+  // either.
   const auto vertex = segments_only({{0, 0}, {100, 0}, {100, 10}, {0, 40}}, {{0, 1}, {0, 2}});
   CHECK(ProtectingShells(vertex).squared_least_shell(0) == 64);
   const auto segment = segments_only({{0, 0}, {100, 0}, {100, 10}, {0, 40}, {-8, -70}, {-8, 70}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <utility>
 
 #include "reference/constrained/planar_domain.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
@@ -52,14 +53,20 @@ class SegmentInsertion {
   // Fills the cavity on the left of the edge from the chain's front to its back. All vertices of the
   // chain are visible from the edge, through the triangles that were there; so the first of them in
   // the pencil of circles through the edge is the apex of its triangle, which leaves two smaller
-  // cavities of the same kind.
-  void retriangulate(const Chain& chain, std::vector<Simplex>& created) const {
-    if (chain.size() <= 2) return;
-    const std::size_t place = apex_place(chain);
-    created.push_back(sorted({chain.front(), chain[place], chain.back()}));
-    const auto middle = chain.begin() + static_cast<std::ptrdiff_t>(place);
-    retriangulate(Chain(chain.begin(), middle + 1), created);
-    retriangulate(Chain(middle, chain.end()), created);
+  // cavities of the same kind. (They wait in a list: one within the other they may be as many as the
+  // chain is long, too many to call this function again for each.)
+  void retriangulate(Chain chain, std::vector<Simplex>& created) const {
+    std::vector<Chain> pending = {std::move(chain)};
+    while (!pending.empty()) {
+      const Chain cavity = std::move(pending.back());
+      pending.pop_back();
+      if (cavity.size() <= 2) continue;
+      const std::size_t place = apex_place(cavity);
+      created.push_back(sorted({cavity.front(), cavity[place], cavity.back()}));
+      const auto middle = cavity.begin() + static_cast<std::ptrdiff_t>(place);
+      pending.emplace_back(cavity.begin(), middle + 1);
+      pending.emplace_back(middle, cavity.end());
+    }
   }
 
  private:

@@ -4,18 +4,19 @@
 
 namespace circumspect::constrained {
 
-std::vector<PointOnSegment> points_for_unprotected_pieces(const PointSet& points,
-                                                          const StarIndex& canonical_delaunay,
-                                                          const SplitSegments& segments,
-                                                          PieceCondition condition) {
+std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& points,
+                                                               const StarIndex& canonical_delaunay,
+                                                               const SplitSegments& segments,
+                                                               SubsegmentCondition condition) {
   std::vector<PointOnSegment> added;
-  for (const Piece& piece : segments.pieces()) {
-    const bool is_fine = condition == PieceCondition::kInCanonical
-                             ? !canonical_delaunay.star(piece.edge).empty()
-                             : is_strongly_delaunay_edge(points, canonical_delaunay, piece.edge);
+  for (const Subsegment& subsegment : segments.subsegments()) {
+    const bool is_fine =
+        condition == SubsegmentCondition::kInCanonical
+            ? !canonical_delaunay.star(subsegment.edge).empty()
+            : is_strongly_delaunay_edge(points, canonical_delaunay, subsegment.edge);
     if (is_fine) continue;
     const auto vertex = static_cast<Vertex>(points.size() + added.size());
-    added.push_back({vertex, piece.segment, segments.where_to_split(piece)});
+    added.push_back({vertex, subsegment.segment, segments.where_to_split(subsegment)});
   }
   return added;
 }
@@ -24,8 +25,8 @@ RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex) {
   SplitSegments segments(complex);
   PointSet points = complex.points;
   while (true) {
-    const auto added = points_for_unprotected_pieces(points, canonical_delaunay(points), segments,
-                                                     PieceCondition::kStronglyDelaunay);
+    const auto added = points_for_unprotected_subsegments(
+        points, canonical_delaunay(points), segments, SubsegmentCondition::kStronglyDelaunay);
     if (added.empty()) break;
     std::vector<Point> all = points.points();
     for (const PointOnSegment& point : added) {

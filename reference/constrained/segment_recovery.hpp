@@ -14,50 +14,56 @@ struct RecoveredSegments {
   std::vector<PointOnSegment> steiner_points;  // in the order of their indices
 };
 
-// Adds vertices on the segments of any valid complex, in the plane or in space, until every piece is
-// strongly Delaunay: the complex that comes back is edge-protected in both readings, and so has a CDT
-// (Theorem 4.9). A complex that is edge-protected comes back as it is.
+// Adds vertices on the segments of any valid complex, in the plane or in space, until every
+// subsegment is strongly Delaunay: the complex that comes back is edge-protected in both readings,
+// and so has a CDT (Theorem 4.9). A complex that is edge-protected comes back as it is.
 //
-// Round after round, every piece that is not strongly Delaunay is split, and no other. That wastes
-// nothing: more vertices never make a piece strongly Delaunay, so each of them must be split sooner or
-// later, whatever else is done.
+// Round after round, every subsegment that is not strongly Delaunay is split, and no other. That
+// wastes nothing: more vertices never make a subsegment strongly Delaunay, so each of them must be
+// split sooner or later, whatever else is done.
 //
 // It ends, however small the angles. At an acute end a of a segment let 2^k be the radius of the
-// least shell of a, and m ≤ (9/8)² its bound. Call a piece short if it begins at a and its squared
-// length is at most m 4^k.
+// least shell of a, and m ≤ (9/8)² its bound. Call a subsegment short if it begins at a and its
+// squared length is at most m 4^k.
 //
-// 1. A segment ab that is acute at a has no vertex but a nearer to a than 2^k. Points at shells of a
-//    have been chosen so. Points in the middle of a piece are further away than an end of that piece,
-//    or are the middle of ab. As for points at shells of b, the nearest to a was split off from a
-//    piece that begins at b. If that was ab itself, of length l, the point is no further from b than
-//    9/8 · 2l/3 or 9/8 · l/4, since b's least shell is at most l/4; so it is l/4 or further from a,
-//    and 2^k ≤ l/4. If not, the piece has another vertex for its end, which is nearer to a.
-// 2. A short piece ap is strongly Delaunay, by its diametral ball. That ball is in the closed ball
-//    about a with radius √m 2^k ≤ 9/8 · 2^k, which is smaller than the distance of a from all other
-//    original vertices and all segments that do not end at a. A vertex q on a segment that makes an
-//    angle θ ≥ 90° with ap is outside, whatever its distance from a. If θ < 90°, q would have to be
-//    within |ap| cos θ ≤ 2^k √m cos θ < 2^k of a, against 1. So short pieces are never split.
-// 3. A piece at one acute end that is not short is split so that the rest of it at that end is at
-//    most 3/4 as long, or short. This cannot go on for ever.
-// 4. Of the others of a segment s, which are halved, none gets shorter than half a constant. They lie
-//    in the part of s that is at least 2^k away from its acute ends, which is at a positive distance
-//    from every original vertex and every segment other than s, save those that meet s in an end b
-//    that is not acute. These have no point in the diametral ball of a piece of s, apart from b: they
-//    are on the other side of the plane through b orthogonal to s, or in it. So a piece of less than
-//    twice that distance has no vertex in its closed diametral ball, and is strongly Delaunay.
+// 1. A segment ab that is acute at a has no vertex but a nearer to a than 2^k. Points at shells of
+//    a have been chosen so. Points in the middle of a subsegment are further away than an end of
+//    that subsegment, or are the middle of ab. As for points at shells of b, the nearest to a was
+//    split off from a subsegment that begins at b. If that was ab itself, of length l, the point is
+//    no further from b than 9/8 · 2l/3 or 9/8 · l/4, since b's least shell is at most l/4; so it is
+//    l/4 or further from a, and 2^k ≤ l/4. If not, the subsegment has another vertex for its end,
+//    which is nearer to a.
+// 2. A short subsegment ap is strongly Delaunay, by its diametral ball. That ball is in the closed
+//    ball about a with radius √m 2^k ≤ 9/8 · 2^k, which is smaller than the distance of a from all
+//    other original vertices and all segments that do not end at a. A vertex q on a segment that
+//    makes an angle θ ≥ 90° with ap is outside, whatever its distance from a. If θ < 90°, q would
+//    have to be within |ap| cos θ ≤ 2^k √m cos θ < 2^k of a, against 1. So short subsegments are
+//    never split.
+// 3. A subsegment at one acute end that is not short is split so that the rest of it at that end is
+//    at most 3/4 as long, or short. This cannot go on for ever.
+// 4. Of the others of a segment s, which are halved, none gets shorter than half a constant. They
+//    lie in the part of s that is at least 2^k away from its acute ends, which is at a positive
+//    distance from every original vertex and every segment other than s, save those that meet s in
+//    an end b that is not acute. These have no point in the diametral ball of a subsegment of s,
+//    apart from b: they are on the other side of the plane through b orthogonal to s, or in it. So
+//    a subsegment of less than twice that distance has no vertex in its closed diametral ball, and
+//    is strongly Delaunay.
 //
+// Therefore it has no limit on Steiner points, other than conforming_delaunay.hpp; but there may be
+// many of them: for two parallel segments in the proportion of their length to their distance.
 // Requires: the complex is valid.
 RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex);
 
-// What is asked of a piece: to be strongly Delaunay, or only to be so under the canonical perturbation,
-// that is, an edge of the canonical Delaunay triangulation. What is said above holds for either.
-enum class PieceCondition { kStronglyDelaunay, kInCanonical };
+// What is asked of a subsegment: to be strongly Delaunay, or only to be so under the canonical
+// perturbation, that is, an edge of the canonical Delaunay triangulation. What is said above holds
+// for either.
+enum class SubsegmentCondition { kStronglyDelaunay, kInCanonical };
 
-// One round: the points at which pieces are to be split that do not satisfy the condition. They get
-// the numbers that follow those of the points, which are all there are so far.
-std::vector<PointOnSegment> points_for_unprotected_pieces(const PointSet& points,
-                                                          const StarIndex& canonical_delaunay,
-                                                          const SplitSegments& segments,
-                                                          PieceCondition condition);
+// One round: the points at which subsegments are to be split that do not satisfy the condition.
+// They get the numbers that follow those of the points, which are all there are so far.
+std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& points,
+                                                               const StarIndex& canonical_delaunay,
+                                                               const SplitSegments& segments,
+                                                               SubsegmentCondition condition);
 
 }  // namespace circumspect::constrained

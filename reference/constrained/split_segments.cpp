@@ -14,8 +14,8 @@ SplitSegments::SplitSegments(const PiecewiseLinearComplex& complex)
   }
 }
 
-std::vector<Piece> SplitSegments::pieces() const {
-  std::vector<Piece> all;
+std::vector<Subsegment> SplitSegments::subsegments() const {
+  std::vector<Subsegment> all;
   for (std::size_t i = 0; i < stops_.size(); ++i) {
     const std::vector<Simplex> edges = edges_of(i);
     for (std::size_t place = 0; place < edges.size(); ++place) {
@@ -34,21 +34,24 @@ std::vector<Simplex> SplitSegments::edges_of(std::size_t segment) const {
   return edges;
 }
 
-Rational SplitSegments::squared_length_of(const Piece& piece) const {
-  const Simplex& segment = complex_.segments[piece.segment];
-  const Stop* stop = &stops_[piece.segment][piece.place];
+Rational SplitSegments::squared_length_of(const Subsegment& subsegment) const {
+  const Simplex& segment = complex_.segments[subsegment.segment];
+  const Stop* stop = &stops_[subsegment.segment][subsegment.place];
   const Rational part = stop[1].parameter - stop[0].parameter;
   return part * part * squared_distance(complex_.points[segment[0]], complex_.points[segment[1]]);
 }
 
-Rational SplitSegments::where_to_split(const Piece& piece) const {
-  const Simplex& segment = complex_.segments[piece.segment];
-  const Stop* stop = &stops_[piece.segment][piece.place];
-  const bool begins = stop[0].vertex == segment[0] && shells_.is_acute(piece.segment, segment[0]);
-  const bool ends = stop[1].vertex == segment[1] && shells_.is_acute(piece.segment, segment[1]);
-  if (begins == ends || is_protected(piece)) return (stop[0].parameter + stop[1].parameter) / 2;
-  const Rational from_apex =
-      shells_.where_to_split(piece.segment, segment[begins ? 0 : 1], squared_length_of(piece));
+Rational SplitSegments::where_to_split(const Subsegment& subsegment) const {
+  const Simplex& segment = complex_.segments[subsegment.segment];
+  const Stop* stop = &stops_[subsegment.segment][subsegment.place];
+  const bool begins =
+      stop[0].vertex == segment[0] && shells_.is_acute(subsegment.segment, segment[0]);
+  const bool ends =
+      stop[1].vertex == segment[1] && shells_.is_acute(subsegment.segment, segment[1]);
+  if (begins == ends || is_protected(subsegment))
+    return (stop[0].parameter + stop[1].parameter) / 2;
+  const Rational from_apex = shells_.where_to_split(subsegment.segment, segment[begins ? 0 : 1],
+                                                    squared_length_of(subsegment));
   return begins ? from_apex : 1 - from_apex;
 }
 
@@ -58,10 +61,11 @@ Point SplitSegments::point_at(std::size_t segment, const Rational& parameter) co
   return start + parameter * (complex_.points[ends[1]] - start);
 }
 
-bool SplitSegments::is_protected(const Piece& piece) const {
-  for (const Vertex end : complex_.segments[piece.segment]) {
-    if (contains(piece.edge, end) && shells_.is_acute(piece.segment, end) &&
-        squared_length_of(piece) <= shells_.squared_width(end) * shells_.squared_least_shell(end)) {
+bool SplitSegments::is_protected(const Subsegment& subsegment) const {
+  for (const Vertex end : complex_.segments[subsegment.segment]) {
+    if (contains(subsegment.edge, end) && shells_.is_acute(subsegment.segment, end) &&
+        squared_length_of(subsegment) <=
+            shells_.squared_width(end) * shells_.squared_least_shell(end)) {
       return true;
     }
   }
@@ -96,7 +100,7 @@ PiecewiseLinearComplex SplitSegments::augmented(
     const PointSet& points, const std::vector<PointInPolygon>& in_polygons) const {
   PiecewiseLinearComplex augmented{
       points, {}, complex_.polygons, complex_.hole_seeds, complex_.kind};
-  for (const Piece& piece : pieces()) augmented.segments.push_back(piece.edge);
+  for (const Subsegment& subsegment : subsegments()) augmented.segments.push_back(subsegment.edge);
   std::sort(augmented.segments.begin(), augmented.segments.end());
   for (const PointInPolygon& point : in_polygons) {
     augmented.polygons[point.polygon].vertices.push_back(point.vertex);

@@ -10,7 +10,7 @@
 namespace circumspect::constrained {
 
 // A part of a segment between successive vertices on it.
-struct Piece {
+struct Subsegment {
   std::size_t segment = 0;  // its place in the original complex
   std::size_t place = 0;    // how many vertices of the segment's interior come before it
   Simplex edge;             // its ends, ascending
@@ -33,33 +33,35 @@ struct PointInPolygon {
   bool operator==(const PointInPolygon&) const = default;
 };
 
-// How pieces are split so that it comes to an end: a piece one end of which is an acute end of its
-// segment at a shell (see ProtectingShells), every other in its middle. So a segment with two acute
-// ends is halved first. (Splitting beside the point that is in the way, instead of in the middle, was
-// tried: it takes fewer points in fans of segments, and more in Chazelle's polyhedra.)
+// How subsegments are split so that it comes to an end: a subsegment one end of which is an acute
+// end of its segment at a shell (see ProtectingShells), every other in its middle. So a segment
+// with two acute ends is halved first. (Splitting beside the point that is in the way, instead of
+// in the middle, was tried: it takes fewer points in fans of segments, and more in Chazelle's
+// polyhedra.)
 class SplitSegments {
  public:
   // Refers to the complex. Requires: it is valid.
   explicit SplitSegments(const PiecewiseLinearComplex& complex);
 
   // Segment by segment, each from its first end to its second.
-  std::vector<Piece> pieces() const;
+  std::vector<Subsegment> subsegments() const;
 
-  // The parameter, on the whole segment, at which the piece should be split next.
-  Rational where_to_split(const Piece& piece) const;
+  // The parameter, on the whole segment, at which the subsegment should be split next.
+  Rational where_to_split(const Subsegment& subsegment) const;
   Point point_at(std::size_t segment, const Rational& parameter) const;
 
-  // Is the piece one that recovery never needs to split, because it has an acute end of its segment
-  // for an end and is as short as the least shell there? (Points off the segments may need it.)
-  bool is_protected(const Piece& piece) const;
+  // Is the subsegment one that recovery never needs to split, because it has an acute end of its
+  // segment for an end and is as short as the least shell there? (Points off the segments may need
+  // it.)
+  bool is_protected(const Subsegment& subsegment) const;
 
   // A vertex is now at this parameter of the segment. Requires: none was.
   void add(const PointOnSegment& point);
   // In the order in which they were added.
   const std::vector<PointOnSegment>& added() const { return added_; }
 
-  // The complex whose segments are the pieces: `points` are the original ones and all that were
-  // added. Its polygons have what was added to their segments, and their own added points.
+  // The complex whose segments are the subsegments: `points` are the original ones and all that
+  // were added. Its polygons have what was added to their segments, and their own added points.
   PiecewiseLinearComplex augmented(const PointSet& points,
                                    const std::vector<PointInPolygon>& in_polygons = {}) const;
 
@@ -69,9 +71,10 @@ class SplitSegments {
     Vertex vertex;
   };
   std::vector<Simplex> edges_of(std::size_t segment) const;
-  // Puts the pieces in the place of its segments, and adds the vertices between them, unsorted.
+  // Puts the subsegments in the place of its segments, and adds the vertices between them,
+  // unsorted.
   void split_segments_of(Polygon& polygon) const;
-  Rational squared_length_of(const Piece& piece) const;
+  Rational squared_length_of(const Subsegment& subsegment) const;
 
   const PiecewiseLinearComplex& complex_;
   ProtectingShells shells_;

@@ -11,7 +11,8 @@ namespace circumspect::constrained {
 enum class CdtAlgorithm { kGiftWrapping, kPolygonFlips, kPolygonCavities };
 
 // The canonical CDT of a complex that has one by Theorem 4.9, or because it is planar.
-// Requires: in space, that the complex is edge-protected in either reading.
+// Requires: in space, that the complex is edge-protected in either reading; the complex is valid.
+// Throws std::logic_error if it turns out to have no CDT, and so was not edge-protected.
 PlcTriangulation cdt_of_edge_protected(const PiecewiseLinearComplex& complex,
                                        CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips);
 
@@ -23,7 +24,9 @@ struct SteinerCdt {
 
 // "The augmented PLC has a CDT, which is a Steiner CDT of the original PLC." A complex that is
 // edge-protected gets no Steiner points; nor does one in the plane, where every complex has a CDT.
+// However short the subsegments have to be, as many are made: that ends (see segment_recovery.hpp).
 // Requires: the complex is valid.
+// Throws std::logic_error if the augmented complex has no CDT, which would refute Theorem 4.9.
 SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex,
                        CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips);
 

@@ -26,22 +26,31 @@ std::optional<int> number(std::string_view word) {
   return value;
 }
 
+constexpr const char* kHeader = "a header 'p cnf VARIABLES CLAUSES'";
+
+// What was expected, and what was found instead.
+struct Fault {
+  std::string expected;
+  std::string found;
+};
+
 class Reader {
  public:
-  // What was expected in a line, or nothing if it is right.
-  std::optional<std::string> read(std::string_view line) {
+  // What is wrong with a line, or nothing if it is right.
+  std::optional<Fault> read(std::string_view line) {
     std::string_view rest = line;
     const std::string_view word = next_word(rest);
     if (word.empty() || word == "c") return std::nullopt;
-    if (clauses_ < 0) return header(word, rest);
+    if (clauses_ < 0) return header(line, word, rest);
     return literals(line);
   }
 
-  std::optional<std::string> end() const {
-    if (clauses_ < 0) return "a header 'p cnf VARIABLES CLAUSES'";
-    if (!clause_.empty()) return "a 0 at the end of the clause";
+  std::optional<Fault> end() const {
+    if (clauses_ < 0) return Fault{kHeader, kEnd};
+    if (!clause_.empty()) return Fault{"a 0 at the end of the clause", kEnd};
     if (std::ssize(formula_.clauses) != clauses_) {
-      return std::to_string(clauses_) + " clauses, as the header says";
+      return Fault{std::to_string(clauses_) + " clauses, as the header says",
+                   std::to_string(formula_.clauses.size()) + " and " + kEnd};
     }
     return std::nullopt;
   }
@@ -49,29 +58,33 @@ class Reader {
   Formula formula() { return std::move(formula_); }
 
  private:
-  std::optional<std::string> header(std::string_view word, std::string_view rest) {
+  static constexpr const char* kEnd = "the end of the file";
+
+  std::optional<Fault> header(std::string_view line, std::string_view word, std::string_view rest) {
     const bool is_header = word == "p" && next_word(rest) == "cnf";
     const auto variables = number(next_word(rest));
     const auto clauses = number(next_word(rest));
     if (!is_header || !variables || !clauses || *variables < 0 || *clauses < 0 ||
         *variables > kLargestVariable || !next_word(rest).empty()) {
-      return "a header 'p cnf VARIABLES CLAUSES'";
+      return Fault{kHeader, quoted(line)};
     }
     formula_.variables = *variables;
     clauses_ = *clauses;
     return std::nullopt;
   }
 
-  std::optional<std::string> literals(std::string_view line) {
+  std::optional<Fault> literals(std::string_view line) {
     for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
       const auto literal = number(word);
       if (!literal || std::abs(*literal) > formula_.variables) {
-        return "a literal of at most " + std::to_string(formula_.variables) + ", or 0";
+        const std::string most = std::to_string(formula_.variables);
+        return Fault{"a literal between -" + most + " and " + most + ", or 0", quoted(word)};
       }
       if (*literal != 0) {
         clause_.push_back(*literal);
       } else if (std::ssize(formula_.clauses) == clauses_) {
-        return "no more than " + std::to_string(clauses_) + " clauses, as the header says";
+        return Fault{"no more than " + std::to_string(clauses_) + " clauses, as the header says",
+                     "another"};
       } else {
         formula_.clauses.push_back(std::move(clause_));
         clause_.clear();
@@ -104,13 +117,13 @@ tl::expected<Formula, MalformedProof> read_dimacs(std::string_view text) {
   std::size_t line = 1;
   for (; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    if (const auto expected = reader.read(text.substr(0, end))) {
-      return tl::make_unexpected(MalformedProof{line, *expected});
+    if (const auto fault = reader.read(text.substr(0, end))) {
+      return tl::make_unexpected(MalformedProof{line, fault->expected, fault->found});
     }
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  if (const auto expected = reader.end()) {
-    return tl::make_unexpected(MalformedProof{line, *expected});
+  if (const auto fault = reader.end()) {
+    return tl::make_unexpected(MalformedProof{line, fault->expected, fault->found});
   }
   return reader.formula();
 }

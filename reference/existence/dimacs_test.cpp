@@ -29,5 +29,25 @@ TEST_CASE("DIMACS: malformed files are told where") {
   CHECK(read_dimacs("c\np cnf 1 1\n1 2 0").error().line == 3);
 }
 
+TEST_CASE("DIMACS: malformed files are told what was expected and what was found") {
+  struct Case {
+    std::string text, expected, found;
+  };
+  const std::string header = "a header 'p cnf VARIABLES CLAUSES'";
+  for (const Case& one : std::vector<Case>{
+           {"c only", header, "the end of the file"},
+           {"p dnf 1 0", header, "'p dnf 1 0'"},
+           {"p cnf 1 1\n2 0", "a literal between -1 and 1, or 0", "'2'"},
+           {"p cnf 1 1\n1", "a 0 at the end of the clause", "the end of the file"},
+           {"p cnf 1 1\n1 0 1 0", "no more than 1 clauses, as the header says", "another"},
+           {"p cnf 1 2\n1 0", "2 clauses, as the header says", "1 and the end of the file"}}) {
+    CAPTURE(one.text);
+    const auto read = read_dimacs(one.text);
+    REQUIRE_FALSE(read.has_value());
+    CHECK(read.error().expected == one.expected);
+    CHECK(read.error().found == one.found);
+  }
+}
+
 }  // namespace
 }  // namespace circumspect::existence

@@ -40,12 +40,14 @@ struct Limits {
 };
 
 // Is there any triangulation (Definition 4.4) of the polyhedra of the complex?
-// Requires: the complex is in space.
+// Requires: the complex is in space; the regions are its own.
+// Throws std::logic_error if the solver's word is not confirmed, that is, its assignment satisfies
+// not all clauses or its refutation does not replay; and std::runtime_error as `solve`.
 Existence any_triangulation(const PiecewiseLinearComplex& complex, const Regions& regions,
                             const Limits& limits = {});
 
 // Is there any constrained Delaunay triangulation (Definition 4.7), in the unperturbed sense?
-// Dangling polygons, which have planar CDTs always, do not matter.
+// Dangling polygons, which have planar CDTs always, do not matter. Requires and throws as above.
 Existence any_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
                   const Limits& limits = {});
 

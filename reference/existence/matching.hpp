@@ -1,4 +1,5 @@
 // Triangulations of a complex as the solutions of a propositional formula.
+// Book: Section 4.5.1, Definition 4.4.
 #pragma once
 
 #include "reference/existence/formula.hpp"

@@ -145,13 +145,21 @@ bool read_step(std::string_view line, ProofStep& step) {
 
 }  // namespace
 
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::string shown;
+  for (const char c : text.substr(0, kLongest)) shown += c < ' ' || c > '~' ? '?' : c;
+  return "'" + shown + (text.size() > kLongest ? "…'" : "'");
+}
+
 tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text) {
   Refutation refutation;
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     ProofStep step;
     if (!read_step(text.substr(0, end), step)) {
-      return tl::make_unexpected(MalformedProof{line, "literals and a 0, after d for a deletion"});
+      return tl::make_unexpected(MalformedProof{line, "literals and a 0, after d for a deletion",
+                                                quoted(text.substr(0, end))});
     }
     refutation.push_back(std::move(step));
     text.remove_prefix(std::min(end + 1, text.size()));

@@ -24,11 +24,17 @@ using Refutation = std::vector<ProofStep>;
 // A variable that no clause names only wastes memory: a file that names a larger one is malformed.
 inline constexpr Literal kLargestVariable = 50'000'000;
 
-// A line of a file that is not one of the format, counted from 1, and what was expected there.
+// A line of a file that is not one of the format, counted from 1, what was expected there, and what
+// was found instead: the line or the word at fault between quotes, or "the end of the file".
 struct MalformedProof {
   std::size_t line;
   std::string expected;
+  std::string found;
 };
+
+// A text from a file between quotes: no longer than a message bears, nothing in it that a terminal
+// would not show.
+std::string quoted(std::string_view text);
 
 // Reads DRAT's text: a line a step, the clause's literals and 0, after `d` for a deletion.
 tl::expected<Refutation, MalformedProof> read_refutation(std::string_view text);

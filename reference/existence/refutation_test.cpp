@@ -67,6 +67,11 @@ TEST_CASE("proof files: malformed lines are named") {
     CHECK_FALSE(read_refutation(text).has_value());
   }
   CHECK(read_refutation("1 0\n2 0\n+ 0").error().line == 3);
+  CHECK(read_refutation("1 0\n2 0\n+ 0").error().found == "'+ 0'");
+  CHECK(read_refutation("1 0\n\n").error().found == "''");
+  // What is shown is short, and shows itself.
+  CHECK(quoted("a\tb\x1b[2J\xff") == "'a?b?[2J?'");
+  CHECK(quoted(std::string(41, '1')) == "'" + std::string(40, '1') + "…'");
 }
 
 }  // namespace

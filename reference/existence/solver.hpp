@@ -17,6 +17,8 @@ struct Undecided {};  // within the limit
 
 // Satisfied, refuted, or undecided after so many conflicts (0: no limit). The answer is the solver's
 // word until `is_satisfied` or `replay` has confirmed it.
+// Throws std::runtime_error if there is no memory for the solver's proof, or if the proof that it has
+// written cannot be read.
 std::variant<Satisfied, Refuted, Undecided> solve(const Formula& formula, int conflict_limit = 0);
 
 // The name and the version of the solver.

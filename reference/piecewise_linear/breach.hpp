@@ -51,7 +51,8 @@ std::string_view meaning(BreachKind kind);
 //   kCrossingSegments       segments: two; point: in both
 //   kPolygonHoleSeed        polygons; point: the seed; offset and vertices (the three that span the
 //                           plane) if it is off the plane, segments or vertices if it lies on one of
-//                           the polygon's; nothing more if it is in no hole
+//                           the polygon's; nothing more if it is in no hole: beyond the outline, or
+//                           in what borders on the outside when the lines alone part the plane
 //   kSegmentPiercesPolygon  segments; polygons; point: in both
 //   kPolygonsCross          polygons: two; point: in both, on no segment
 //   kPolygonsOverlap        polygons: two, of one plane; point: inside both

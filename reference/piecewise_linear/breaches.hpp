@@ -1,4 +1,5 @@
 // The stages of `validated`. Each adds what it finds and ends early when the list is full.
+// Book: Section 4.5.1, Definition 4.3.
 #pragma once
 
 #include "reference/piecewise_linear/breach.hpp"

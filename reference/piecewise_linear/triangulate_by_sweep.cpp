@@ -104,7 +104,7 @@ class Sweep {
     while (last != crossed_.end() && last->right == v) ++last;
     const std::size_t below = first == crossed_.begin() ? bottom_gap_ : (first - 1)->gap_above;
     const std::size_t above = last == first ? below : (last - 1)->gap_above;
-    for (auto s = first; s + 1 < last; ++s) {
+    for (auto s = first; last - s > 1; ++s) {
       join_all(gaps_[s->gap_above].lower, v);
       join_all(gaps_[s->gap_above].upper, v);
       gaps_[s->gap_above] = {};

@@ -180,6 +180,26 @@ TEST_CASE("plc.polygon-hole-seed") {
   CHECK(one({4, 4, 0}).vertices == std::vector<Vertex>{6});
 }
 
+TEST_CASE("plc.polygon-hole-seed: a seed in what borders on the outside makes no hole") {
+  const auto in_no_hole = [](const PiecewiseLinearInput& input, const Point& seed) {
+    const std::vector<Breach> found = breaches(with_seed(input, seed));
+    return found == std::vector<Breach>{{BreachKind::kPolygonHoleSeed, {}, {}, {0}, seed}};
+  };
+  // Nothing would be left of it, or only what was to be a hole.
+  CHECK(in_no_hole(square(), {3, 3, 0}));
+  const auto holed = square({{2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}}, {{4, 5, 6, 7}});
+  CHECK(in_no_hole(holed, {1, 1, 0}));
+  CHECK(in_no_hole(with_seed(holed, {3, 3, 0}), {1, 1, 0}));
+  // On either side of a line from corner to corner.
+  CHECK(in_no_hole(square({}, {{0, 2}}), {3, 1, 0}));
+  CHECK(in_no_hole(square({}, {{0, 2}}), {1, 3, 0}));
+  // A hole may touch the outline in a vertex, and may be parted by a line.
+  const auto pinched = square({{2, 2, 0}, {4, 2, 0}}, {{0, 4, 5}});
+  CHECK(is_valid(with_seed(pinched, {2, Rational(3, 2), 0})));
+  const auto parted = square({{2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}}, {{4, 5, 6, 7}, {4, 6}});
+  CHECK(is_valid(with_seed(with_seed(parted, {3, Rational(5, 2), 0}), {Rational(5, 2), 3, 0})));
+}
+
 TEST_CASE("plc.hole-seed-on-wall") {
   PiecewiseLinearInput input = generators::box(0, 4);
   input.hole_seeds = {{1, 1, 0}};

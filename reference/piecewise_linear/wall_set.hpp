@@ -1,4 +1,6 @@
 // The walls of a complex, and where points and straight lines meet them.
+// Book: Section 4.5.2 ("A linear cell in P that intersects the relative interior of xy but does not
+// include xy occludes the visibility between x and y").
 #pragma once
 
 #include <optional>

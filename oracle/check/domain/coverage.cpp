@@ -2,14 +2,11 @@
 
 #include <array>
 
+#include "oracle/check/domain/loose_facets.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {
-
-Point middle_of(const MeshedDomain& in, const Simplex& simplex) {
-  return barycentre(coordinates(in.mesh.points, simplex));
-}
 
 // The witness that nothing covers the side of a piece: which side, by a sign of orientation.
 Witness bare_side(const WallPiece& piece, std::size_t side) {
@@ -41,23 +38,11 @@ void judge_piece(const MeshedDomain& in, const WallPiece& piece,
   }
 }
 
-// A facet of one simplex off the walls: either the simplex is outside, or what is beyond is inside.
-void judge_loose_facet(const MeshedDomain& in, const FacetUse& use, Verdict& verdict) {
-  const Simplex& simplex = in.mesh.simplices[use.simplex];
-  const auto is_out = [](Where where) { return where == Where::kOutside || where == Where::kHole; };
-  for (const Simplex& cell : {simplex, use.facet}) {
-    const Point middle = middle_of(in, cell);
-    if (!is_out(in.regions.locate(middle))) continue;
-    verdict.add(Rule::kOutside, {.simplices = {simplex}, .face = use.facet, .point = middle});
-    return;
-  }
-  verdict.add(Rule::kUncovered, {.simplices = {simplex}, .face = use.facet});
-}
-
 }  // namespace
 
 void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                     Verdict& verdict) {
+  std::vector<FacetUse> loose;
   auto piece = pieces.begin();
   for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
     const Simplex& facet = group.front().facet;
@@ -68,12 +53,13 @@ void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces
       judge_piece(in, *piece, simplices_at(in, group), verdict);
       ++piece;
     } else if (group.size() == 1) {
-      judge_loose_facet(in, group.front(), verdict);
+      loose.push_back(group.front());
     }
   });
   for (; piece != pieces.end(); ++piece) {
     judge_piece(in, *piece, {kNowhere, kNowhere}, verdict);
   }
+  judge_loose_facets(in, loose, verdict);
 }
 
 }  // namespace circumspect::check

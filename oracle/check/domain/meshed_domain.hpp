@@ -19,6 +19,7 @@ struct MeshedDomain {
   const std::vector<FacetUse>& uses;  // of the mesh's simplices
   const VertexPlaces& places;
   const SegmentChains& chains;
+  VertexSearch& search;
 
   bool is_inside(std::size_t region) const { return regions.where(region) == Where::kInside; }
   // The point of the mesh that a vertex of the domain is.

@@ -32,6 +32,15 @@ TEST_CASE("a square, with Steiner points and without") {
   CHECK(verdict.steiner_points->in_polygons == 0);
   CHECK(verdict.steiner_points->in_polyhedra == 1);
   CHECK(verdict.unique == false);
+  // Which they are, up to the limit on witnesses.
+  REQUIRE(verdict.extra_vertices.has_value());
+  CHECK(verdict.extra_vertices->count == 5);
+  CHECK(verdict.extra_vertices->first.size() == 5);
+  const Verdict limited = judge_domain(Claim::kCdt, fine, domain, {.max_violations = 2});
+  CHECK(limited.extra_vertices->count == 5);
+  CHECK(limited.extra_vertices->first ==
+        std::vector<Vertex>(verdict.extra_vertices->first.begin(),
+                            verdict.extra_vertices->first.begin() + 2));
 }
 
 TEST_CASE("a hole is left empty, and nothing else is") {
@@ -86,6 +95,68 @@ TEST_CASE("domain.uncovered where the boundary is listed but not filled") {
   Mesh mesh{PointSet(square(0, 2).points), {{0, 1, 2}}};
   mesh.faces = {{2, 3}, {0, 3}};
   CHECK(rules(mesh, domain_of(square(0, 2))) == std::set{Rule::kUncovered});
+}
+
+TEST_CASE("complex.overlap: a vertex hangs in an edge of the triangle beyond") {
+  // Below the diagonal one triangle, above it the diagonal is divided.
+  std::vector<Point> points = square(0, 4).points;
+  points.push_back({2, 2});
+  const Domain domain = domain_of(square(0, 4));
+  const Mesh hanging{PointSet(points), {{0, 1, 2}, {0, 4, 3}, {2, 3, 4}}};
+  CHECK(rules(hanging, domain) == std::set{Rule::kOverlap});
+  CHECK(broken(Claim::kSteinerTriangulation, hanging, domain, By::kDefinition) ==
+        std::set{Rule::kOverlap});
+  const Verdict verdict = judge_domain(Claim::kSteinerTriangulation, hanging, domain);
+  REQUIRE(verdict.violations().size() == 1);
+  const Witness& witness = verdict.violations()[0].witness;
+  CHECK(witness.face == Simplex{0, 2});
+  CHECK(witness.vertices == std::vector<Vertex>{4});
+  CHECK(witness.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 4, 3}});
+  CHECK(witness.point == Point{2, 2});
+  // What is not filled is told as well: half of the edge, the other half missing beyond it.
+  Mesh open{PointSet(points), {{0, 1, 2}, {0, 4, 3}}};
+  open.faces = {{2, 3}};
+  CHECK(rules(open, domain) == std::set{Rule::kOverlap, Rule::kUncovered});
+  const Verdict bare = judge_domain(Claim::kSteinerTriangulation, open, domain);
+  CHECK(bare.tallies().at(Rule::kOverlap).count == 1);
+  CHECK(bare.tallies().at(Rule::kUncovered).count == 3);  // 2 3, 3 4 and half of 0 2
+  // A triangle on the same side of the edge fills nothing beyond it.
+  points.push_back({3, 1});
+  Mesh folded{PointSet(points), {{0, 1, 2}, {0, 4, 5}}};
+  folded.faces = {{2, 3}, {0, 3}};
+  const Verdict same_side = judge_domain(Claim::kSteinerTriangulation, folded, domain);
+  CHECK(same_side.tallies().at(Rule::kOverlap).count == 1);
+  CHECK(same_side.tallies().at(Rule::kUncovered).count == 6);  // 2 3, 0 3, 0 2, 0 4, 4 5, 0 5
+}
+
+TEST_CASE("the vertex nearest to what is missing, exactly") {
+  const Rational tiny = Rational(1) / 1024;
+  std::vector<Point> points = square(0, 2).points;
+  points[2] = {2, 2 + tiny};
+  const Mesh off{PointSet(points), {{0, 1, 2}, {0, 2, 3}}};
+  const auto first = [](const Mesh& mesh, const Domain& domain, By by) {
+    return judge_domain(Claim::kSteinerTriangulation, mesh, domain, {.by = by}).violations().at(0);
+  };
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    const Violation violation = first(off, domain_of(square(0, 2)), by);
+    CHECK(violation.rule == Rule::kDomainVertexMissing);
+    REQUIRE(violation.witness.nearest.has_value());
+    CHECK(violation.witness.nearest->vertex == 2);
+    CHECK(violation.witness.nearest->squared_distance == tiny * tiny);
+  }
+  // A vertex that was to halve the diagonal and was rounded off it.
+  PiecewiseLinearInput input = square(0, 2);
+  input.segments.push_back({0, 2});
+  std::vector<Point> rounded = square(0, 2).points;
+  rounded.push_back({1 + tiny, 1});
+  const Mesh fan{PointSet(rounded), {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 3, 4}}};
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    const Violation violation = first(fan, domain_of(input), by);
+    CHECK(violation.rule == Rule::kSegmentMissing);
+    REQUIRE(violation.witness.nearest.has_value());
+    CHECK(violation.witness.nearest->vertex == 4);
+    CHECK(violation.witness.nearest->squared_distance == tiny * tiny / 2);
+  }
 }
 
 TEST_CASE("a fan that winds twice around a point is no triangulation of its outline") {

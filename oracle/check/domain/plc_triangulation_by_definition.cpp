@@ -48,7 +48,7 @@ std::size_t axis_of(const PointSet& points, const Simplex& segment) {
 
 // "Every linear cell is a union of simplices", of segments and polygons.
 void judge_cells(const Mesh& mesh, const PiecewiseLinearComplex& complex,
-                 const ContainedCells& cells, Verdict& verdict) {
+                 const ContainedCells& cells, VertexSearch& search, Verdict& verdict) {
   for (std::size_t s = 0; s < complex.segments.size(); ++s) {
     const Axes axes = {axis_of(complex.points, complex.segments[s])};
     const Rational whole = measure(complex.points, axes, complex.segments[s]);
@@ -56,7 +56,9 @@ void judge_cells(const Mesh& mesh, const PiecewiseLinearComplex& complex,
     if (found == whole) continue;
     verdict.add(Rule::kSegmentMissing,
                 {.values = {{"length along an axis", whole}, {"length of the edges in it", found}},
-                 .domain_cell = complex.segments[s]});
+                 .domain_cell = complex.segments[s],
+                 .nearest = search.to_segment(complex.points[complex.segments[s][0]],
+                                              complex.points[complex.segments[s][1]])});
   }
   for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
     const Polygon& polygon = complex.polygons[p];
@@ -125,12 +127,13 @@ void judge_plc_triangulation_by_definition(const Mesh& mesh, const Domain& domai
     return;
   }
   VertexPlaces places = match_vertices(mesh, complex);
-  if (!judge_vertices(mesh, complex, places, steiner_points_allowed, verdict)) return;
+  VertexSearch search(mesh, places.used);
+  if (!judge_vertices(mesh, complex, places, steiner_points_allowed, search, verdict)) return;
   locate_steiner_points(mesh, complex, places);
   verdict.steiner_points = count_steiner_points(places);
   if (!judge_pairs(mesh, places, verdict)) return;
   const ContainedCells cells = contained_cells(mesh, complex, places);
-  judge_cells(mesh, complex, cells, verdict);
+  judge_cells(mesh, complex, cells, search, verdict);
   if (!is_triangulation_so_far(verdict)) return;
   judge_inside(mesh, complex, Regions(complex), verdict);
   judge_faces(mesh, cells, verdict);

@@ -75,14 +75,16 @@ void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
     return;
   }
   VertexPlaces places = match_vertices(mesh, complex);
-  const bool complete = judge_vertices(mesh, complex, places, steiner_points_allowed, verdict);
+  VertexSearch search(mesh, places.used);
+  const bool complete =
+      judge_vertices(mesh, complex, places, steiner_points_allowed, search, verdict);
   const std::vector<FacetUse> uses = facet_uses(mesh.simplices);
   if (!judge_facet_matching(mesh, uses, verdict) || !complete) return;
   locate_steiner_points(mesh, complex, places);
   verdict.steiner_points = count_steiner_points(places);
   const SegmentChains chains(mesh, complex, places);
   const Regions regions(complex);
-  judge_cells({mesh, complex, regions, uses, places, chains}, then, verdict);
+  judge_cells({mesh, complex, regions, uses, places, chains, search}, then, verdict);
 }
 
 }  // namespace circumspect::check

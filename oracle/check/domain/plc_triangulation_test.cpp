@@ -202,6 +202,25 @@ TEST_CASE("domain.uncovered: a corner is missing; domain.outside: there is one t
   CHECK(rules({PointSet(points), six}, cube()) == std::set{Rule::kOutside});
 }
 
+TEST_CASE("complex.overlap: a vertex hangs in a triangle inside a cube") {
+  // The middle tetrahedron of five is divided in its face 3 5 6, the one beyond is not.
+  std::vector<Point> points = box(0, 2).points;
+  points.push_back({Rational(4) / 3, Rational(4) / 3, Rational(4) / 3});
+  const Mesh mesh{PointSet(points),
+                  {{0, 3, 5, 8},
+                   {0, 5, 6, 8},
+                   {0, 3, 6, 8},
+                   {0, 1, 3, 5},
+                   {0, 2, 3, 6},
+                   {0, 4, 5, 6},
+                   {3, 5, 6, 7}}};
+  CHECK(rules(mesh, cube()) == std::set{Rule::kOverlap});
+  const Verdict verdict = judge_domain(Claim::kSteinerTriangulation, mesh, cube());
+  REQUIRE(verdict.violations().size() == 1);
+  CHECK(verdict.violations()[0].witness.face == Simplex{3, 5, 6});
+  CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{8});
+}
+
 TEST_CASE("domain.vertex-in-edge: two boxes along one edge, one of which splits it") {
   const PiecewiseLinearInput near = cuboid({0, 0, 0}, {2, 2, 2});
   PiecewiseLinearInput input = near;

@@ -215,8 +215,9 @@ class Tiling {
     std::sort(had.begin(), had.end());
     for (const Vertex v : polygon_.vertices) {
       if (std::binary_search(had.begin(), had.end(), in_.in_mesh(v))) continue;
-      verdict.add(Rule::kDomainVertexMissing,
-                  {.vertices = {in_.in_mesh(v)}, .domain_cell = Simplex{v}, .polygon = number_});
+      Witness witness{.vertices = {in_.in_mesh(v)}, .domain_cell = Simplex{v}, .polygon = number_};
+      if (verdict.keeps_more()) witness.nearest = in_.search.to_point(in_.complex.points[v]);
+      verdict.add(Rule::kDomainVertexMissing, witness);
       return false;
     }
     return true;

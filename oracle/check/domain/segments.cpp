@@ -74,8 +74,13 @@ bool judge_segments(const MeshedDomain& in, Verdict& verdict) {
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       if (!is_missing(in, links.state(s, i), chain[i], chain[i + 1])) continue;
       complete = false;
-      verdict.add(Rule::kSegmentMissing,
-                  {.face = Simplex{chain[i], chain[i + 1]}, .domain_cell = in.complex.segments[s]});
+      Witness witness{.face = Simplex{chain[i], chain[i + 1]},
+                      .domain_cell = in.complex.segments[s]};
+      if (verdict.keeps_more()) {
+        witness.nearest =
+            in.search.to_segment(in.mesh.points[chain[i]], in.mesh.points[chain[i + 1]]);
+      }
+      verdict.add(Rule::kSegmentMissing, witness);
     }
   }
   return complete;
@@ -91,8 +96,9 @@ bool judge_inner_vertices(const MeshedDomain& in, Verdict& verdict) {
     if (has_simplex[VertexPlaces::place(in.in_mesh(v))]) continue;
     if (in.regions.locate(in.complex.points[v]) != Where::kInside) continue;
     complete = false;
-    verdict.add(Rule::kDomainVertexMissing,
-                {.vertices = {in.in_mesh(v)}, .domain_cell = Simplex{v}});
+    Witness witness{.vertices = {in.in_mesh(v)}, .domain_cell = Simplex{v}};
+    if (verdict.keeps_more()) witness.nearest = in.search.to_point(in.complex.points[v]);
+    verdict.add(Rule::kDomainVertexMissing, witness);
   }
   return complete;
 }

@@ -161,23 +161,30 @@ SteinerPoints count_steiner_points(const VertexPlaces& places) {
 }
 
 bool judge_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex,
-                    const VertexPlaces& places, bool steiner_points_allowed, Verdict& verdict) {
+                    const VertexPlaces& places, bool steiner_points_allowed, VertexSearch& search,
+                    Verdict& verdict) {
   bool complete = true;
   for (Vertex v = 0; complex.points.names(v); ++v) {
     if (places.in_mesh[VertexPlaces::place(v)] != kNoVertex) continue;
     complete = false;
-    verdict.add(Rule::kDomainVertexMissing,
-                {.point = complex.points[v], .domain_cell = Simplex{v}});
+    Witness witness{.point = complex.points[v], .domain_cell = Simplex{v}};
+    if (verdict.keeps_more()) witness.nearest = search.to_point(complex.points[v]);
+    verdict.add(Rule::kDomainVertexMissing, witness);
   }
+  ExtraVertices extra;
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     const std::size_t place = VertexPlaces::place(v);
     if (places.in_domain[place] != kNoVertex) continue;
     if (!places.used[place]) {
       verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
-    } else if (!steiner_points_allowed) {
-      verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
+      continue;
     }
+    const std::size_t limit = verdict.max_violations();
+    if (limit == 0 || extra.count < limit) extra.first.push_back(v);
+    ++extra.count;
+    if (!steiner_points_allowed) verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
   }
+  verdict.extra_vertices = std::move(extra);
   return complete;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "oracle/check/domain/nearest_vertex.hpp"
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
 #include "reference/piecewise_linear/piecewise_linear_complex.hpp"
@@ -40,9 +41,11 @@ void locate_steiner_points(const Mesh& mesh, const PiecewiseLinearComplex& compl
 SteinerPoints count_steiner_points(const VertexPlaces& places);
 
 // domain.vertex-missing, triangulation.unused-point and, if the claim allows no Steiner points,
-// domain.steiner-forbidden. True if every vertex of the domain is a point of the mesh.
+// domain.steiner-forbidden; and which the Steiner points are. True if every vertex of the domain is a
+// point of the mesh. The search is for what is nearest to one that is not.
 bool judge_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex,
-                    const VertexPlaces& places, bool steiner_points_allowed, Verdict& verdict);
+                    const VertexPlaces& places, bool steiner_points_allowed, VertexSearch& search,
+                    Verdict& verdict);
 
 // Is x, a point of the mesh, in the closed triangle whose plane has these axes?
 bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t>& axes,

@@ -34,9 +34,10 @@ bool holds(const std::string& description, int successes, Testable&& testable) {
   return false;
 }
 
-// Has a kind of input been drawn, often enough, that a property must not do without? The fixed inputs of `make test`
-// have all of them. A soak, which says so in its environment, draws new ones each round, where a rare
-// kind may well be missing once: it does not ask. Nor do the sanitizers, which see fewer.
+// Has a kind of input been drawn, often enough, that a property must not do without? The fixed inputs
+// of `make test` have all of them. A soak, which says so in its environment, draws new ones each
+// round, where a rare kind may well be missing once: it does not ask. Nor do the sanitizers, which see
+// fewer.
 inline bool occurs(std::size_t often, std::size_t at_least = 1) {
   return often >= at_least || kOneInputIn > 1 || std::getenv("CIRCUMSPECT_SOAK") != nullptr;
 }

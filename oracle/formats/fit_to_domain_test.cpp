@@ -1,0 +1,103 @@
+// A mesh is read as the dimension of its domain wants it, and what was changed is noted.
+#include "oracle/formats/fit_to_domain.hpp"
+
+#include <doctest/doctest.h>
+
+#include "oracle/formats/scratch_folder_test.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+const std::string kVertices =
+    "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 5 0 1 0 5 0 1 1 5 0 0 1 5 0 ";
+const std::vector<Simplex> kTwo = {{0, 1, 2}, {0, 2, 3}};
+
+Result<RawMesh> against(std::size_t dimension, const std::string& path) {
+  return read_mesh({.mesh = path, .with_faces = true, .domain_dimension = dimension});
+}
+
+}  // namespace
+
+TEST_CASE("a constant third coordinate is left out where the domain is in the plane") {
+  const ScratchFolder folder;
+  const std::string medit =
+      folder.write("x.mesh", kVertices + "Edges 1 1 2 0 Triangles 2 1 2 3 0 1 3 4 0 End");
+  const std::string off =
+      folder.write("x.off", "OFF\n4 2 0\n0 0 5\n1 0 5\n1 1 5\n0 1 5\n3 0 1 2\n3 0 2 3\n");
+  for (const std::string& path : {medit, off}) {
+    const auto mesh = against(2, path);
+    REQUIRE(mesh);
+    CHECK(mesh->points.dimension == 2);
+    CHECK(mesh->points.points == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->notes == std::vector<std::string>{
+                             path + ": the third coordinate, 5 for all points, was left out"});
+  }
+  const auto alone = read_mesh({.mesh = medit});
+  REQUIRE(alone);
+  CHECK(alone->points.dimension == 3);
+  CHECK(alone->notes.empty());
+}
+
+TEST_CASE("a third coordinate that differs, by an ulp even, stays") {
+  const ScratchFolder folder;
+  const std::string path = folder.write("x.off",
+                                        "OFF\n3 1 0\n0 0 1\n1 0 1\n"
+                                        "0 1 1.0000000000000002\n3 0 1 2\n");
+  const auto mesh = against(2, path);
+  REQUIRE(mesh);
+  CHECK(mesh->points.dimension == 3);
+  CHECK(mesh->simplices.simplices.size() == 1);
+  CHECK(mesh->notes.empty());
+}
+
+TEST_CASE("triangles without tetrahedra, and edges without triangles, are taken for faces") {
+  const ScratchFolder folder;
+  const std::string triangles =
+      folder.write("x.mesh", kVertices + "Edges 1 1 2 0 Triangles 2 1 2 3 0 1 3 4 0 End");
+  const auto of_triangles = against(3, triangles);
+  REQUIRE(of_triangles);
+  CHECK(of_triangles->simplices.simplices.empty());
+  CHECK(of_triangles->faces == std::vector<Simplex>{{0, 1}, {0, 1, 2}, {0, 2, 3}});
+  CHECK(of_triangles->notes ==
+        std::vector<std::string>{triangles +
+                                 ": no tetrahedra; the 2 triangles are judged as dangling ones"});
+  const std::string edges = folder.write("y.mesh", kVertices + "Edges 1 1 2 0 End");
+  CHECK(against(3, edges)->faces == std::vector<Simplex>{{0, 1}});
+  const auto plane = against(2, edges);
+  REQUIRE(plane);
+  CHECK(plane->faces == std::vector<Simplex>{{0, 1}});
+  CHECK(plane->notes.size() == 2);
+  CHECK(plane->notes.back() == edges + ": no triangles; the 1 edges are judged as dangling ones");
+}
+
+TEST_CASE(
+    "simplices stay what they are beside tetrahedra, of differing sizes, or with neighbours") {
+  const ScratchFolder folder;
+  const std::string both =
+      folder.write("x.mesh",
+                   "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0 "
+                   "Triangles 1 1 2 3 0 Tetrahedra 1 1 2 3 4 0 End");
+  const auto mesh = against(3, both);
+  REQUIRE(mesh);
+  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(mesh->faces == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(mesh->notes.empty());
+  const std::string mixed = folder.write(
+      "x.json",
+      "{\"circumspect\": 1, \"dimension\": 3, \"points\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\n"
+      "\"simplices\": [[0,1,2],[0,1]], \"faces\": [[1,2]]}");
+  CHECK(against(3, mixed)->simplices.simplices.size() == 2);
+  CHECK(against(3, mixed)->faces == std::vector<Simplex>{{1, 2}});
+  CHECK(read_mesh({.mesh = mixed})->faces.empty());
+  MeshRequest request{.mesh = folder.write("y.ele", "1 3\n0 0 1 2\n"),
+                      .points = mixed,
+                      .with_neighbors = true,
+                      .with_faces = true,
+                      .domain_dimension = 3};
+  CHECK(read_mesh(request)->simplices.simplices.size() == 1);
+  request.with_neighbors = false;
+  CHECK(read_mesh(request)->simplices.simplices.empty());
+}
+
+}  // namespace circumspect::formats
