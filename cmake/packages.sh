@@ -18,12 +18,14 @@ libfmt-dev            formatted text
 nlohmann-json3-dev    JSON
 libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
+librapidcheck-dev     generates and shrinks inputs
 libboost-dev          spatial indexes, and headers that CGAL includes
 END
       ;;
     test) cat <<'END'
 doctest-dev           runs the tests
-librapidcheck-dev     generates and shrinks test inputs
+libtet1.5-dev         TetGen as a function, put to the test
+libqhull-dev          Qhull as a function, put to the test
 topcom                a second opinion on the number of triangulations, in tests only
 python3               runs tidy/tidy.py
 clang-format-14       checks the layout of the sources

@@ -25,9 +25,11 @@ if(CIRCUMSPECT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # Everything the project compiles links `circumspect_settings`. Headers are included by their path
-# from the root of the repository. Warnings become errors in the presets, not for a packager.
+# from the root of the repository, the public ones as users do: <circumspect/...>. Warnings become
+# errors in the presets, not for a packager.
 add_library(circumspect_settings INTERFACE)
-target_include_directories(circumspect_settings INTERFACE "${PROJECT_SOURCE_DIR}")
+target_include_directories(circumspect_settings INTERFACE
+  "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/oracle/include")
 target_compile_options(circumspect_settings INTERFACE
   -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)

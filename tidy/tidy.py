@@ -25,15 +25,23 @@ ARROWS = {
     "oracle/check": ["oracle"],
     "oracle/check/domain": ["oracle/check"],
     "oracle/formats": ["oracle"],
+    "oracle/include/circumspect": [],
     "oracle/report": ["oracle/check", "oracle/formats"],
+    "oracle/campaign": ["oracle/check/domain", "oracle/report", "properties/generators"],
+    "oracle/harness": ["oracle/campaign"],
     "oracle/cli": ["reference/optimality", "reference/constrained",
-                   "reference/existence", "oracle/check/domain", "oracle/report"],
-    "properties/generators": ["reference/piecewise_linear"],
+                   "reference/existence", "oracle/check/domain", "oracle/report",
+                   "properties/triangulations", "oracle/campaign"],
+    "properties/generators": ["reference/piecewise_linear", "oracle/include/circumspect"],
     "properties/mutations": ["oracle"],
+    "properties/faulty": ["reference/constrained", "oracle/campaign",
+                          "properties/triangulations"],
+    "properties/adapters": ["oracle/include/circumspect"],
     "properties/triangulations": ["reference/delaunay", "properties/generators"],
     "properties": ["reference/optimality", "reference/constrained", "reference/existence",
                    "oracle/check/domain", "oracle/report", "properties/generators",
-                   "properties/mutations", "properties/triangulations"],
+                   "properties/mutations", "properties/triangulations", "properties/faulty",
+                   "properties/adapters", "oracle/harness"],
     "corpus": ["reference/delaunay", "oracle/report", "oracle/check/domain"],
     "fuzz": ["reference/delaunay", "oracle/report"],
     "bench": ["reference/constrained", "oracle/report"],
@@ -47,7 +55,7 @@ APART = ["corpus/make"]
 # Where CGAL may be included, apart from files named *_cgal_test.cpp.
 # CGAL knows our Rational by the name that GMP gives it.
 CGAL_FILES = ["reference/predicates/intersection.cpp"]
-CGAL_FOLDERS = ["bench"]
+CGAL_FOLDERS = ["bench", "properties/adapters"]
 NUMBER_LIBRARY_FOLDERS = ["reference/exact", "bench"]
 
 LONGEST_FILE, LONG_FILE = 450, 400
@@ -185,6 +193,8 @@ class Tidy:
                     and not inside(path, CGAL_FOLDERS):
                 self.fault(path, number, "cgal", "include CGAL only in a file named *_cgal_test.cpp")
             return
+        if target.startswith("circumspect/"):
+            target = "oracle/include/" + target
         layer = target.rpartition("/")[0]
         top = target.split("/")[0]
         if quote == '"' and top not in {folder.split("/")[0] for folder in ARROWS}:

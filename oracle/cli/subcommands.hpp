@@ -13,6 +13,10 @@ void add_check(CLI::App& app, ExitCode& exit_code);
 void add_build(CLI::App& app, ExitCode& exit_code);
 void add_inspect(CLI::App& app, ExitCode& exit_code);
 void add_replay(CLI::App& app, ExitCode& exit_code);
+void add_campaign(CLI::App& app, ExitCode& exit_code);
+void add_minimize(CLI::App& app, ExitCode& exit_code);
+void add_generate(CLI::App& app, ExitCode& exit_code);
+void add_compare(CLI::App& app, ExitCode& exit_code);
 
 // Subcommands of build.
 void add_build_subdivision(CLI::App& build, ExitCode& exit_code);

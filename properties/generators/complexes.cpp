@@ -270,10 +270,13 @@ Complexes any_complex(std::size_t max_points) {
 }
 
 Complexes planar_complexes(std::size_t max_points) {
-  const PointSets sets =
+  return planar_complexes(
       rather_large(rc::gen::oneOf(integer_points(2, max_points), grid_points(2, max_points),
                                   any_point_set(2, max_points)),
-                   2);
+                   2));
+}
+
+Complexes planar_complexes(const PointSets& sets) {
   return shrinking(rc::gen::exec([=] {
     ComplexCase made{"planar", {*sets, {}, {}, {}, any_kind()}};
     PiecewiseLinearInput& input = made.input;

@@ -41,5 +41,6 @@ Complexes any_complex(std::size_t max_points);
 
 // In the plane: segments that do not cross, hole seeds, both kinds (Book: Sections 2.10 and 3.10).
 Complexes planar_complexes(std::size_t max_points);
+Complexes planar_complexes(const PointSets& sets);
 
 }  // namespace circumspect::generators

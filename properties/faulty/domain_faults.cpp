@@ -1,0 +1,329 @@
+// Meshes of domains that are wrong. Book: Definitions 4.3 to 4.7.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "properties/faulty/domain_meshes.hpp"
+#include "properties/faulty/fault.hpp"
+#include "properties/generators/complex_case.hpp"
+#include "properties/generators/in_doubles.hpp"
+#include "reference/complex/facets.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/flip.hpp"
+#include "reference/piecewise_linear/regions.hpp"
+#include "reference/piecewise_linear/validity.hpp"
+#include "reference/predicates/orientation.hpp"
+
+namespace circumspect::faulty {
+namespace {
+
+using Input = PiecewiseLinearInput;
+using Result = std::optional<Mesh>;
+
+// What a program does that takes another domain for the one that it was given.
+Result cdt_of(const Input& input) {
+  const auto complex = validated(input, 1);
+  return complex ? cdt_mesh(*complex) : std::nullopt;
+}
+
+Result without_constraints(const Input& input) {
+  const PointSet points(input.points);
+  if (input.kind != DomainKind::kHull ||
+      points.dimension() < static_cast<int>(points.ambient_dimension())) {
+    return std::nullopt;
+  }
+  return Mesh{points, delaunay::bowyer_watson(points).simplices()};
+}
+
+Result without_polygons(Input input) {
+  if (input.kind != DomainKind::kHull || input.polygons.empty()) return std::nullopt;
+  for (const Simplex& segment : assemble(input).segments) input.segments.push_back(segment);
+  input.polygons.clear();
+  return cdt_of(input);
+}
+
+Result with_holes_filled(Input input) {
+  if (input.hole_seeds.empty() || input.kind == DomainKind::kHull) return std::nullopt;
+  input.hole_seeds.clear();
+  return cdt_of(input);
+}
+
+Result with_the_outside(Input input) {
+  if (input.kind == DomainKind::kHull) return std::nullopt;
+  input.kind = DomainKind::kHull;
+  return cdt_of(input);
+}
+
+Result without_lone_vertices(const Input& input) {
+  const std::vector<bool> used = generators::is_used(input);
+  std::vector<bool> dropped(used.size());
+  std::transform(used.begin(), used.end(), dropped.begin(), [](bool is_used) { return !is_used; });
+  Input rest = input;
+  generators::drop_points(rest, dropped);
+  if (rest.points.empty()) return std::nullopt;
+  return cdt_of(rest);
+}
+
+Result without_dangling_faces(const Input& input) {
+  Result mesh = cdt_of(input);
+  if (mesh) mesh->faces.clear();
+  return mesh;
+}
+
+Result with_steiner_points(const Input& input) { return steiner_mesh(assemble(input)).mesh; }
+
+bool are_collinear(const Point& a, const Point& b, const Point& c) {
+  return affine_hull({a, b, c}).dimension < 2;
+}
+
+// The first Steiner point as near as doubles allow, but not on its segment.
+Result with_a_steiner_point_off(const Input& input) {
+  const PiecewiseLinearComplex complex = assemble(input);
+  SteinerMesh steiner = steiner_mesh(complex);
+  if (steiner.steiner_points.empty()) return std::nullopt;
+  std::vector<Point> points = steiner.mesh.points.points();
+  const auto& [vertex, segment, parameter] = steiner.steiner_points.front();
+  Point& moved = points[static_cast<std::size_t>(vertex)];
+  for (Rational& x : moved) x = exact_value(generators::nearest_double(x));
+  const Simplex& ends = complex.segments[segment];
+  const Point& a = complex.points[ends[0]];
+  const Point& b = complex.points[ends[1]];
+  for (Rational& x : moved) {
+    if (!are_collinear(a, b, moved)) break;
+    x = exact_value(
+        std::nextafter(generators::nearest_double(x), std::numeric_limits<double>::infinity()));
+  }
+  if (!duplicates(points).empty()) return std::nullopt;
+  steiner.mesh.points = PointSet(points);
+  return steiner.mesh;
+}
+
+// A midpoint of a segment that only one of the simplices around it has for a vertex.
+Result with_a_hanging_node(const Input& input) {
+  const PiecewiseLinearComplex complex = assemble(input);
+  Result mesh = cdt_mesh(complex);
+  if (!mesh) return std::nullopt;
+  for (Simplex& simplex : mesh->simplices) {
+    for (const Simplex& ends : complex.segments) {
+      if (!contains(simplex, ends[0]) || !contains(simplex, ends[1])) continue;
+      std::vector<Point> points = complex.points.points();
+      const auto middle = static_cast<Vertex>(points.size());
+      points.push_back(barycentre(coordinates(complex.points, ends)));
+      Simplex other = simplex;
+      std::replace(simplex.begin(), simplex.end(), ends[0], middle);
+      std::replace(other.begin(), other.end(), ends[1], middle);
+      mesh->simplices.push_back(other);
+      mesh->points = PointSet(points);
+      return mesh;
+    }
+  }
+  return std::nullopt;
+}
+
+// Two triangles of a polygon and the apex of a tetrahedron on each: the other diagonal on that side
+// alone.
+Result with_a_polygon_tiled_twice(const Input& input) {
+  const PiecewiseLinearComplex complex = assemble(input);
+  Result mesh = cdt_mesh(complex);
+  if (!mesh) return std::nullopt;
+  const PointSet& points = complex.points;
+  const Regions regions(complex);
+  const StarIndex star(mesh->simplices);
+  const auto is_inner_wall = [&](const Simplex& facet) {
+    return star.star(facet).size() == 2 &&
+           regions.locate(barycentre(coordinates(points, facet))) == Where::kOnWall;
+  };
+  for (Simplex& one : mesh->simplices) {
+    for (Simplex& two : mesh->simplices) {
+      std::vector<Vertex> shared, rest;
+      for (const Vertex v : one) (contains(two, v) ? shared : rest).push_back(v);
+      if (shared.size() != 3) continue;
+      rest.push_back(
+          *std::find_if(two.begin(), two.end(), [&](Vertex v) { return !contains(shared, v); }));
+      for (std::size_t apex = 0; apex < 3; ++apex) {
+        const Simplex edge = facet_opposite(shared, apex);
+        const Simplex flat = {edge[0], edge[1], rest[0], rest[1]};
+        if (axes_of(points.configuration(), flat).size() != 2 ||
+            !is_inner_wall({edge[0], edge[1], rest[0]}) ||
+            !is_inner_wall({edge[0], edge[1], rest[1]})) {
+          continue;
+        }
+        const Simplex here = {shared[apex], rest[0], rest[1], edge[0]};
+        const Simplex there = {shared[apex], rest[0], rest[1], edge[1]};
+        if (orientation(points.configuration(), here) *
+                orientation(points.configuration(), there) >=
+            0) {
+          continue;  // the four corners are not convex
+        }
+        one = here;
+        two = there;
+        return mesh;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// The first facet off the walls that two simplices can be flipped across.
+Result with_a_flip_too_many(const Input& input) {
+  const PiecewiseLinearComplex complex = assemble(input);
+  Result mesh = cdt_mesh(complex);
+  if (!mesh) return std::nullopt;
+  const Regions regions(complex);
+  StarIndex star(mesh->simplices);
+  for (const Simplex& facet : facets_of(mesh->simplices)) {
+    if (star.star(facet).size() < 2 ||
+        regions.locate(barycentre(coordinates(complex.points, facet))) == Where::kOnWall) {
+      continue;
+    }
+    const auto flip =
+        delaunay::extended_flip(star, delaunay::flip_of_facet(complex.points, star, facet));
+    if (!flip || (flip->name() != "2-2" && flip->name() != "2-3")) continue;
+    if (flip->name() == "2-2" && complex.ambient_dimension() == 3) continue;
+    star.replace(flip->deleted, flip->created);
+    mesh->simplices.assign(star.simplices().begin(), star.simplices().end());
+    return mesh;
+  }
+  return std::nullopt;
+}
+
+bool is_strictly_inside(const PointSet& points, const Simplex& simplex, Vertex v) {
+  const int side = orientation(points.configuration(), simplex);
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    if (orientation(points.configuration(), with_vertex_replaced(simplex, place, v)) != side) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The first vertex of no cell is inserted last, into the simplex around it, and nothing is flipped.
+Result with_a_vertex_split_in(const Input& input) {
+  const std::vector<bool> used = generators::is_used(input);
+  const auto lone = std::find(used.begin(), used.end(), false);
+  if (lone == used.end()) return std::nullopt;
+  const Vertex vertex = lone - used.begin();
+  std::vector<bool> dropped(used.size());
+  dropped[static_cast<std::size_t>(vertex)] = true;
+  Input rest = input;
+  generators::drop_points(rest, dropped);
+  if (rest.points.empty()) return std::nullopt;
+  Result mesh = cdt_of(rest);
+  if (!mesh) return std::nullopt;
+  mesh->points = PointSet(input.points);
+  for (auto* simplices : {&mesh->simplices, &mesh->faces}) {
+    for (Simplex& simplex : *simplices) {
+      for (Vertex& v : simplex) v += v >= vertex ? 1 : 0;
+    }
+  }
+  for (std::size_t i = 0; i < mesh->simplices.size(); ++i) {
+    const Simplex around = mesh->simplices[i];
+    if (!is_strictly_inside(mesh->points, around, vertex)) continue;
+    mesh->simplices.erase(mesh->simplices.begin() + static_cast<std::ptrdiff_t>(i));
+    for (std::size_t place = 0; place < around.size(); ++place) {
+      mesh->simplices.push_back(with_vertex_replaced(around, place, vertex));
+    }
+    return mesh;
+  }
+  return std::nullopt;
+}
+
+// The walls of the mesh as faces of their own, with some of the regions between them left empty.
+using Keeps = bool (*)(std::optional<std::size_t> region, std::optional<std::size_t> first);
+Result of_some_regions(const Input& input, Keeps keeps) {
+  const PiecewiseLinearComplex complex = assemble(input);
+  Result mesh = cdt_mesh(complex);
+  if (!mesh || mesh->simplices.empty()) return std::nullopt;
+  const Regions regions(complex);
+  const auto region = [&](const Simplex& simplex) {
+    return regions.region_at(barycentre(coordinates(complex.points, simplex)));
+  };
+  for (const Simplex& facet : facets_of(mesh->simplices)) {
+    if (!region(facet)) mesh->faces.push_back(facet);
+  }
+  const auto first = region(mesh->simplices.front());
+  std::erase_if(mesh->simplices, [&](const Simplex& one) { return !keeps(region(one), first); });
+  return mesh;
+}
+
+Result of_the_first_region(const Input& input) {
+  return of_some_regions(input, [](auto region, auto first) { return region == first; });
+}
+
+Result through_a_leak(const Input& input) {
+  if (input.kind == DomainKind::kHull) return std::nullopt;
+  return of_some_regions(input, [](auto region, auto first) { return region != first; });
+}
+
+Fault by(std::string name, std::string about, Claim claim, DomainMesher mesh,
+         std::vector<std::size_t> dimensions = {2, 3}) {
+  return {std::move(name), std::move(about),     Kind::kDomain, claim, {},
+          std::move(mesh), std::move(dimensions)};
+}
+
+std::vector<Fault> of_another_domain() {
+  return {
+      by("constraints-ignored",
+         "The Delaunay triangulation of the vertices, as if there were no segments and polygons.",
+         Claim::kCdt, without_constraints),
+      by("polygons-ignored",
+         "Segments are recovered, the polygons between them are taken for granted.", Claim::kCdt,
+         without_polygons, {3}),
+      by("hole-filled", "Hole seeds are not read.", Claim::kCdt, with_holes_filled),
+      by("outside-kept",
+         "The convex hull is filled where the domain is what the walls enclose: no carving.",
+         Claim::kCdt, with_the_outside),
+      by("lone-vertices-forgotten", "Vertices that are in no segment and polygon are not inserted.",
+         Claim::kCdt, without_lone_vertices),
+  };
+}
+
+}  // namespace
+
+std::vector<Fault> domain_faults() {
+  std::vector<Fault> all = of_another_domain();
+  const std::vector<Fault> spoilt = {
+      by("dangling-faces-not-written",
+         "Segments and triangles that are faces of no simplex of the mesh are not written.",
+         Claim::kCdt, without_dangling_faces),
+      by("first-region-only",
+         "Only the region around the first simplex is kept, though there are "
+         "more beyond inner walls.",
+         Claim::kCdt, of_the_first_region),
+      by("leak",
+         "The carving of the outside floods through a wall that it does not recognise, and empties "
+         "the "
+         "region behind it.",
+         Claim::kCdt, through_a_leak),
+      by("steiner-points-in-a-cdt",
+         "Segments are split, though the claim is a triangulation without further vertices.",
+         Claim::kCdt, with_steiner_points),
+      by("conforming-claimed",
+         "A constrained Delaunay triangulation, said to be conforming Delaunay: the two are often "
+         "confused in manuals.",
+         Claim::kConformingDelaunay, cdt_of),
+      by("steiner-point-one-ulp-off",
+         "A Steiner point is rounded, and then off its segment by a unit in the last place.",
+         Claim::kSteinerCdt, with_a_steiner_point_off),
+      by("hanging-node",
+         "A segment is split in one of the simplices around it and not in the others: subdomains "
+         "refined apart.",
+         Claim::kSteinerCdt, with_a_hanging_node),
+      by("polygon-tiled-twice", "The triangles of a polygon are not the same on both of its sides.",
+         Claim::kCdt, with_a_polygon_tiled_twice, {3}),
+      by("not-locally-delaunay",
+         "All constraints are there, but a facet off the walls is not locally Delaunay: flips that "
+         "recovered a segment were not followed by flips that restore.",
+         Claim::kCdt, with_a_flip_too_many),
+      by("vertex-only-split-in",
+         "A vertex is inserted into the simplex around it, and nothing around is flipped: visible "
+         "vertices are in balls.",
+         Claim::kCdt, with_a_vertex_split_in),
+  };
+  all.insert(all.end(), spoilt.begin(), spoilt.end());
+  return all;
+}
+
+}  // namespace circumspect::faulty

@@ -1,0 +1,26 @@
+// Right meshes of domains, to be spoilt.
+#pragma once
+
+#include <optional>
+
+#include "oracle/mesh.hpp"
+#include "reference/constrained/split_segments.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::faulty {
+
+// A constrained Delaunay triangulation, with its dangling faces; nothing if there is none.
+std::optional<Mesh> cdt_mesh(const PiecewiseLinearComplex& complex);
+
+// One of the complex with its segments split until they are strongly Delaunay.
+struct SteinerMesh {
+  Mesh mesh;
+  std::vector<constrained::PointOnSegment> steiner_points;
+};
+SteinerMesh steiner_mesh(const PiecewiseLinearComplex& complex);
+
+// A conforming Delaunay triangulation; nothing if so many Steiner points do not suffice.
+std::optional<Mesh> conforming_mesh(const PiecewiseLinearComplex& complex,
+                                    std::size_t most_steiner_points);
+
+}  // namespace circumspect::faulty

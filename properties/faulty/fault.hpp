@@ -1,0 +1,51 @@
+// Programs and meshes that are wrong on purpose, each with a mistake that people really make. What
+// finds all of them is worth running on programs whose mistakes nobody knows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <circumspect/subject.hpp>
+
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::faulty {
+
+enum class Kind { kPredicate, kImplementation, kCorruption, kDomain };
+std::string_view name(Kind kind);
+
+// A program that fills a domain. Nothing, where the input gives it no occasion to run.
+using DomainMesher = std::function<std::optional<Mesh>(const PiecewiseLinearInput&)>;
+
+struct Fault {
+  std::string name;   // lower-case words joined by hyphens
+  std::string about;  // what the mistake is, and where people make it
+  Kind kind = Kind::kImplementation;
+  Claim claim = Claim::kDelaunay;                // what the program says of its output
+  Triangulator triangulate = {};                 // of points; or
+  DomainMesher mesh = {};                        // of a domain
+  std::vector<std::size_t> dimensions = {2, 3};  // in which the mistake can be made
+  std::size_t most_points = 12;                  // of an input
+  bool oriented = false;                         // the program promises one orientation besides
+};
+
+// All of them.
+const std::vector<Fault>& faults();
+
+// Where they are from, each in a file of its own.
+std::vector<Fault> predicate_faults();
+std::vector<Fault> insertion_faults();
+std::vector<Fault> flip_faults();
+std::vector<Fault> preparation_faults();
+std::vector<Fault> weight_faults();
+std::vector<Fault> corruptions();
+std::vector<Fault> domain_faults();
+
+// Programs without any fault, for the same inputs: nothing may be found in them.
+std::vector<Fault> right_programs();
+
+}  // namespace circumspect::faulty

@@ -1,0 +1,141 @@
+#include "properties/faulty/hunt.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "oracle/campaign/minimise.hpp"
+#include "oracle/check/domain/judge_domain.hpp"
+#include "properties/faulty/point_arrays.hpp"
+#include "properties/generators/arrays.hpp"
+#include "properties/generators/complex_families.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/generators/in_doubles.hpp"
+#include "properties/triangulations/domain_families.hpp"
+#include "reference/piecewise_linear/validity.hpp"
+
+namespace circumspect::faulty {
+namespace {
+
+using generators::ComplexCase;
+using generators::PointsCase;
+
+constexpr std::chrono::hours kNoTimeLimit{1000};  // what comes out must not depend on it
+constexpr std::size_t kMostVertices = 9;          // of domains
+
+// splitmix64: any two inputs of any two seeds are unrelated.
+std::uint64_t mixed(std::uint64_t value) {
+  value += 0x9e3779b97f4a7c15U;
+  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9U;
+  value = (value ^ (value >> 27)) * 0x94d049bb133111ebU;
+  return value ^ (value >> 31);
+}
+
+// FNV-1a.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+template <typename Choices>
+const auto& choice(const Choices& choices, std::uint64_t seed) {
+  return choices[mixed(seed) % choices.size()];
+}
+
+// The rule broken first; empty if none is.
+std::string rule_of(const Verdict& verdict) {
+  return verdict.holds() ? "" : std::string(identifier(verdict.violations().front().rule));
+}
+
+std::string broken_rule(const Fault& fault, const PointsCase& set, check::By by) {
+  const PointArray points = generators::array(set, fault.dimensions.front());
+  Mesh mesh{PointSet(set.points, set.weights), {}};
+  try {
+    const SimplexArray rows = fault.triangulate(points);
+    mesh.simplices.assign(rows.begin(), rows.end());
+  } catch (const std::exception& error) {
+    return std::string("crash: ") + error.what();
+  }
+  return rule_of(
+      check::judge(fault.claim, mesh, {.by = by, .oriented = fault.oriented, .max_violations = 1}));
+}
+
+std::string broken_rule(const Fault& fault, const ComplexCase& domain, check::By by) {
+  const auto complex = validated(domain.input, 1);
+  if (!complex) return "";
+  const std::optional<Mesh> mesh = fault.mesh(domain.input);
+  if (!mesh) return "";
+  return rule_of(
+      check::judge_domain(fault.claim, *mesh, {*complex}, {.by = by, .max_violations = 1}));
+}
+
+std::size_t size_of(const PointsCase& set) { return set.points.size(); }
+std::size_t size_of(const ComplexCase& domain) { return domain.input.points.size(); }
+
+// The input, if a rule is broken, and what is left of it when it is minimised while that rule is.
+template <typename Case>
+std::optional<Catch> caught(const Fault& fault, const Case& whole, const HuntOptions& options) {
+  const std::string rule = broken_rule(fault, whole, check::By::kLemma);
+  if (rule.empty()) return std::nullopt;
+  const campaign::StillFails<Case> breaks_it = [&](const Case& smaller) {
+    return broken_rule(fault, generators::in_doubles(smaller), check::By::kLemma) == rule;
+  };
+  const Case least = campaign::minimised(whole, breaks_it, {options.most_trials, kNoTimeLimit});
+  const bool by_definition =
+      !broken_rule(fault, generators::in_doubles(least), check::By::kDefinition).empty();
+  return Catch{0, "", rule, size_of(whole), size_of(least), by_definition};
+}
+
+std::vector<const generators::Family*> point_families(const Fault& fault, std::size_t dimension) {
+  std::vector<const generators::Family*> all;
+  for (const generators::Family& family : generators::modified_families()) {
+    if (family.weighted == (fault.claim == Claim::kWeightedDelaunay) &&
+        family.exists_in(dimension)) {
+      all.push_back(&family);
+    }
+  }
+  return all;
+}
+
+std::optional<Catch> caught_in_points(const Fault& fault, std::uint64_t seed,
+                                      const HuntOptions& options) {
+  const std::size_t dimension = choice(fault.dimensions, seed);
+  const auto families = point_families(fault, dimension);
+  if (families.empty()) return std::nullopt;
+  const generators::Family& family = *choice(families, seed + 1);
+  const PointsCase set = generators::drawn(family.cases(dimension, fault.most_points), seed);
+  auto found = caught(fault, generators::in_doubles(set), options);
+  if (found) found->family = family.name;
+  return found;
+}
+
+std::optional<Catch> caught_in_a_domain(const Fault& fault, std::uint64_t seed,
+                                        const HuntOptions& options) {
+  const std::size_t dimension = choice(fault.dimensions, seed);
+  std::vector<const generators::ComplexFamily*> families;
+  for (const generators::ComplexFamily& family : properties::domain_families()) {
+    if (family.dimension == dimension) families.push_back(&family);
+  }
+  const generators::ComplexFamily& family = *choice(families, seed + 1);
+  const ComplexCase domain = generators::drawn(family.complexes(kMostVertices), seed);
+  auto found = caught(fault, domain, options);
+  if (found) found->family = family.name;
+  return found;
+}
+
+}  // namespace
+
+std::optional<Catch> hunt(const Fault& fault, const HuntOptions& options) {
+  const std::uint64_t first = options.seed ^ hash_of(fault.name);
+  for (std::size_t i = 0; i < options.most_inputs; ++i) {
+    const std::uint64_t seed = mixed(first ^ mixed(i));
+    auto found = fault.mesh ? caught_in_a_domain(fault, seed, options)
+                            : caught_in_points(fault, seed, options);
+    if (!found) continue;
+    found->inputs = i + 1;
+    return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace circumspect::faulty

@@ -1,0 +1,30 @@
+// How many inputs it takes until a fault shows, and how small it can be made.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "properties/faulty/fault.hpp"
+
+namespace circumspect::faulty {
+
+struct Catch {
+  std::size_t inputs = 0;        // drawn, the last of which failed
+  std::string family;            // of that one
+  std::string rule;              // that it broke first, or "crash: " and what was thrown
+  std::size_t points = 0;        // of it,
+  std::size_t least_points = 0;  // and of what was left when it was minimised
+  bool by_definition = false;    // does that break the claim by definition too?
+};
+
+struct HuntOptions {
+  std::uint64_t seed = 20260101;  // the inputs follow from it and from the fault's name
+  std::size_t most_inputs = 10000;
+  std::size_t most_trials = 1000;  // of smaller inputs, while the same rule is broken
+};
+
+// The first of the random inputs on which the fault is found; nothing if it never is.
+std::optional<Catch> hunt(const Fault& fault, const HuntOptions& options = {});
+
+}  // namespace circumspect::faulty

@@ -1,0 +1,162 @@
+// Incremental insertion that is wrong though its predicates are exact.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "properties/faulty/fault.hpp"
+#include "properties/faulty/plain_delaunay.hpp"
+
+namespace circumspect::faulty {
+namespace {
+
+Fault with(std::string name, std::string about, const Mistakes& mistakes) {
+  return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
+          [mistakes](const PointArray& points) { return plain_delaunay(points, mistakes); }};
+}
+
+// The least and the largest coordinate on an axis. Requires: points.size() > 0.
+std::pair<double, double> extent(const PointArray& points, std::size_t axis) {
+  double low = points.point(0)[axis], high = low;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    low = std::min(low, points.point(i)[axis]);
+    high = std::max(high, points.point(i)[axis]);
+  }
+  return {low, high};
+}
+
+double largest_extent(const PointArray& points) {
+  double largest = 0;
+  for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+    const auto [low, high] = extent(points, axis);
+    largest = std::max(largest, high - low);
+  }
+  return largest;
+}
+
+// Triangulates the points with further ones behind them, then takes away what has any of those.
+SimplexArray without_extra_points(const PointArray& points, const std::vector<double>& extra) {
+  if (!std::all_of(extra.begin(), extra.end(), [](double x) { return std::isfinite(x); })) {
+    return right_answer(points);
+  }
+  PointArray more = points;
+  more.coordinates.insert(more.coordinates.end(), extra.begin(), extra.end());
+  SimplexArray simplices = right_answer(more);
+  std::erase_if(simplices, [&points](const auto& simplex) {
+    return std::any_of(simplex.begin(), simplex.end(), [&points](std::int64_t v) {
+      return v >= static_cast<std::int64_t>(points.size());
+    });
+  });
+  return simplices;
+}
+
+// Corner i of the simplex lies `factor` extents from the middle of the points.
+SimplexArray within_a_super_simplex(const PointArray& points, double factor) {
+  if (exact_points(points).dimension() < static_cast<int>(points.dimension)) {
+    return right_answer(points);
+  }
+  const double size = factor * largest_extent(points);
+  std::vector<double> corners;
+  for (std::size_t corner = 0; corner <= points.dimension; ++corner) {
+    for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+      const auto [low, high] = extent(points, axis);
+      const double side = corner == axis ? static_cast<double>(points.dimension) : -1.0;
+      corners.push_back(low / 2 + high / 2 + side * size);
+    }
+  }
+  return without_extra_points(points, corners);
+}
+
+// A point beyond all others, whose star is removed and not filled again.
+SimplexArray after_a_deletion_at_the_hull(const PointArray& points) {
+  if (exact_points(points).dimension() < static_cast<int>(points.dimension)) {
+    return right_answer(points);
+  }
+  std::vector<double> corner;
+  for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+    const double high = extent(points, axis).second;
+    corner.push_back(std::max(high + largest_extent(points) / 4,
+                              std::nextafter(high, std::numeric_limits<double>::max())));
+  }
+  return without_extra_points(points, corner);
+}
+
+// Two halves by the first coordinate; those in `overlap` of the middle belong to both.
+SimplexArray in_two_halves(const PointArray& points, std::size_t overlap) {
+  std::vector<Vertex> order = every_index(points);
+  std::stable_sort(order.begin(), order.end(), [&points](Vertex a, Vertex b) {
+    return points.point(static_cast<std::size_t>(a))[0] <
+           points.point(static_cast<std::size_t>(b))[0];
+  });
+  const std::size_t middle = order.size() / 2;
+  const std::size_t from = middle - std::min(middle, overlap);
+  const std::size_t to = std::min(order.size(), middle + overlap);
+  const auto at = [&order](std::size_t i) { return order.begin() + static_cast<Vertex>(i); };
+  SimplexArray both;
+  for (const auto& half :
+       {std::vector<Vertex>(at(0), at(to)), std::vector<Vertex>(at(from), at(order.size()))}) {
+    const PointArray part = selection(points, half);
+    if (exact_points(part).dimension() != exact_points(points).dimension()) {
+      return right_answer(points);
+    }
+    for (auto& simplex : renumbered(right_answer(part), half)) {
+      std::sort(simplex.begin(), simplex.end());
+      both.push_back(std::move(simplex));
+    }
+  }
+  std::sort(both.begin(), both.end());
+  both.erase(std::unique(both.begin(), both.end()), both.end());
+  return both;
+}
+
+Fault by(std::string name, std::string about, Triangulator triangulate) {
+  return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
+          std::move(triangulate)};
+}
+
+}  // namespace
+
+std::vector<Fault> insertion_faults() {
+  return {
+      with("no-ghosts",
+           "No simplices on the outside: points outside the hull so far are lost. Bowyer–Watson "
+           "from a description that leaves the outside to the reader.",
+           {.no_ghosts = true}),
+      with("coplanar-points-outside-forgotten",
+           "A ghost only conflicts with points strictly beyond its facet, not with those in its "
+           "plane and circumcircle: flat simplices on the hull.",
+           {.ghosts_forget_their_plane = true}),
+      with("coplanar-points-all-in-conflict",
+           "A ghost conflicts with every point in the plane of its facet, near or far: `>= 0` in "
+           "the visibility test of the hull.",
+           {.ghosts_take_their_plane = true}),
+      with("walk-stops-early",
+           "The walk to a new point ends after three steps and takes where it is for the simplex "
+           "that contains the point: a guard against endless walks.",
+           {.search = Search::kWalkThenNeighbors, .most_steps = 3}),
+      with("cavity-one-layer-deep",
+           "Of the simplices in conflict only the one with the point and its neighbours are "
+           "deleted: recursion that was unrolled once.",
+           {.search = Search::kWalkThenNeighbors, .most_layers = 1}),
+      by("super-simplex-too-small",
+         "Starts with a simplex 10 times as large as the points and removes its vertices at the "
+         "end: near the hull, large circumballs had held one. All over the web.",
+         [](const PointArray& points) { return within_a_super_simplex(points, 10); }),
+      by("super-simplex-1e6", "The same, 1,000,000 times as large: rarer, not gone.",
+         [](const PointArray& points) { return within_a_super_simplex(points, 1e6); }),
+      by("hull-not-convex-after-deletion",
+         "A vertex of the hull is deleted with its star, and the pocket that it leaves is not "
+         "filled: dynamic structures that treat only interior vertices.",
+         after_a_deletion_at_the_hull),
+      by("halves-not-joined",
+         "The halves of the points are triangulated apart and nothing is put between them: "
+         "divide and conquer, or tiles in parallel, before the merge is written.",
+         [](const PointArray& points) { return in_two_halves(points, 0); }),
+      by("tiles-overlap",
+         "Two tiles share some points, equal simplices are unified, and what the tiles disagree on "
+         "is kept twice: parallel triangulation with a halo.",
+         [](const PointArray& points) { return in_two_halves(points, 2); }),
+  };
+}
+
+}  // namespace circumspect::faulty

@@ -1,0 +1,49 @@
+// Orientation and in-ball tests as people write them, over the number type of one's choice and with
+// the mistake of one's choice.
+#pragma once
+
+#include <span>
+
+#include "properties/faulty/point_arrays.hpp"
+
+namespace circumspect::faulty {
+
+enum class Numbers { kExact, kLongDouble, kDouble, kFloat };
+
+// Without any of the mistakes, and with exact numbers, the tests are right.
+struct Arithmetic {
+  Numbers numbers = Numbers::kExact;
+  double in_ball_tolerance = 0;      // a determinant must exceed it to put a point into a ball
+  double orientation_tolerance = 0;  // one of at most this size is called zero
+  double trusted_beyond = 0;         // > 0: only smaller determinants are computed exactly
+  bool by_circumcentre = false;      // compares distances from a circumcentre computed in doubles
+  bool forgets_last_axis = false;    // in the height |p|² of a point
+};
+
+// The vertices of an array, and possibly more, as numbers for both ways to compute.
+class PlainPredicates {
+ public:
+  PlainPredicates(const PointArray& points, const PointSet& exact, const Arithmetic& arithmetic)
+      : points_(points), exact_(exact), arithmetic_(arithmetic) {}
+
+  // The signs of orientation.hpp and in_ball.hpp, or what the mistakes make of them.
+  int orientation(std::span<const std::size_t> axes, std::span<const Vertex> simplex) const;
+  int in_ball(std::span<const std::size_t> axes, std::span<const Vertex> simplex, Vertex q) const;
+
+ private:
+  template <typename Number>
+  Number orientation_of(std::span<const std::size_t> axes, std::span<const Vertex> simplex) const;
+  template <typename Number>
+  Number in_ball_of(std::span<const std::size_t> axes, std::span<const Vertex> simplex,
+                    Vertex q) const;
+  int in_computed_ball(std::span<const std::size_t> axes, std::span<const Vertex> simplex,
+                       Vertex q) const;
+  long double in_numbers(bool is_orientation, std::span<const std::size_t> axes,
+                         std::span<const Vertex> simplex, Vertex q) const;
+
+  const PointArray& points_;
+  const PointSet& exact_;
+  Arithmetic arithmetic_;
+};
+
+}  // namespace circumspect::faulty

@@ -1,0 +1,61 @@
+// Every planted fault is found, soon, and nothing is found in programs without one.
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "properties/faulty/hunt.hpp"
+#include "properties/faulty/report.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+using faulty::Fault;
+using faulty::Found;
+
+TEST_CASE("the planted faults are thirty at least, each with its own name and a description") {
+  std::set<std::string> names;
+  for (const Fault& fault : faulty::faults()) {
+    CAPTURE(fault.name);
+    CHECK(names.insert(fault.name).second);
+    CHECK(fault.about.size() > 20);
+    CHECK(fault.about.back() == '.');
+    CHECK((fault.triangulate == nullptr) != (fault.mesh == nullptr));
+  }
+  CHECK(names.size() >= 30);
+}
+
+// Nothing is to be found in the programs without a fault that make the same claim, on the inputs that
+// it took to find this one. Returns how many such programs there are.
+std::size_t check_right_programs(const Fault& fault, std::size_t inputs) {
+  std::size_t programs = 0;
+  for (Fault right : faulty::right_programs()) {
+    if (right.claim != fault.claim) continue;
+    ++programs;
+    CAPTURE(right.name);
+    right.name = fault.name;
+    right.dimensions = fault.dimensions;
+    right.most_points = fault.most_points;
+    const auto caught = faulty::hunt(right, {.most_inputs = inputs});
+    CHECK((caught ? caught->rule : "") == "");
+  }
+  return programs;
+}
+
+TEST_CASE("every planted fault is found, and on the same inputs nothing in right programs") {
+  std::vector<std::size_t> inputs;
+  for (const Found& found : faulty::hunt_all({.most_trials = 0})) {
+    const Fault& fault = *found.fault;
+    CAPTURE(fault.name);
+    REQUIRE(found.caught.has_value());
+    CHECK(found.caught->by_definition);
+    CHECK(check_right_programs(fault, found.caught->inputs) > 0);
+    inputs.push_back(found.caught->inputs);
+  }
+  std::sort(inputs.begin(), inputs.end());
+  CHECK(inputs[inputs.size() / 2] < 1000);
+}
+
+}  // namespace
+}  // namespace circumspect::properties
