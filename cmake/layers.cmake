@@ -36,6 +36,17 @@ function(circumspect_layer name folder)
 
   if(folder MATCHES "^properties/")
     circumspect_compile_quickly(circumspect_${name})
+  elseif(sources AND CIRCUMSPECT_BUILD_FUZZERS)
+    # libFuzzer is to see which code its inputs reach; the tests need not be looked at.
+    target_compile_options(circumspect_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+  # The lowest layers see less than the others, and are compiled as they stand.
+  if(sources AND ARG_DEPENDS)
+    if(folder MATCHES "^properties/")
+      circumspect_precompile(circumspect_${name} generators)
+    else()
+      circumspect_precompile(circumspect_${name} layers)
+    endif()
   endif()
 
   set(test_links circumspect_${name} ${ARG_TEST_DEPENDS})
@@ -44,10 +55,54 @@ function(circumspect_layer name folder)
                    LINKS ${test_links} CGAL::CGAL)
 endfunction()
 
+# The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags agree
+# share them precompiled: KIND is `layers`, `generators` (with RapidCheck), or `tests` (with doctest).
+# Nothing of the project is among them, so that a change in the project makes none anew. A file must
+# still include what it uses: without the option, as in a plain preset, each is compiled as it stands.
+function(circumspect_precompile target kind)
+  if(NOT CIRCUMSPECT_QUICK_BUILD)
+    return()
+  endif()
+  set(headers <algorithm> <array> <cassert> <cmath> <compare> <cstddef> <cstdint> <functional>
+      <iterator> <limits> <map> <memory> <numeric> <optional> <ostream> <set> <span> <sstream>
+      <stdexcept> <string> <string_view> <tuple> <utility> <variant> <vector>
+      <gmpxx.h> <tl/expected.hpp>)
+  set(shared circumspect_precompiled_${kind})
+  if(NOT TARGET ${shared})
+    set(source "${PROJECT_BINARY_DIR}/${shared}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "")
+    add_library(${shared} OBJECT "${source}")
+    target_link_libraries(${shared} PRIVATE circumspect_settings circumspect::gmp
+                          circumspect::expected CGAL::CGAL Threads::Threads)
+    if(kind STREQUAL "layers" AND CIRCUMSPECT_BUILD_FUZZERS)
+      target_compile_options(${shared} PRIVATE -fsanitize=fuzzer-no-link)
+    elseif(kind STREQUAL "generators")
+      circumspect_compile_quickly(${shared})
+      target_link_libraries(${shared} PRIVATE rapidcheck)
+      list(APPEND headers <rapidcheck.h>)
+    elseif(kind STREQUAL "tests")
+      circumspect_compile_quickly(${shared})
+      circumspect_compile_test(${shared})
+      target_link_libraries(${shared} PRIVATE rapidcheck doctest::doctest)
+      list(APPEND headers <rapidcheck.h> <doctest/doctest.h>)
+    endif()
+    target_precompile_headers(${shared} PRIVATE ${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${shared})
+endfunction()
+
 # Code full of other people's templates takes the compiler most of its time to optimize, and the
 # sanitizers learn nothing from it: what they are to look at are the layers, which stay optimized.
 function(circumspect_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
+endfunction()
+
+# What a test does itself takes no time to speak of, so the release does not spend it on optimizing.
+function(circumspect_compile_test target)
+  if(NOT CIRCUMSPECT_QUICK_BUILD)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
 endfunction()
 
 # circumspect_test(TARGET LABEL label SOURCES file... LINKS target... [DEFINES definition...])
@@ -61,9 +116,12 @@ function(circumspect_test target)
     add_library(circumspect_test_main OBJECT "${PROJECT_SOURCE_DIR}/properties/test_main.cpp")
     target_link_libraries(circumspect_test_main
                           PUBLIC circumspect_settings doctest::doctest rapidcheck)
+    circumspect_compile_quickly(circumspect_test_main)
   endif()
   add_executable(${target} ${ARG_SOURCES})
   circumspect_compile_quickly(${target})
+  circumspect_compile_test(${target})
+  circumspect_precompile(${target} tests)
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} circumspect_test_main)
   target_compile_definitions(${target} PRIVATE
     CIRCUMSPECT_CORPUS_DIR="${PROJECT_SOURCE_DIR}/corpus" ${ARG_DEFINES})
@@ -76,8 +134,14 @@ function(circumspect_test target)
     string(REGEX REPLACE "\\.cpp$" "" test "${path}")
     set(labels ${ARG_LABEL})
     set(timeout 300)
+    # The longest start first, lest one of them runs alone at the end.
+    set(cost 0)
+    if(ARG_LABEL STREQUAL "property")
+      set(cost 10)
+    endif()
     if(file MATCHES "_slow_")
       list(APPEND labels slow)
+      set(cost 100)
     elseif(file MATCHES "_soak_")
       set(labels soak)
       set(timeout 7200)
@@ -85,6 +149,6 @@ function(circumspect_test target)
     add_test(NAME ${test} COMMAND ${target} "--source-file=*/${path}")
     # A file in which no test case ran has tested nothing, and says so.
     set_tests_properties(${test} PROPERTIES
-      LABELS "${labels}" TIMEOUT ${timeout} FAIL_REGULAR_EXPRESSION "test cases: +0 ")
+      LABELS "${labels}" TIMEOUT ${timeout} COST ${cost} FAIL_REGULAR_EXPRESSION "test cases: +0 ")
   endforeach()
 endfunction()

@@ -22,6 +22,11 @@ find_program(CIRCUMSPECT_CCACHE ccache DOC "Compiler cache; used when found")
 mark_as_advanced(CIRCUMSPECT_CCACHE)
 if(CIRCUMSPECT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_CCACHE}")
+  if(CIRCUMSPECT_QUICK_BUILD)
+    # Without these liberties it does not cache what is compiled with a precompiled header.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros "${CIRCUMSPECT_CCACHE}")
+  endif()
 endif()
 
 # Everything the project compiles links `circumspect_settings`. Headers are included by their path
@@ -44,5 +49,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # Clang counts sign conversions among -Wconversion, GCC does not; hold both to the same rule.
-  target_compile_options(circumspect_settings INTERFACE -Wno-sign-conversion)
+  # Among them it also counts `assert(!"why this cannot be")`.
+  target_compile_options(circumspect_settings INTERFACE
+    -Wno-sign-conversion -Wno-string-conversion)
+  # A precompiled header is then the same file whenever it is made, as ccache needs it.
+  target_compile_options(circumspect_settings INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
 endif()

@@ -1,0 +1,71 @@
+// What a campaign has done so far, on disk: whatever ends it, it can go on from there.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace circumspect::campaign {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped".
+struct CaseRecord {
+  std::string family;
+  std::string what;
+  bool is_finding = false;
+};
+
+// The first case with a signature.
+struct FindingRecord {
+  std::string signature;
+  std::size_t case_number = 0;
+  bool is_minimised = false;
+};
+
+// A file to which lines are added, in the order of the cases:
+//
+//   circumspect-campaign 1
+//   setting ⇥ NAME ⇥ VALUE          all at the beginning
+//   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete, but for the
+//   minimised ⇥ SIGNATURE            smallest input, which comes with this line
+//   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|finding ⇥ WHAT
+//
+// A line that an interrupt cut off is dropped: that case is run again. Lines about findings are forced
+// to the disk (fsync), those about cases outlive this process but may be lost when the machine fails.
+class Journal {
+ public:
+  // Opens the journal in a folder, or begins one. Errors: the settings are not those it began with
+  // (the message says which), it is no journal, or it cannot be written.
+  static tl::expected<Journal, std::string> open(const std::string& folder,
+                                                 const Settings& settings);
+  ~Journal();
+  Journal(Journal&& other) noexcept;
+  Journal& operator=(Journal&&) = delete;
+
+  // What it held when it was opened.
+  const std::vector<CaseRecord>& cases() const { return cases_; }
+  const std::vector<FindingRecord>& findings() const { return findings_; }
+
+  // Throw std::system_error if the disk takes no more.
+  void add_finding(const std::string& signature, std::size_t case_number);
+  void add_minimised(const std::string& signature);
+  void add_case(std::size_t number, const CaseRecord& record);
+
+ private:
+  Journal() = default;
+  // What is wrong with the text, or an empty string; `complete`: the bytes of its whole lines.
+  std::string parse(const std::string& text, const Settings& settings, std::size_t& complete);
+  std::string parse_line(const std::vector<std::string>& fields);
+  void write(const std::string& line, bool to_disk);
+
+  int file_ = -1;
+  std::vector<CaseRecord> cases_;
+  std::vector<FindingRecord> findings_;
+  Settings settings_;
+};
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,214 @@
+#include "oracle/campaign/judge_mesh.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "oracle/check/domain/judge_domain.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/report/text.hpp"
+#include "reference/piecewise_linear/regions.hpp"
+#include "reference/piecewise_linear/validity.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+// How many witnesses a finding carries.
+constexpr std::size_t kWitnesses = 3;
+
+// Points as a set, and where each of the listed ones is in it.
+struct Distinct {
+  std::vector<Point> points = {};
+  std::vector<Rational> weights = {};
+  std::vector<Vertex> labels = {};
+  std::vector<Vertex> place_of = {};
+};
+
+// Of equal points the heaviest counts, for the others are submerged below it.
+Distinct distinct(const PointsCase& set, Vertex first_index) {
+  Distinct result;
+  std::map<Point, Vertex> places;
+  for (std::size_t v = 0; v < set.points.size(); ++v) {
+    const auto next = static_cast<Vertex>(result.points.size());
+    const auto [place, is_new] = places.try_emplace(set.points[v], next);
+    result.place_of.push_back(place->second);
+    if (is_new) {
+      result.points.push_back(set.points[v]);
+      result.labels.push_back(static_cast<Vertex>(v) + first_index);
+      if (!set.weights.empty()) result.weights.push_back(set.weights[v]);
+    } else if (!set.weights.empty()) {
+      Rational& weight = result.weights[static_cast<std::size_t>(place->second)];
+      weight = std::max(weight, set.weights[v]);
+    }
+  }
+  return result;
+}
+
+// The mesh of these points, simplices counted from 0.
+Mesh mesh_of(const PointsCase& set, Vertex first_index, std::vector<Simplex> simplices,
+             bool weighted) {
+  Distinct own = distinct(set, first_index);
+  const auto named = static_cast<Vertex>(set.points.size());
+  for (Simplex& simplex : simplices) {
+    for (Vertex& v : simplex) {
+      if (v >= 0 && v < named) v = own.place_of[static_cast<std::size_t>(v)];
+    }
+  }
+  if (!weighted) own.weights.clear();
+  return {PointSet(std::move(own.points), std::move(own.weights)), std::move(simplices),
+          std::move(own.labels), first_index};
+}
+
+Outcome unreadable(const std::string& message) {
+  return {OutcomeKind::kUnreadable, word(OutcomeKind::kUnreadable), message, message + "\n"};
+}
+
+Outcome other_points(const std::string& message) {
+  return {OutcomeKind::kOtherPoints, word(OutcomeKind::kOtherPoints), message, message + "\n"};
+}
+
+Outcome outcome_of(const Verdict& verdict, const Mesh& mesh, const Subject& subject,
+                   const Domain* domain) {
+  if (verdict.holds()) return {OutcomeKind::kHolds};
+  Outcome outcome;
+  outcome.kind = OutcomeKind::kFails;
+  outcome.signature = identifier(verdict.tallies().begin()->first);
+  outcome.text = report::verdict_line(verdict, mesh, subject.mesh_name, domain);
+  outcome.explanation = report::explanation(verdict, mesh, domain);
+  outcome.verdict = report::verdict(verdict, mesh, subject.mesh_name, check::By::kLemma, domain);
+  return outcome;
+}
+
+std::vector<Point> sorted_set(std::vector<Point> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+bool lists_points(const std::string& path) {
+  const std::string extension = formats::extension(path);
+  return extension != ".ele" && extension != ".qhull-i";
+}
+
+check::Options options() { return {check::By::kLemma, false, kWitnesses}; }
+
+// The weights that the input gives to the points of the mesh, which are in another order.
+PointsCase with_weights_of(const PointsCase& set, std::vector<Point> points) {
+  PointsCase own{std::move(points), {}};
+  if (set.weights.empty()) return own;
+  const Distinct given = distinct(set, 0);
+  std::map<Point, Rational> weight_of;
+  for (std::size_t v = 0; v < given.points.size(); ++v) {
+    weight_of[given.points[v]] = given.weights[v];
+  }
+  for (const Point& point : own.points) own.weights.push_back(weight_of[point]);
+  return own;
+}
+
+Outcome judged_points(const Subject& subject, const PointsCase& set, const std::string& path,
+                      const std::string& own_points) {
+  formats::MeshRequest request;
+  request.mesh = path;
+  const bool own = lists_points(path);
+  if (!own) {
+    request.points = own_points;
+    std::ofstream(own_points) << *file_text(set, ".node", subject.first_index, subject.dimension);
+  }
+  auto raw = formats::read_mesh(request);
+  if (!raw) return unreadable(raw.error().to_string());
+  const bool weighted = subject.claim == Claim::kWeightedDelaunay;
+  PointsCase points = set;
+  if (own) {
+    if (sorted_set(raw->points.points) != sorted_set(set.points)) {
+      return other_points(subject.mesh_name + ": expected the " +
+                          std::to_string(set.points.size()) + " points of the input, found " +
+                          std::to_string(raw->points.points.size()) + ", not the same ones");
+    }
+    points = with_weights_of(set, std::move(raw->points.points));
+  }
+  const Mesh mesh =
+      mesh_of(points, raw->first_index, std::move(raw->simplices.simplices), weighted);
+  return outcome_of(check::judge(subject.claim, mesh, options()), mesh, subject, nullptr);
+}
+
+// Triangles and edges listed beside the simplices of full dimension.
+std::vector<Simplex> proper_faces(std::vector<Simplex> faces, std::size_t dimension) {
+  std::erase_if(faces, [dimension](const Simplex& face) { return face.size() > dimension; });
+  return faces;
+}
+
+Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const std::string& path) {
+  formats::MeshRequest request;
+  request.mesh = path;
+  request.with_faces = true;
+  auto raw = formats::read_mesh(request);
+  if (!raw) return unreadable(raw.error().to_string());
+  Domain domain{whole.complex(), {}, subject.first_index, {}};
+  domain.complex.kind = subject.domain_kind;
+  const std::size_t dimension = domain.complex.ambient_dimension();
+  if (!raw->points.points.empty() && raw->points.dimension != dimension) {
+    return unreadable(subject.mesh_name + ": expected points of dimension " +
+                      std::to_string(dimension) + ", found dimension " +
+                      std::to_string(raw->points.dimension));
+  }
+  if (const auto repeated = duplicates(raw->points.points); !repeated.empty()) {
+    return other_points(subject.mesh_name + ": expected distinct vertices, found vertices " +
+                        std::to_string(repeated.front().kept + raw->first_index) + " and " +
+                        std::to_string(repeated.front().again + raw->first_index) + " equal");
+  }
+  const Mesh mesh{PointSet(std::move(raw->points.points)),
+                  std::move(raw->simplices.simplices),
+                  {},
+                  raw->first_index,
+                  {},
+                  proper_faces(std::move(raw->faces), dimension)};
+  return outcome_of(check::judge_domain(subject.claim, mesh, domain, options()), mesh, subject,
+                    &domain);
+}
+
+std::string reason_to_skip_points(const Subject& subject, const PointsCase& set) {
+  for (const Point& point : set.points) {
+    if (point.size() != subject.dimension) return "the points have another dimension";
+  }
+  const bool asked = subject.full_dimension;
+  return asked && is_flat(subject, set) ? "the points lie in a hyperplane" : "";
+}
+
+std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& whole) {
+  if (whole.input.points.empty()) return "the domain is empty";
+  if (whole.input.points.front().size() != subject.dimension) return "another dimension";
+  PiecewiseLinearInput input = whole.input;
+  input.kind = subject.domain_kind;
+  const auto complex = validated(input, 1);
+  if (!complex) return "the domain is not valid";
+  if (input.kind == DomainKind::kEnclosed && Regions(*complex).size() < 2) {
+    return "the domain encloses nothing";
+  }
+  return "";
+}
+
+}  // namespace
+
+Outcome judged(const Subject& subject, const Input& input, const std::string& path,
+               const std::string& own_points) {
+  if (const auto* const set = std::get_if<PointsCase>(&input)) {
+    return judged_points(subject, *set, path, own_points);
+  }
+  return judged_domain(subject, std::get<ComplexCase>(input), path);
+}
+
+bool is_flat(const Subject& subject, const Input& input) {
+  const auto* const set = std::get_if<PointsCase>(&input);
+  if (set == nullptr) return false;
+  return PointSet(distinct(*set, 0).points).dimension() < static_cast<int>(subject.dimension);
+}
+
+std::string reason_to_skip(const Subject& subject, const Input& input) {
+  if (!is_of_doubles(input)) return "a number is not a double";
+  if (const auto* const set = std::get_if<PointsCase>(&input)) {
+    return reason_to_skip_points(subject, *set);
+  }
+  return reason_to_skip_domain(subject, std::get<ComplexCase>(input));
+}
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,28 @@
+// From the file that a program wrote to an outcome.
+#pragma once
+
+#include <string>
+
+#include "oracle/campaign/input.hpp"
+#include "oracle/campaign/outcome.hpp"
+#include "oracle/campaign/subject.hpp"
+
+namespace circumspect::campaign {
+
+// Judges the mesh in the file at `path` against the input that the program was given. Files of
+// simplices alone (.ele, .qhull-i) are about the points of the input, whatever the program made of
+// them; a mesh that lists its points (.off, .mesh, .json) must have exactly those of the input, in
+// any order. Meshes of domains are judged by the coordinates that the program wrote.
+// `own_points`: where this may write a file for itself.
+// Requires: the file is a regular one.
+Outcome judged(const Subject& subject, const Input& input, const std::string& path,
+               const std::string& own_points);
+
+// Can the input be judged at all? Empty, or why it is skipped: it is not made of doubles; the points
+// do not span the space, where that is asked for; the domain is invalid or encloses nothing.
+std::string reason_to_skip(const Subject& subject, const Input& input);
+
+// Do the points lie in a hyperplane, or are they too few not to? (Domains: never said of them.)
+bool is_flat(const Subject& subject, const Input& input);
+
+}  // namespace circumspect::campaign

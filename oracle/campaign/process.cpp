@@ -1,0 +1,188 @@
+#include "oracle/campaign/process.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <type_traits>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "oracle/campaign/supervised.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+// What goes through the socket: a length and as many bytes.
+
+bool write_all(int file, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = send(file, bytes, count, MSG_NOSIGNAL);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+bool read_all(int file, char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t got = read(file, bytes, count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+template <class T>
+void put(std::string& message, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  message.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+void put(std::string& message, const std::string& text) {
+  put(message, text.size());
+  message += text;
+}
+
+bool send_message(int file, const std::string& message) {
+  const std::size_t size = message.size();
+  return write_all(file, reinterpret_cast<const char*>(&size), sizeof(size)) &&
+         write_all(file, message.data(), size);
+}
+
+// A message that is taken apart in the order in which it was put together.
+class Message {
+ public:
+  static std::optional<Message> receive(int file) {
+    std::size_t size = 0;
+    if (!read_all(file, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
+    Message message;
+    message.bytes_.resize(size);
+    if (!read_all(file, message.bytes_.data(), size)) return std::nullopt;
+    return message;
+  }
+
+  template <class T>
+  T take() {
+    T value;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
+    return value;
+  }
+  std::string text() {
+    const auto size = take<std::size_t>();
+    at_ += size;
+    return bytes_.substr(at_ - size, size);
+  }
+
+ private:
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+std::string message_of(const Request& request, const Limits& limits) {
+  std::string message;
+  put(message, limits);
+  put(message, request.command.size());
+  for (const std::string& argument : request.command) put(message, argument);
+  for (const std::string* const text :
+       {&request.folder, &request.stdin_file, &request.stdout_file, &request.stderr_file}) {
+    put(message, *text);
+  }
+  return message;
+}
+
+Request request_of(Message& message) {
+  Request request;
+  request.command.resize(message.take<std::size_t>());
+  for (std::string& argument : request.command) argument = message.text();
+  for (std::string* const text :
+       {&request.folder, &request.stdin_file, &request.stdout_file, &request.stderr_file}) {
+    *text = message.text();
+  }
+  return request;
+}
+
+// The life of the supervisor. Its own file is the only one of the parent's that it keeps.
+[[noreturn]] void supervise(int socket, const std::string& folder) {
+  const int null = open("/dev/null", O_RDWR);
+  for (int file = 0; file < 3; ++file) dup2(null, file);
+  const int own = 3;
+  if (socket != own) dup2(socket, own);
+  close_range(own + 1, ~0U, 0);
+  fcntl(own, F_SETFD, FD_CLOEXEC);
+  // Ctrl-C is for the parent, which tells when to end.
+  for (const int ignored : {SIGINT, SIGTERM, SIGHUP}) signal(ignored, SIG_IGN);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  while (std::optional<Message> message = Message::receive(own)) {
+    const auto limits = message->take<Limits>();
+    std::string answer;
+    put(answer, run_supervised(request_of(*message), limits, own));
+    if (!send_message(own, answer)) break;
+  }
+  std::error_code ignored;
+  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+  _exit(0);
+}
+
+}  // namespace
+
+Supervisor::Supervisor(const std::string& folder) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::system_error(errno, std::generic_category(), "socketpair");
+  }
+  process_ = fork();
+  if (process_ < 0) {
+    close(ends[0]);
+    close(ends[1]);
+    throw std::system_error(errno, std::generic_category(), "fork");
+  }
+  if (process_ == 0) supervise(ends[1], folder);
+  close(ends[1]);
+  socket_ = ends[0];
+}
+
+Supervisor::~Supervisor() {
+  close(socket_);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+Ended Supervisor::run(const Request& request, const Limits& limits) {
+  if (!send_message(socket_, message_of(request, limits))) return {};
+  std::optional<Message> answer = Message::receive(socket_);
+  return answer ? answer->take<Ended>() : Ended{};
+}
+
+void Supervisor::interrupt() { shutdown(socket_, SHUT_RDWR); }
+
+std::string find_program(const std::string& name) {
+  namespace fs = std::filesystem;
+  const auto runs = [](const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+  };
+  if (name.find('/') != std::string::npos) return runs(name) ? fs::absolute(name).string() : "";
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string folder; !name.empty() && std::getline(folders, folder, ':');) {
+    const fs::path candidate = fs::path(folder.empty() ? "." : folder) / name;
+    if (runs(candidate)) return fs::absolute(candidate).string();
+  }
+  return "";
+}
+
+}  // namespace circumspect::campaign

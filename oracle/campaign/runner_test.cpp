@@ -1,0 +1,84 @@
+#include "oracle/campaign/runner.hpp"
+
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+#include "oracle/campaign/domain_text.hpp"
+#include "properties/generators/named_complexes.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+Subject shell(const std::string& script) {
+  Subject subject;
+  subject.command = {"/bin/sh", "-c", script, "{points}", "{mesh}"};
+  return subject;
+}
+
+const PointsCase kTetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}};
+
+TEST_CASE("a mesh is judged by the points of the input") {
+  const Subject right = shell("echo '1 4 0\n0 0 1 2 3' > $1");
+  Runner runner(right);
+  CHECK(runner.run(kTetrahedron).kind == OutcomeKind::kHolds);
+  const Subject wrong = shell("echo '1 4 0\n0 0 1 2 2' > $1");
+  Runner other(wrong);
+  const Outcome outcome = other.run(kTetrahedron);
+  CHECK(outcome.kind == OutcomeKind::kFails);
+  CHECK(outcome.signature == "simplex.repeated-vertex");
+}
+
+TEST_CASE("a mesh that lists its points must have those of the input, in any order") {
+  const std::string head = "echo 'MeshVersionFormatted 2 Dimension 3 Vertices 4 ";
+  const std::string tail = " Tetrahedra 1 1 2 3 4 0 End' > x.mesh";
+  Subject subject = shell(head + "0 0 1 0  0 1 0 0  1 0 0 0  0 0 0 0" + tail);
+  subject.mesh_name = "x.mesh";
+  CHECK(Runner(subject).run(kTetrahedron).kind == OutcomeKind::kHolds);
+  subject.command[2] = head + "0 0 1 0  0 1 0 0  1 0 0 0  0 0 0.5 0" + tail;
+  CHECK(Runner(subject).run(kTetrahedron).signature == "other-points");
+}
+
+TEST_CASE("what is flat is told apart, skipped or refused") {
+  Subject subject = shell("echo 'all points are coplanar'; exit 3");
+  const PointsCase flat = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {}};
+  CHECK(Runner(subject).run(flat).signature == "exit-code-3-flat");
+  CHECK(Runner(subject).run(kTetrahedron).signature == "exit-code-3");
+  subject.full_dimension = true;
+  CHECK(Runner(subject).run(flat).kind == OutcomeKind::kSkipped);
+  subject.full_dimension = false;
+  subject.refusal_texts = {"are coplanar"};
+  CHECK(Runner(subject).run(flat).kind == OutcomeKind::kRefused);
+}
+
+TEST_CASE("no case finds what the one before it left") {
+  const Subject subject =
+      shell("ls -A . | grep -v x.node && exit 9; mkdir -p a/b; touch a/b/c d; chmod 0 a; exit 0");
+  Runner runner(subject);
+  for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).signature == "no-mesh");
+}
+
+TEST_CASE("a scratch folder is gone with its runner") {
+  std::string folder;
+  {
+    const Subject subject = shell("touch y");
+    Runner runner(subject);
+    runner.run(kTetrahedron);
+    folder = std::filesystem::path(runner.work_folder()).parent_path();
+    CHECK(std::filesystem::exists(folder));
+  }
+  CHECK(!std::filesystem::exists(folder));
+}
+
+TEST_CASE("domains as Gmsh reads them, if they are one closed surface") {
+  PiecewiseLinearInput box = generators::box(0, 1);
+  const auto text = geo_text(box);
+  REQUIRE(text);
+  CHECK(text->find("Line(12) = ") != std::string::npos);
+  CHECK(text->find("Surface Loop(1) = {1,2,3,4,5,6};") != std::string::npos);
+  box.polygons.pop_back();
+  CHECK(!geo_text(box));
+}
+
+}  // namespace
+}  // namespace circumspect::campaign

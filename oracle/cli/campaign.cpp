@@ -1,0 +1,196 @@
+// circumspect campaign -- CMD…
+#include "oracle/campaign/campaign.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "oracle/campaign/finding_folder.hpp"
+#include "oracle/cli/campaign_inputs.hpp"
+#include "oracle/cli/campaign_options.hpp"
+#include "oracle/cli/campaign_report.hpp"
+#include "oracle/cli/campaign_stop.hpp"
+#include "oracle/cli/output.hpp"
+#include "oracle/cli/subcommands.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct CampaignOptions {
+  SubjectOptions subject;
+  std::uint64_t seed = 0;
+  double seconds = 0;  // 0: not said
+  std::optional<std::size_t> cases;
+  std::vector<std::string> families;
+  std::size_t max_points = 20;
+  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::string folder = "campaign";
+  std::string corpus;
+  std::string junit;
+  OutputOptions output;
+};
+
+std::string join(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+// Whatever changes the cases or what is found in them.
+campaign::Settings settings_of(const CampaignOptions& options, const campaign::Plan& plan) {
+  const campaign::Subject& subject = plan.subject;
+  std::vector<std::string> families;
+  for (const campaign::Source& source : plan.sources) families.push_back(source.family);
+  std::vector<std::string> corpus;
+  for (const campaign::Replayed& replayed : plan.replayed) corpus.push_back(replayed.name);
+  std::vector<std::string> refusals = subject.refusal_texts;
+  for (const int code : subject.refusal_codes) refusals.push_back(std::to_string(code));
+  return {{"command", campaign::command_line(subject)},
+          {"--claim", std::string(name(subject.claim))},
+          {"--seed", std::to_string(plan.seed)},
+          {"--families", join(families)},
+          {"--max-points", std::to_string(options.max_points)},
+          {"--corpus", join(corpus)},
+          {"--dimension", std::to_string(subject.dimension)},
+          {"--domain-kind", subject.domain_kind == DomainKind::kHull ? "hull" : "enclosed"},
+          {subject.is_about_domains() ? "--domain" : "--points",
+           subject.input_name + (subject.reads_stdin ? " on stdin" : "")},
+          {"--mesh", subject.mesh_name + (subject.writes_stdout ? " on stdout" : "")},
+          {"--first-index", std::to_string(subject.first_index)},
+          {"--full-dimension", subject.full_dimension ? "yes" : "no"},
+          {"refusals", join(refusals)},
+          {"limits", fmt::format("{} s, {} bytes of memory, {} of output, {} processes",
+                                 subject.limits.seconds, subject.limits.memory,
+                                 subject.limits.output, subject.limits.processes)}};
+}
+
+// One line on a terminal that is written over and over.
+void show(const campaign::Progress& progress) {
+  fmt::print(stderr, "\r{} cases, {} signatures, {:.0f} s ", progress.cases, progress.signatures,
+             progress.seconds);
+  std::fflush(stderr);
+}
+
+ExitCode exit_code_of(const campaign::Result& result) {
+  if (!result.findings.empty()) return ExitCode::kFails;
+  const bool holds = !result.interrupted && judged_cases(result) > 0;
+  return holds ? ExitCode::kHolds : ExitCode::kUndecided;
+}
+
+void report(const campaign::Result& result, const campaign::Plan& plan,
+            const CampaignOptions& options, Output& output) {
+  const std::string program = std::filesystem::path(plan.subject.command.front()).filename();
+  output.exit_with(exit_code_of(result));
+  if (!options.junit.empty()) {
+    const std::string failure = write_file(
+        options.junit, [&](std::ostream& stream) { stream << campaign_junit(result, program); });
+    if (!failure.empty()) output.error(ExitCode::kUsage, "report", options.junit, failure);
+  }
+  output.text(campaign_text(result));
+  output.text(campaign_verdict(result, program) + "\n");
+  if (output.wants_json()) output.json(campaign_json(result, plan, program));
+}
+
+// What is to be done; errors are printed.
+tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
+  const auto fault = [](const std::string& message, ExitCode code) {
+    fmt::print(stderr, "circumspect: {}\n", message);
+    return tl::unexpected(code);
+  };
+  bool not_found = false;
+  auto subject = subject_of(options.subject, not_found);
+  if (!subject) {
+    return fault(subject.error(), not_found ? ExitCode::kInputFault : ExitCode::kUsage);
+  }
+  campaign::Plan plan;
+  plan.subject = std::move(*subject);
+  auto sources = campaign_sources(plan.subject, options.families, options.max_points);
+  if (!sources) return fault(sources.error(), ExitCode::kUsage);
+  plan.sources = std::move(*sources);
+  if (!options.corpus.empty()) {
+    auto replayed = campaign_corpus(plan.subject, options.corpus);
+    if (!replayed) return fault(replayed.error(), ExitCode::kInputFault);
+    plan.replayed = std::move(*replayed);
+  }
+  plan.seed = options.seed;
+  plan.cases = options.cases;
+  if (options.seconds > 0) plan.seconds = options.seconds;
+  if (!plan.cases && !plan.seconds) plan.seconds = 60;
+  plan.jobs = options.jobs;
+  plan.output = std::filesystem::absolute(options.folder).lexically_normal().string();
+  plan.minimise = options.subject.minimise();
+  plan.settings = settings_of(options, plan);
+  return plan;
+}
+
+ExitCode run(const CampaignOptions& options) {
+  const auto plan = plan_of(options);
+  if (!plan) return plan.error();
+  Output output(options.output);
+  const bool shows_progress = !options.output.quiet && isatty(STDERR_FILENO) == 1;
+  const auto result = campaign::run(*plan, stop_flag(), [&](const campaign::Progress& progress) {
+    if (shows_progress) show(progress);
+  });
+  if (shows_progress) fmt::print(stderr, "\r{:60}\r", "");
+  if (!result) {
+    output.error(ExitCode::kInputFault, "campaign", plan->output, result.error());
+  } else {
+    report(*result, *plan, options, output);
+  }
+  return output.finish();
+}
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  circumspect campaign --time 60s -- ./my_program {points} {mesh}\n"
+    "  circumspect campaign --mesh x.1.ele -- tetgen -Q {points}\n"
+    "  circumspect campaign --points x.qhull --stdin --mesh x.qhull-i --stdout -- qdelaunay Qt i\n"
+    "  circumspect campaign --mesh x.1.ele --claim steiner-cdt -- tetgen -pQ {domain}\n"
+    "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
+    "      -- gmsh -3 -v 2 {domain} -o {mesh}\n\n"
+    "Each failure gets a folder campaign/findings/NAME/ with a small input and reproduce.sh.\n"
+    "The same command again goes on where it stopped, after Ctrl-C or kill -9 too.\n\n"
+    "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run or\n"
+    "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal error.";
+
+}  // namespace
+
+void add_campaign(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<CampaignOptions>();
+  CLI::App* command = app.add_subcommand(
+      "campaign", "Run a program on generated inputs, judge its meshes, make what fails small");
+  command->footer(kFooter);
+  add_subject_options(*command, options->subject);
+  command->add_option("--seed", options->seed, "What all inputs follow from (default: 0)")
+      ->option_text("N");
+  add_duration(*command, "--time", options->seconds,
+               "How long to go on (default, without --cases: 60s)");
+  command->add_option("--cases", options->cases, "How many inputs to draw, in all calls together")
+      ->option_text("N");
+  command
+      ->add_option("--families", options->families,
+                   "Families to draw from, with commas between (default: all without modifiers; "
+                   "'all': with them; circumspect generate --list)")
+      ->delimiter(',')
+      ->option_text("NAME,...");
+  command->add_option("--max-points", options->max_points, "Of an input (default: 20)")
+      ->option_text("N");
+  command
+      ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
+      ->option_text("FOLDER");
+  command->add_option("--jobs", options->jobs, "Programs at a time (default: one a processor)")
+      ->check(CLI::Range(1, 256).description(""))
+      ->option_text("N");
+  command
+      ->add_option("--output", options->folder,
+                   "The folder for the journal and the findings (default: campaign)")
+      ->option_text("FOLDER");
+  command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace circumspect::cli

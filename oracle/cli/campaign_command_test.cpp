@@ -1,0 +1,285 @@
+// circumspect campaign and minimize, as their users run them, on programs that are right, wrong and rough.
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <signal.h>
+
+#include "oracle/cli/run_command.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
+
+// A folder with a program that is a shell script.
+struct Program {
+  ScratchFolder folder;
+  std::string path;
+
+  explicit Program(const std::string& script) : path(folder.path("program")) {
+    folder.write("program", "#!/bin/sh\n" + script);
+    fs::permissions(path, fs::perms::owner_all);
+  }
+  std::string output(const std::string& name = "out") const { return folder.path(name); }
+
+  Arguments campaign(const Arguments& options, const std::string& out = "out") const {
+    Arguments all = {"campaign", "--output", output(out)};
+    all.insert(all.end(), options.begin(), options.end());
+    all.insert(all.end(), {"--", path, "{points}", "{mesh}"});
+    return all;
+  }
+  // The signatures for which there are folders.
+  std::set<std::string> signatures(const std::string& out = "out") const {
+    std::set<std::string> names;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(output(out) + "/findings", none)) {
+      names.insert(entry.path().filename());
+    }
+    return names;
+  }
+  std::string finding(const std::string& signature, const std::string& file,
+                      const std::string& out = "out") const {
+    return contents(output(out) + "/findings/" + signature + "/" + file);
+  }
+};
+
+std::string last_line(const std::string& text) {
+  const std::size_t start = text.rfind('\n', text.size() - 2);
+  return start == std::string::npos ? text : text.substr(start + 1);
+}
+
+constexpr const char* kRight =
+    "exec " CIRCUMSPECT_COMMAND " build delaunay --quiet --duplicates merge \"$1\" -o \"$2\"\n";
+
+// It forgets its last simplex if there are five points or more.
+constexpr const char* kForgetful = R"(
+"$CIRCUMSPECT" build delaunay --quiet --duplicates merge "$1" -o whole.ele || exit 9
+read n rest < "$1"
+[ $n -lt 5 ] && { mv whole.ele "$2"; exit 0; }
+awk 'NR == 1 { n = $1 - 1; $1 = n } NR <= n + 1' whole.ele > "$2"
+)";
+
+std::string forgetful() {
+  return "CIRCUMSPECT=" CIRCUMSPECT_COMMAND "\n" + std::string(kForgetful);
+}
+
+TEST_CASE("campaign: a right program, exit code 0") {
+  const Program program(kRight);
+  const Run result = run(program.campaign({"--cases", "12", "--max-points", "8"}));
+  CHECK(result.exit_code == 0);
+  CHECK(last_line(result.out) == "holds: campaign program 12 cases\n");
+  CHECK(result.err.empty());
+  CHECK(program.signatures().empty());
+}
+
+TEST_CASE("campaign: a wrong program, a folder for each way in which it fails") {
+  const Program program(forgetful());
+  const Run result =
+      run(program.campaign({"--cases", "6", "--families", "integers", "--max-points", "12",
+                            "--full-dimension", "--junit", program.output("report.xml")}));
+  CHECK(result.exit_code == 1);
+  CHECK(begins_with(last_line(result.out), "fails: campaign program 6 cases "));
+  REQUIRE(!program.signatures().empty());
+  const std::string signature = *program.signatures().begin();
+  CHECK(has(result.out, signature + ": "));
+  const std::string minimal = program.finding(signature, "minimal.node");
+  CHECK(begins_with(minimal, "5 3 0 0\n"));
+  CHECK(begins_with(program.finding(signature, "README.txt"), signature + "\n"));
+  const auto verdict = nlohmann::json::parse(program.finding(signature, "verdict.json"));
+  CHECK(verdict["results"][0]["signature"] == signature);
+  CHECK(verdict["results"][0]["verdict"]["violations"].size() > 0);
+  CHECK(has(contents(program.output("report.xml")), "<failure type=\"" + signature + "\""));
+  const std::string script = program.output() + "/findings/" + signature + "/reproduce.sh";
+  const std::string again =
+      "CIRCUMSPECT=" CIRCUMSPECT_COMMAND " " + script + " > " + program.output("again") + " 2>&1";
+  CHECK(WEXITSTATUS(std::system(again.c_str())) == 1);
+  CHECK(has(contents(program.output("again")), "fails: delaunay x.ele " + signature));
+}
+
+// What it does depends on the number of points.
+constexpr const char* kRough = R"(
+read n rest < "$1"
+case $n in
+  4) exec yes;;
+  5) while :; do sleep 1; done;;
+  6) kill -SEGV $$;;
+  7) exit 3;;
+  8) echo '2 4 0 nonsense' > "$2"; exit 0;;
+  9) rm -r "$PWD"/* ; exit 0;;
+  10) sleep 1000 & setsid sleep 1000 & ;;
+  11) i=0; while :; do i=$((i+1)); head -c 100000 /dev/zero > zero$i; done;;
+  12) i=0; while :; do i=$((i+1)); sleep 1000 & done;;
+  13) mkfifo "$2"; exit 0;;
+esac
+exit 7
+)";
+
+TEST_CASE("campaign: whatever a program does is told apart, and the campaign goes on") {
+  const Program program(kRough);
+  const ScratchFolder corpus;
+  for (int n = 4; n <= 14; ++n) {
+    std::string text = std::to_string(n) + " 3 0 0\n";
+    for (int i = 0; i < n; ++i) {
+      text += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(i * i) + " " +
+              std::to_string(i * i * i) + "\n";
+    }
+    corpus.write("points" + std::to_string(n + 10) + ".node", text);
+  }
+  const Run result = run(program.campaign(
+      {"--cases", "0", "--corpus", corpus.path(""), "--limit-time", "400ms", "--limit-output", "1M",
+       "--limit-processes", "20", "--minimize-runs", "1", "--refusal-exit-code", "9"}));
+  CHECK(result.exit_code == 1);
+  CHECK(last_line(result.out) == "fails: campaign program 11 cases 8 signatures\n");
+  CHECK(program.signatures() == std::set<std::string>{"crash-SIGSEGV", "exit-code-3", "exit-code-7",
+                                                      "hang", "no-mesh", "output-limit",
+                                                      "process-limit", "unreadable-mesh"});
+  // The program deleted its input; ours is whole.
+  CHECK(begins_with(program.finding("no-mesh", "input.node"), "9 3 0 0\n0 0 0 0\n"));
+  CHECK(has(program.finding("unreadable-mesh", "README.txt"), "x.ele:1: expected "));
+}
+
+TEST_CASE("campaign: the same findings whatever the number of jobs") {
+  const Program program(forgetful());
+  const Arguments options = {"--cases", "24", "--max-points", "9", "--minimize-runs", "60"};
+  const auto with_jobs = [&](const std::string& jobs) {
+    Arguments all = options;
+    all.insert(all.end(), {"--jobs", jobs});
+    return run(program.campaign(all, "out" + jobs));
+  };
+  CHECK(last_line(with_jobs("1").out) == last_line(with_jobs("3").out));
+  CHECK(contents(program.output("out1/journal.tsv")).size() > 100);
+  REQUIRE(!program.signatures("out1").empty());
+  CHECK(program.signatures("out1") == program.signatures("out3"));
+  for (const std::string& signature : program.signatures("out1")) {
+    for (const char* file : {"input.node", "minimal.node", "verdict.json", "README.txt"}) {
+      CHECK(program.finding(signature, file, "out1") == program.finding(signature, file, "out3"));
+    }
+  }
+}
+
+// The number of lines about cases in a journal.
+long cases_in(const std::string& journal) {
+  const std::string text = contents(journal);
+  long count = 0;
+  for (std::size_t at = text.find("\ncase\t"); at != std::string::npos;
+       at = text.find("\ncase\t", at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST_CASE("campaign: after kill -9 it goes on, and ends as if it had never been killed") {
+  const Program program(forgetful());
+  const Arguments options = {"--cases",         "40", "--max-points", "9",
+                             "--minimize-runs", "30", "--jobs",       "2"};
+  Arguments arguments = program.campaign(options);
+  arguments.insert(arguments.begin(), CIRCUMSPECT_COMMAND);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  pid_t process = 0;
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+  REQUIRE(posix_spawn(&process, CIRCUMSPECT_COMMAND, &files, nullptr, argv.data(), environ) == 0);
+  posix_spawn_file_actions_destroy(&files);
+  const std::string journal = program.output() + "/journal.tsv";
+  for (int i = 0; i < 2000 && cases_in(journal) < 5; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
+  CHECK(cases_in(journal) >= 5);
+  std::ofstream(journal, std::ios::app) << "case\t99";  // a line that was cut off
+  const Run resumed = run(program.campaign(options));
+  CHECK(resumed.exit_code == 1);
+  CHECK(has(resumed.out, " before that\n"));
+  CHECK(cases_in(journal) == 40);
+  const Run whole = run(program.campaign(options, "whole"));
+  CHECK(last_line(resumed.out) == last_line(whole.out));
+  CHECK(program.signatures() == program.signatures("whole"));
+  for (const std::string& signature : program.signatures("whole")) {
+    CHECK(program.finding(signature, "minimal.node") ==
+          program.finding(signature, "minimal.node", "whole"));
+  }
+  Arguments other = program.campaign({"--cases", "40", "--max-points", "9", "--seed", "5"});
+  const Run mismatch = run(other);
+  CHECK(mismatch.exit_code == 3);
+  CHECK(has(mismatch.err, "expected --seed '0' as when it began, found '5'"));
+}
+
+TEST_CASE("campaign: usage, and programs that there are not") {
+  const Program program(kRight);
+  const auto code = [&](const Arguments& options, const Arguments& command) {
+    Arguments all = {"campaign", "--output", program.output(), "--cases", "1"};
+    all.insert(all.end(), options.begin(), options.end());
+    all.push_back("--");
+    all.insert(all.end(), command.begin(), command.end());
+    const Run result = run(all);
+    CHECK(result.out.empty());
+    CHECK(!result.err.empty());
+    return result.exit_code;
+  };
+  CHECK(code({}, {program.path, "{points}"}) == 2);
+  CHECK(code({}, {program.path, "{mesh}"}) == 2);
+  CHECK(code({"--claim", "delaunay"}, {program.path, "{domain}", "{mesh}"}) == 2);
+  CHECK(code({"--families", "nonsense"}, {program.path, "{points}", "{mesh}"}) == 2);
+  CHECK(code({"--mesh", "../x.ele"}, {program.path, "{points}"}) == 2);
+  CHECK(code({"--limit-time", "soon"}, {program.path, "{points}", "{mesh}"}) == 2);
+  CHECK(code({}, {"no-such-program", "{points}", "{mesh}"}) == 3);
+  CHECK(run({"campaign"}).exit_code == 2);
+  CHECK(!fs::exists(program.output()));
+}
+
+TEST_CASE("campaign: stdin and stdout, other formats, JSON") {
+  const Program program("cat > in.node\n" CIRCUMSPECT_COMMAND
+                        " build delaunay --quiet in.node -o out.ele && cat out.ele\n");
+  const Run result = run({"campaign", "--output", program.output(), "--cases", "4", "--families",
+                          "integers", "--stdin", "--stdout", "--dimension", "2", "--first-index",
+                          "1", "--format", "json", "--", program.path});
+  CHECK(result.exit_code == 0);
+  const auto campaign = document(result)["results"][0];
+  CHECK(campaign["cases"] == 4);
+  CHECK(campaign["holds"] == true);
+  CHECK(campaign["families"]["integers"]["holds"] == 4);
+}
+
+TEST_CASE("campaign: domains") {
+  const Program program(CIRCUMSPECT_COMMAND " build steiner-cdt --quiet \"$1\" -o \"$2\"\n");
+  const Run result = run({"campaign", "--output", program.output(), "--cases", "4", "--max-points",
+                          "8", "--dimension", "2", "--", program.path, "{domain}", "{mesh}"});
+  CAPTURE(result.out);
+  CAPTURE(result.err);
+  CHECK(result.exit_code != 2);
+  CHECK(result.exit_code != 3);
+}
+
+TEST_CASE("minimize: the smallest input, or exit code 3 if it does not fail") {
+  const Program program(forgetful());
+  std::string points = "60 3 0 0\n";
+  for (int i = 0; i < 60; ++i) {
+    points += std::to_string(i) + " " + std::to_string(i * 37 % 61) + " " +
+              std::to_string(i * i % 53) + ".5 " + std::to_string(i * 11 % 47) + "\n";
+  }
+  const std::string input = program.folder.write("big.node", points);
+  const std::string output = program.output("small.node");
+  const Arguments command = {"minimize", input,        "-o",       output,
+                             "--",       program.path, "{points}", "{mesh}"};
+  const Run result = run(command);
+  CHECK(result.exit_code == 0);
+  CHECK(begins_with(last_line(result.out), "minimized: program "));
+  CHECK(begins_with(contents(output), "5 3 0 0\n"));
+  const Program right(kRight);
+  const Run holds = run({"minimize", input, "-o", output, "--", right.path, "{points}", "{mesh}"});
+  CHECK(holds.exit_code == 3);
+  CHECK(is_error_line(holds.err));
+  CHECK(run({"minimize", "nowhere.node", "-o", output, "--", right.path, "{points}", "{mesh}"})
+            .exit_code == 3);
+}
+
+}  // namespace
+}  // namespace circumspect::cli
