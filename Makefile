@@ -9,6 +9,8 @@ SHELL       := /bin/bash
 JOBS         ?= $(shell nproc)
 MINUTES      ?= 30
 CLANG_FORMAT ?= clang-format-14
+# Precompiled headers, which a developer who uses the presets goes without.
+CONFIGURE    := cmake -DCIRCUMSPECT_QUICK_BUILD=ON
 COMMAND      := build/release/bin/circumspect
 SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
 export PYTHONDONTWRITEBYTECODE := 1
@@ -27,7 +29,7 @@ deps-bench: ; @cmake/packages.sh demo bench
 # A first build leaves the tests out; a build that has them keeps them, so that going back and
 # forth between `make demo` and `make test` compiles nothing twice.
 build: deps-demo
-	@test -f build/release/build.ninja || cmake --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
+	@test -f build/release/build.ninja || $(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
 	@cmake --build --preset release --target circumspect_cli -j $(JOBS)
 
 demo: build
@@ -52,20 +54,20 @@ test-style:
 	@python3 tidy/tidy_test.py
 
 test-release test-sanitize: test-%:
-	@cmake --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON
+	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset $* -j $(JOBS)
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
 
 # Every property and every soak test on new random inputs, round after round, for MINUTES; a failure
 # ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.
 soak: deps-test
-	@cmake --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
+	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset release -j $(JOBS)
 	@properties/soak.sh build/release $(MINUTES)
 
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }
-	@cmake --preset release -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
+	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_BENCHMARKS=ON
 	@cmake --build --preset release --target bench -j $(JOBS)
 
 format: deps-test

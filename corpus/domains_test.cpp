@@ -119,7 +119,8 @@ TEST_CASE("each domain of the corpus is a piecewise linear complex") {
 }
 
 TEST_CASE("each invalid input and each surface has exactly the breaches that invalid.tsv names") {
-  for (const auto& [path, breaches] : expected_breaches()) {
+  for (const auto& [file, breaches] : expected_breaches()) {
+    const std::string& path = file;
     INFO(path);
     CHECK(breaches_of(kDomainFolder + path) == breaches);
     if (path.starts_with("invalid/")) CHECK(breaches.contains(cause_in_name(path)));

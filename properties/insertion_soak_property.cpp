@@ -16,13 +16,14 @@ using delaunay::PointLocation;
 using generators::PointsCase;
 
 TEST_CASE("D2 at length: every order and every point location, and the definition") {
-  for (const auto& [d, max_points, successes] : {std::tuple(1u, 60u, 500),
-                                                 {2u, 60u, 3000},
-                                                 {3u, 40u, 3000},
-                                                 {4u, 16u, 1000},
-                                                 {5u, 11u, 200}}) {
+  for (const auto& [dimension, max_points, successes] : {std::tuple(1u, 60u, 500),
+                                                         {2u, 60u, 3000},
+                                                         {3u, 40u, 3000},
+                                                         {4u, 16u, 1000},
+                                                         {5u, 11u, 200}}) {
+    const unsigned d = dimension;
     CAPTURE(d);
-    CHECK(holds("orders and locations agree", successes, [d = d, max_points = max_points] {
+    CHECK(holds("orders and locations agree", successes, [d, max_points = max_points] {
       const auto sets = generators::any_point_set(d, max_points);
       const PointsCase set =
           *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, max_points));

@@ -45,7 +45,10 @@ struct Arrangement {
 };
 
 void assert_same_regions(const Arrangement& arrangement) {
-  const auto& [points, cells, uses, walls] = arrangement;
+  const auto& points = arrangement.points;
+  const auto& cells = arrangement.cells;
+  const auto& uses = arrangement.uses;
+  const auto& walls = arrangement.walls;
   const Regions regions(points, walls, {}, DomainKind::kEnclosed);
   DisjointSets expected = arrangement.joined();
   std::map<std::size_t, std::size_t> region_of;

@@ -14,13 +14,20 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
-RULES = ROOT / "oracle" / "rule.cpp"
+# The header of a table of identifiers, the source that has them, and how an entry of it begins.
+TABLES = [
+    ("| rule | what is wrong |", ROOT / "oracle" / "rule.cpp", r"RuleEntry\{Rule"),
+    ("| breach | what is wrong |", ROOT / "reference" / "piecewise_linear" / "breach.cpp",
+     r"\{BreachKind"),
+]
+# How the names of files begin that the examples write.
+SCRATCH = ("reference", "proof", "drawn")
 
 
 def output_of(command, line, folder):
     """What the command prints, stdout and stderr, run at the root; files it writes are in the folder."""
     words = shlex.split(line)[1:]
-    words = [f"{folder}/{word}" if word.startswith(("reference", "proof")) else word for word in words]
+    words = [f"{folder}/{word}" if word.startswith(SCRATCH) else word for word in words]
     run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)
     return (run.stdout + run.stderr).replace(f"{folder}/", "").splitlines()
 
@@ -42,21 +49,22 @@ def with_outputs(command, text, folder):
     return "\n".join(lines) + "\n"
 
 
-def rule_table():
-    """The rules as oracle/rule.cpp has them."""
-    source = re.sub(r'"\s*\n\s*"', "", RULES.read_text(encoding="utf-8"))
-    entries = re.findall(r'RuleEntry\{Rule::\w+,\s*"([^"]+)",\s*"([^"]+)"\}', source)
-    return ["| rule | what is wrong |", "| --- | --- |",
+def table(header, path, entry):
+    """The identifiers and their meanings as the source has them."""
+    source = re.sub(r'"\s*\n\s*"', "", path.read_text(encoding="utf-8"))
+    entries = re.findall(entry + r'::\w+,\s*"([^"]+)",\s*"([^"]+)"\}', source)
+    return [header, "| --- | --- |",
             *(f"| `{identifier}` | {meaning} |" for identifier, meaning in entries)]
 
 
-def with_rule_table(text):
-    """The text with the table of rules brought up to date."""
+def with_tables(text):
+    """The text with the tables of identifiers brought up to date."""
+    tables = {header: table(header, path, entry) for header, path, entry in TABLES}
     lines, inside = [], False
     for line in text.splitlines():
-        if line == "| rule | what is wrong |":
+        if line in tables:
             inside = True
-            lines += rule_table()
+            lines += tables[line]
         elif not (inside and line.startswith("|")):
             inside = False
             lines.append(line)
@@ -67,7 +75,7 @@ def main():
     command = str(pathlib.Path(sys.argv[1]).resolve())
     text = README.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
-        true_text = with_rule_table(with_outputs(command, text, folder))
+        true_text = with_tables(with_outputs(command, text, folder))
     if "--update" in sys.argv[2:]:
         README.write_text(true_text, encoding="utf-8")
         return 0

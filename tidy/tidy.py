@@ -42,15 +42,15 @@ ARROWS = {
                    "oracle/check/domain", "oracle/report", "properties/generators",
                    "properties/mutations", "properties/triangulations", "properties/faulty",
                    "properties/adapters", "oracle/harness"],
-    "corpus": ["reference/delaunay", "oracle/report", "oracle/check/domain"],
-    "fuzz": ["reference/delaunay", "oracle/report"],
+    "corpus": ["reference/delaunay", "oracle/report", "oracle/check/domain", "oracle/harness"],
+    "fuzz": ["reference/constrained", "oracle/check/domain", "oracle/harness"],
     "bench": ["reference/constrained", "oracle/report"],
 }
 # What a test beside its layer may include on top of what the layer may.
 TESTS_ALSO = ["properties/generators"]
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
-APART = ["corpus/make"]
+APART = ["corpus/make", "examples"]
 
 # Where CGAL may be included, apart from files named *_cgal_test.cpp.
 # CGAL knows our Rational by the name that GMP gives it.

@@ -135,7 +135,9 @@ TEST_CASE("generate: errors say what was expected and found") {
       {{"grid", "--count", "2", "-o", folder.write("file", "")}, "can be written to"},
       {{}, "expected the name of a family or --list"},
   };
-  for (const auto& [arguments, part] : calls) {
+  for (const auto& call : calls) {
+    const auto& [arguments, expected] = call;
+    const std::string part = expected;
     const Run result = generate(arguments);
     CAPTURE(result.err);
     CAPTURE(part);

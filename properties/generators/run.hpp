@@ -11,7 +11,15 @@
 namespace circumspect::properties {
 
 // The sanitizers look for faults of memory, and take ten times as long: a fourth of the inputs will do.
-#ifdef __SANITIZE_ADDRESS__
+// GCC says so by a macro, Clang by a feature.
+#if defined(__SANITIZE_ADDRESS__)
+#define CIRCUMSPECT_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define CIRCUMSPECT_SANITIZED
+#endif
+#endif
+#ifdef CIRCUMSPECT_SANITIZED
 inline constexpr int kOneInputIn = 4;
 #else
 inline constexpr int kOneInputIn = 1;

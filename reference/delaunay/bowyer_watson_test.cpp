@@ -67,7 +67,9 @@ TEST_CASE("Bowyer-Watson: a grid of eight cubes has 48 tetrahedra") {
 
 // Book: Section 4.1, Figure 4.2: every edge of one line with every edge of the other.
 TEST_CASE("Bowyer-Watson: points on two skew lines, (a-1)(b-1) tetrahedra") {
-  for (const auto& [a, b] : {std::pair(2L, 2L), {3L, 2L}, {3L, 4L}, {5L, 5L}}) {
+  for (const auto& sizes : {std::pair(2L, 2L), {3L, 2L}, {3L, 4L}, {5L, 5L}}) {
+    const long a = sizes.first;
+    const long b = sizes.second;
     CAPTURE(a);
     CAPTURE(b);
     std::vector<Point> points;

@@ -55,7 +55,9 @@ TEST_CASE("flip insertion: in a tetrahedron, in a facet, on an edge, on the hull
       {{3, 3, -3}, {}},
       {{2, 2, 0}, {}},
   };
-  for (const auto& [point, dimension_of_face] : cases) {
+  for (const auto& row : cases) {
+    const auto& point = row.point;
+    const auto& dimension_of_face = row.dimension_of_face;
     const PointSet points(octahedron_and(point));
     const LastInserted last(points);
     CAPTURE(point[0].get_str());

@@ -42,7 +42,9 @@ TEST_CASE("Hilbert curve: in the grid of two by two it goes around") {
 }
 
 TEST_CASE("Hilbert curve: it visits every cell once, and consecutive cells share a facet") {
-  for (const auto& [k, bits] : {std::pair(1U, 6), {2U, 1}, {2U, 4}, {3U, 3}, {4U, 2}, {5U, 2}}) {
+  for (const auto& grid : {std::pair(1U, 6), {2U, 1}, {2U, 4}, {3U, 3}, {4U, 2}, {5U, 2}}) {
+    const unsigned k = grid.first;
+    const int bits = grid.second;
     CAPTURE(k);
     CAPTURE(bits);
     std::vector<std::pair<GridCell, GridCell>> cells;  // place on the z-order curve, cell

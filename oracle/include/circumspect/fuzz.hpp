@@ -28,20 +28,28 @@ PointArray points_from_bytes(const std::uint8_t* data, std::size_t size, std::si
 std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t max_size,
                          unsigned int seed);
 
+struct FuzzOptions {
+  std::string claim = "delaunay";  // or "triangulation", "weighted-delaunay"
+  std::size_t dimension = 3;       // 2 or 3
+  std::size_t min_points = 1;
+  bool flat_sets = true;  // also points that span only a flat, as in PropertyOptions
+};
+
 // Runs the program on the points that the bytes stand for and judges what it returns. If it is wrong,
 // prints the rule, the points as a .node file and the witness, and aborts. Returns 0.
-int fuzz_once(const Triangulator& subject, const std::string& claim, std::size_t dimension,
-              const std::uint8_t* data, std::size_t size);
+int fuzz_once(const Triangulator& subject, const FuzzOptions& options, const std::uint8_t* data,
+              std::size_t size);
 
 }  // namespace circumspect
 
-#define CIRCUMSPECT_FUZZ(claim, dimension, subject)                                         \
-  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {       \
-    return ::circumspect::fuzz_once(subject, claim, dimension, data, size);                 \
-  }                                                                                         \
-  extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,      \
-                                                 std::size_t max_size, unsigned int seed) { \
-    return ::circumspect::mutate_bytes(data, size, max_size, seed);                         \
+// CIRCUMSPECT_FUZZ(my_triangulate, {.dimension = 2, .flat_sets = false})
+#define CIRCUMSPECT_FUZZ(subject, ...)                                                            \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {             \
+    return ::circumspect::fuzz_once(subject, ::circumspect::FuzzOptions __VA_ARGS__, data, size); \
+  }                                                                                               \
+  extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,            \
+                                                 std::size_t max_size, unsigned int seed) {       \
+    return ::circumspect::mutate_bytes(data, size, max_size, seed);                               \
   }
-#define CIRCUMSPECT_FUZZ_DELAUNAY(dimension, subject) \
-  CIRCUMSPECT_FUZZ("delaunay", dimension, subject)
+#define CIRCUMSPECT_FUZZ_DELAUNAY(its_dimension, subject) \
+  CIRCUMSPECT_FUZZ(subject, {.dimension = its_dimension})

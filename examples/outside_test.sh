@@ -1,0 +1,65 @@
+#!/bin/bash
+# Installs into a fresh folder, builds the examples against that copy as their users would, and runs them:
+#   examples/outside_test.sh BUILD
+# BUILD is a build of the project, such as build/release.
+set -euo pipefail
+
+build=${1:?usage: examples/outside_test.sh BUILD}
+examples=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() {
+  echo "outside_test: $1" >&2
+  exit 1
+}
+
+# Output only of what fails.
+quietly() {
+  "$@" >"$work/log" 2>&1 || { cat "$work/log"; fail "failed: $*"; }
+}
+
+quietly cmake --install "$build" --prefix "$work/installed" --component harness
+# The copy stands alone: nothing of it names this tree.
+! grep -rIl -e "$examples" -e "$(dirname "$examples")/" "$work/installed" ||
+  fail "an installed file names the folder of the sources"
+cp -r "$examples" "$work/examples"
+
+echo "properties, by find_package"
+quietly cmake -S "$work/examples/properties" -B "$work/properties" -DCMAKE_PREFIX_PATH="$work/installed"
+quietly cmake --build "$work/properties"
+"$work/properties/triangulate_test"
+
+echo "properties fail where doubles are rounded"
+sed -i '/\.families/d' "$work/examples/properties/triangulate_test.cpp"
+quietly cmake --build "$work/properties"
+if "$work/properties/triangulate_test" >"$work/log" 2>&1; then fail "expected a finding, found none"; fi
+grep -q "circumspect generate" "$work/log" || fail "expected a line that makes the input again"
+
+echo "fuzz, without libFuzzer"
+quietly cmake -S "$work/examples/fuzz" -B "$work/replay" -DCMAKE_PREFIX_PATH="$work/installed"
+quietly cmake --build "$work/replay"
+printf '\0\0\0\0\0\0\1\0\0\0\0\0\1\0\0' >"$work/seed"
+"$work/replay/triangulate_fuzz" "$work/seed"
+
+if command -v clang++ >/dev/null; then
+  echo "fuzz, with libFuzzer"
+  quietly cmake -S "$work/examples/fuzz" -B "$work/fuzz" -DCMAKE_PREFIX_PATH="$work/installed" \
+    -DCMAKE_CXX_COMPILER=clang++
+  quietly cmake --build "$work/fuzz"
+  if "$work/fuzz/triangulate_fuzz" -seed=1 -runs=200000 -max_total_time=60 \
+    -artifact_prefix="$work/" >"$work/log" 2>&1; then
+    fail "expected a finding, found none"
+  fi
+  grep -m1 "^delaunay: " "$work/log" || { tail -n 40 "$work/log"; fail "expected a broken rule"; }
+fi
+
+echo "pkg-config"
+if command -v pkg-config >/dev/null; then
+  flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$work/installed" -name circumspect.pc)") \
+    pkg-config --cflags --libs circumspect)
+  # shellcheck disable=SC2086
+  quietly g++ -std=c++20 -o "$work/by-pkg-config" "$examples/fuzz/triangulate_fuzz.cpp" \
+    "$examples/fuzz/replay.cpp" "$examples/triangulate.cpp" $flags
+  "$work/by-pkg-config" "$work/seed"
+fi

@@ -1,0 +1,34 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include <circumspect/judgement.hpp>
+
+#include "oracle/check/check.hpp"
+#include "oracle/harness/mesh_of.hpp"
+#include "oracle/report/text.hpp"
+
+namespace circumspect {
+namespace {
+
+Claim claim_named(const std::string& claim) {
+  for (const Claim known : {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay}) {
+    if (claim == name(known)) return known;
+  }
+  throw std::invalid_argument("expected triangulation, delaunay or weighted-delaunay, found '" +
+                              claim + "'");
+}
+
+}  // namespace
+
+Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices) {
+  const Claim known = claim_named(claim);
+  const Mesh mesh = harness::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
+  const Verdict verdict = check::judge(known, mesh);
+  if (verdict.holds()) return {true, "", ""};
+  const Rule rule = verdict.violations().front().rule;
+  return {false, std::string(identifier(rule)), report::explanation(verdict, mesh)};
+}
+
+}  // namespace circumspect
