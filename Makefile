@@ -33,7 +33,8 @@ build: deps-demo
 	@cmake --build --preset release --target circumspect_cli -j $(JOBS)
 
 demo: build
-	@CIRCUMSPECT=$(COMMAND) bash corpus/demo.sh
+	@rm -rf build/demo-campaign
+	@CIRCUMSPECT=$(COMMAND) CAMPAIGN_OUTPUT=build/demo-campaign bash corpus/demo.sh
 
 test: deps-test test-style test-release test-sanitize
 	@echo

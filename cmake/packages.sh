@@ -20,6 +20,7 @@ libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
 librapidcheck-dev     generates and shrinks inputs
 libboost-dev          spatial indexes, and headers that CGAL includes
+tetgen                a program to put to the test, at the end of the demonstration
 END
       ;;
     test) cat <<'END'
@@ -28,6 +29,7 @@ libtet1.5-dev         TetGen as a function, put to the test
 libqhull-dev          Qhull as a function, put to the test
 topcom                a second opinion on the number of triangulations, in tests only
 python3               runs tidy/tidy.py
+pkg-config            tests the installed circumspect.pc
 clang-format-14       checks the layout of the sources
 clang                 compiles the fuzz targets
 libclang-rt-14-dev    libFuzzer and Clang's sanitizers

@@ -1,6 +1,8 @@
 #!/bin/bash
 # The demonstration: judges meshes of this corpus, good ones and broken ones, made by TetGen, Gmsh, Qhull,
-# CGAL and us, then builds references and judges them. Exit 0 if every verdict was the expected one.
+# CGAL and us, builds references and judges them, and lets a campaign loose on TetGen. Exit 0 if every
+# verdict was the expected one. CAMPAIGN_TIME=2s makes the campaign shorter; CAMPAIGN_OUTPUT=FOLDER keeps
+# what it finds.
 set -uo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -117,6 +119,25 @@ expect 0 "holds: steiner-cdt $work/schonhardt.ele" \
 say 'A reference: the canonical Delaunay triangulation of the twelve points of Figure 4.4, then judged.'
 expect 0 'built: delaunay' build delaunay corpus/accept/figure-4-4-two-cubes.node -o "$work/two-cubes.ele"
 holds delaunay --points corpus/accept/figure-4-4-two-cubes.node "$work/two-cubes.ele"
+
+say 'TetGen itself, for ten seconds, on inputs made to break it: every mesh judged, one of each failure made small.'
+program=$(type -P tetgen)
+if [[ -n $program ]]; then
+  arguments=(campaign --time "${CAMPAIGN_TIME:-10s}" --seed 1 --mesh x.1.ele --full-dimension --families
+             sphere,grid,circle,ulp-clusters,mixed-exponents --minimize-time 5s
+             --output "${CAMPAIGN_OUTPUT:-$work/campaign}" -- tetgen -Q '{points}')
+  printf '$ circumspect %s\n' "${arguments[*]}"
+  "$command" "${arguments[@]}"
+  status=$?
+  printf '(exit code %d)\n' "$status"
+  runs=$((runs + 1))
+  if [[ $status -ne 1 ]]; then
+    surprises=$((surprises + 1))
+    printf 'unexpected: expected exit code 1, for something found\n'
+  fi
+else
+  printf 'tetgen is not installed: left out\n'
+fi
 
 printf '\n'
 if [[ $surprises -gt 0 ]]; then
