@@ -134,8 +134,8 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
       "compare", "Are two meshes the same complex, up to numbering? If not, what differs");
   command->footer(
       "Example:\n"
-      "  circumspect build delaunay points.node -o ours.ele\n"
-      "  circumspect compare theirs.1.ele ours.ele\n\n"
+      "  circumspect build delaunay points.node -o ours.json\n"
+      "  circumspect compare theirs.1.ele ours.json\n\n"
       "Points are matched by their exact coordinates (and weights), simplices as sets of points; "
       "the\n"
       "order of points, simplices and vertices means nothing. Two Delaunay triangulations of "
