@@ -7,6 +7,7 @@
 
 #include "bench/algorithms.hpp"
 #include "bench/constrained.hpp"
+#include "bench/judging.hpp"
 #include "bench/point_families.hpp"
 #include "bench/processor_time.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
@@ -93,6 +94,7 @@ int main(int count, char** arguments) {
   const std::string wanted = count > 1 ? arguments[1] : "";
   int too_slow = circumspect::bench::time_all(wanted);
   too_slow += circumspect::bench::time_constrained(wanted);
+  too_slow += circumspect::bench::time_judging(wanted);
   if (wanted.empty()) circumspect::bench::count_changes_on_grids();
   if (too_slow > 0) fmt::print("\n{} algorithms took longer than they may\n", too_slow);
   return too_slow == 0 ? 0 : 1;

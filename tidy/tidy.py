@@ -44,7 +44,7 @@ ARROWS = {
                    "properties/adapters", "oracle/harness"],
     "corpus": ["reference/delaunay", "oracle/report", "oracle/check/domain", "oracle/harness"],
     "fuzz": ["reference/constrained", "oracle/check/domain", "oracle/harness"],
-    "bench": ["reference/constrained", "oracle/report"],
+    "bench": ["reference/constrained", "oracle/report", "oracle/harness"],
 }
 # What a test beside its layer may include on top of what the layer may.
 TESTS_ALSO = ["properties/generators"]
