@@ -125,7 +125,7 @@ program=$(type -P tetgen)
 if [[ -n $program ]]; then
   arguments=(campaign --time "${CAMPAIGN_TIME:-10s}" --seed 1 --mesh x.1.ele --full-dimension --families
              sphere,grid,circle,ulp-clusters,mixed-exponents --minimize-time 5s
-             --output "${CAMPAIGN_OUTPUT:-$work/campaign}" -- tetgen -Q '{points}')
+             --output "${CAMPAIGN_OUTPUT:-$work/campaign}" -- tetgen -JQ '{points}')
   printf '$ circumspect %s\n' "${arguments[*]}"
   "$command" "${arguments[@]}"
   status=$?

@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "oracle/campaign/finding_folder.hpp"
@@ -38,6 +39,10 @@ class Campaign {
         const Input input = drawn(*number);
         add(*number, runner.run(input), runner);
       }
+    } catch (const std::system_error& error) {
+      // The disk takes no more, or the like: what is on it is good, and the campaign can go on later.
+      const std::lock_guard lock(mutex_);
+      if (not_run_.empty()) not_run_ = error.what();
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
@@ -85,7 +90,7 @@ class Campaign {
 
   std::optional<FindingRecord> take_unfinished() {
     const std::lock_guard lock(mutex_);
-    if (stop_ || failure_ || unfinished_.empty()) return std::nullopt;
+    if (stop_ || failure_ || !not_run_.empty() || unfinished_.empty()) return std::nullopt;
     FindingRecord record = unfinished_.back();
     unfinished_.pop_back();
     return record;
@@ -164,6 +169,11 @@ class Campaign {
     const Input minimal = minimised(found, record.signature, runner, plan_.minimise, stop_);
     Outcome outcome = runner.run(minimal);
     if (stop_ || outcome.kind == OutcomeKind::kInterrupted) return;
+    if (outcome.kind == OutcomeKind::kNotRun) {
+      const std::lock_guard lock(mutex_);
+      not_run_ = outcome.text;
+      return;
+    }
     if (outcome.signature != record.signature) {
       outcome.text = "not every time: when it was run again, " +
                      (outcome.signature.empty() ? "the mesh was right" : outcome.signature);
@@ -225,12 +235,16 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
                                       const std::function<void(const Progress&)>& progress) {
   auto journal = Journal::open(plan.output, plan.settings);
   if (!journal) return tl::unexpected(journal.error());
-  // Runners fork, so they come before the threads.
+  // Runners fork, which is cheapest before there are threads.
   std::vector<std::unique_ptr<Runner>> runners;
   // One more than programs may run: it judges while the others wait for theirs.
   Runner::Gate gate(static_cast<std::ptrdiff_t>(plan.jobs));
-  for (std::size_t i = 0; i < plan.jobs + 1; ++i) {
-    runners.push_back(std::make_unique<Runner>(plan.subject, &gate));
+  try {
+    for (std::size_t i = 0; i < plan.jobs + 1; ++i) {
+      runners.push_back(std::make_unique<Runner>(plan.subject, &gate));
+    }
+  } catch (const std::system_error& error) {
+    return tl::unexpected(std::string(error.what()));
   }
   Campaign campaign(plan, std::move(*journal), stop);
   campaign.start(runners.size());

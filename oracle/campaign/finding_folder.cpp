@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -48,24 +49,32 @@ void write_input_as(const std::string& stem, const Subject& subject, const Input
   }
 }
 
-// Files beyond this many bytes are left out of a finding.
+// Files beyond this many bytes, and beyond this many, are left out of a finding.
 constexpr std::uintmax_t kLargestCopy = 1 << 20;
+constexpr std::size_t kMostCopies = 100;
+
+void copy_file(const std::string& from, const std::string& to, const Runner& runner) {
+  std::ostringstream text;
+  text << std::ifstream(from, std::ios::binary).rdbuf();
+  std::ofstream(to, std::ios::binary) << runner.without_places(text.str());
+}
 
 // What the program wrote, without its input.
 void copy_output(const std::string& folder, const Subject& subject, const Runner& runner) {
   std::error_code error;
   fs::remove_all(folder + "/output", error);
   fs::create_directories(folder + "/output", error);
-  for (const fs::directory_entry& entry : fs::directory_iterator(runner.work_folder(), error)) {
-    const bool is_input = entry.path().filename() == subject.input_name;
-    const bool is_file = fs::is_regular_file(entry.symlink_status(error)) &&
-                         fs::file_size(entry.path(), error) <= kLargestCopy;
-    if (is_file && !is_input)
-      fs::copy_file(entry.path(), folder + "/output/" + entry.path().filename().string(), error);
+  std::vector<std::string> paths;
+  fs::directory_iterator entry(runner.work_folder(), error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    if (entry->path().filename() != subject.input_name) paths.push_back(entry->path().string());
+    if (paths.size() >= kMostCopies) break;
   }
-  if (subject.writes_stdout && !runner.mesh_file().empty() &&
-      fs::file_size(runner.mesh_file(), error) <= kLargestCopy) {
-    fs::copy_file(runner.mesh_file(), folder + "/output/" + subject.mesh_name, error);
+  if (subject.writes_stdout && !runner.mesh_file().empty()) paths.push_back(runner.mesh_file());
+  for (const std::string& path : paths) {
+    const bool is_small = fs::is_regular_file(fs::symlink_status(path, error)) &&
+                          fs::file_size(path, error) <= kLargestCopy;
+    if (is_small) copy_file(path, folder + "/output/" + fs::path(path).filename().string(), runner);
   }
 }
 

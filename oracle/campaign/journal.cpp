@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace circumspect::campaign {
@@ -53,11 +56,12 @@ std::string difference(const Settings& old, const Settings& now) {
   return "";
 }
 
-std::size_t number_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::size_t number = static_cast<std::size_t>(-1);
-  stream >> number;
-  return number;
+// A number of a case, or nothing.
+std::optional<std::size_t> number_of(const std::string& text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace
@@ -67,7 +71,8 @@ Journal::~Journal() {
 }
 
 Journal::Journal(Journal&& other) noexcept
-    : file_(std::exchange(other.file_, -1)),
+    : path_(std::move(other.path_)),
+      file_(std::exchange(other.file_, -1)),
       cases_(std::move(other.cases_)),
       findings_(std::move(other.findings_)),
       settings_(std::move(other.settings_)) {}
@@ -78,10 +83,13 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
   std::filesystem::create_directories(folder, error);
   const std::string path = folder + "/journal.tsv";
   Journal journal;
-  journal.file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (journal.file_ < 0) {
-    return tl::unexpected(path +
-                          ": expected a file that can be written to: " + std::strerror(errno));
+  journal.path_ = path;
+  journal.file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0644);
+  struct stat status {};
+  const bool is_open = journal.file_ >= 0 && fstat(journal.file_, &status) == 0;
+  if (!is_open || !S_ISREG(status.st_mode)) {
+    return tl::unexpected(path + ": expected a file that can be written to: " +
+                          (is_open ? "it is no file" : std::strerror(errno)));
   }
   if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0) {
     return tl::unexpected(path + ": another campaign writes to it just now");
@@ -99,7 +107,11 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
     for (const auto& [name, value] : settings) {
       beginning += "setting\t" + name + "\t" + field(value) + "\n";
     }
-    journal.write(beginning, true);
+    try {
+      journal.write(beginning, true);
+    } catch (const std::system_error& failure) {
+      return tl::unexpected(std::string(failure.what()));
+    }
   }
   return journal;
 }
@@ -140,10 +152,12 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
   if (kind == "setting" && fields.size() == 3) {
     settings_.emplace_back(fields[1], fields[2]);
   } else if (kind == "finding" && fields.size() == 3) {
+    const auto number = number_of(fields[2]);
+    if (!number) return "a finding with the number of its case";
     // It may be there twice, if the line of its case was lost.
     const auto same = [&](const FindingRecord& finding) { return finding.signature == fields[1]; };
     if (std::none_of(findings_.begin(), findings_.end(), same)) {
-      findings_.push_back({fields[1], number_of(fields[2])});
+      findings_.push_back({fields[1], *number});
     }
   } else if (kind == "minimised" && fields.size() == 2) {
     for (FindingRecord& finding : findings_) {
@@ -159,10 +173,15 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
 }
 
 void Journal::write(const std::string& line, bool to_disk) {
-  // One write of an append-only file: the line is there as a whole or cut off.
-  const ssize_t written = ::write(file_, line.data(), line.size());
-  if (written != static_cast<ssize_t>(line.size()) || (to_disk && fsync(file_) != 0)) {
-    throw std::system_error(errno, std::generic_category(), "the journal of the campaign");
+  // An append-only file that nobody else writes: the line is there as a whole or cut off.
+  for (std::size_t at = 0; at < line.size();) {
+    const ssize_t written = ::write(file_, line.data() + at, line.size() - at);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) throw std::system_error(errno, std::generic_category(), path_);
+    at += static_cast<std::size_t>(written);
+  }
+  if (to_disk && fsync(file_) != 0) {
+    throw std::system_error(errno, std::generic_category(), path_);
   }
 }
 

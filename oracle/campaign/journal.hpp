@@ -62,6 +62,7 @@ class Journal {
   std::string parse_line(const std::vector<std::string>& fields);
   void write(const std::string& line, bool to_disk);
 
+  std::string path_;
   int file_ = -1;
   std::vector<CaseRecord> cases_;
   std::vector<FindingRecord> findings_;

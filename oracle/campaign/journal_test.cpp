@@ -1,9 +1,11 @@
 #include "oracle/campaign/journal.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include "oracle/formats/scratch_folder_test.hpp"
 
@@ -73,6 +75,23 @@ TEST_CASE("a journal of another campaign is refused, and says why") {
   CHECK(twice.error().find("another campaign writes to it") != std::string::npos);
   folder.write("journal.tsv", "something else\n");
   CHECK(!Journal::open(folder.path(""), kSettings));
+  CHECK(text_of(folder.path("journal.tsv")) == "something else\n");
+}
+
+TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {
+  const formats::ScratchFolder folder;
+  REQUIRE(mkfifo(folder.path("journal.tsv").c_str(), 0600) == 0);
+  CHECK(!Journal::open(folder.path(""), kSettings));
+  std::filesystem::remove(folder.path("journal.tsv"));
+  { CHECK(Journal::open(folder.path(""), kSettings)); }
+  for (const char* line : {"finding\thang\t-1\n", "case\t1\tgrid\tholds\tholds\n", "nonsense\n"}) {
+    const std::string whole = text_of(folder.path("journal.tsv"));
+    folder.write("journal.tsv", whole + line);
+    const auto journal = Journal::open(folder.path(""), kSettings);
+    REQUIRE(!journal);
+    CHECK(journal.error().find("line 4: expected ") != std::string::npos);
+    folder.write("journal.tsv", whole);
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 
+#include "oracle/campaign/folders.hpp"
 #include "oracle/check/domain/judge_domain.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/report/text.hpp"
@@ -112,6 +113,7 @@ Outcome judged_points(const Subject& subject, const PointsCase& set, const std::
   const bool own = lists_points(path);
   if (!own) {
     request.points = own_points;
+    removed(own_points);  // The program may have put a pipe or a link there.
     std::ofstream(own_points) << *file_text(set, ".node", subject.first_index, subject.dimension);
   }
   auto raw = formats::read_mesh(request);

@@ -43,6 +43,8 @@ std::string word(OutcomeKind kind) {
       return "output-limit";
     case OutcomeKind::kProcessLimit:
       return "process-limit";
+    case OutcomeKind::kKillsParent:
+      return "kills-parent";
     case OutcomeKind::kNotRun:
       return "not-run";
     case OutcomeKind::kInterrupted:

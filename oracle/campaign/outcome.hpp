@@ -21,7 +21,8 @@ enum class OutcomeKind {
   kMemoryLimit,   // it said that its memory did not suffice
   kOutputLimit,   // it wrote more than allowed
   kProcessLimit,  // it started more processes than allowed
-  kNotRun,        // it could not be started: no fault of the program
+  kKillsParent,   // it killed the process that started it, twice
+  kNotRun,        // it could not be started, or the disk is full: no fault of the program
   kInterrupted,   // this process is to end
 };
 

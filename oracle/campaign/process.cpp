@@ -16,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "oracle/campaign/folders.hpp"
 #include "oracle/campaign/supervised.hpp"
 
 namespace circumspect::campaign {
@@ -115,59 +116,110 @@ Request request_of(Message& message) {
   return request;
 }
 
-// The life of the supervisor. Its own file is the only one of the parent's that it keeps.
+// The life of the process that runs the programs.
 [[noreturn]] void supervise(int socket, const std::string& folder) {
+  while (std::optional<Message> message = Message::receive(socket)) {
+    const auto limits = message->take<Limits>();
+    std::string answer;
+    put(answer, run_supervised(request_of(*message), limits, socket));
+    if (!send_message(socket, answer)) break;
+  }
+  if (!folder.empty()) removed(folder);
+  _exit(0);
+}
+
+// Waits for a child until it ends, and lets it go on whenever it is stopped. Its exit status.
+int status_of(pid_t child) {
+  int status = 0;
+  while (true) {
+    const pid_t changed = waitpid(child, &status, WUNTRACED);
+    if (changed < 0 && errno != EINTR) return 0;
+    if (changed == child && !WIFSTOPPED(status)) return status;
+    if (changed == child) kill(child, SIGCONT);
+  }
+}
+
+// The life of the guardian. Its own file is the only one of its parent's that it keeps, and its child
+// after it.
+[[noreturn]] void guard(int socket, const std::string& folder, pid_t parent) {
   const int null = open("/dev/null", O_RDWR);
   for (int file = 0; file < 3; ++file) dup2(null, file);
   const int own = 3;
   if (socket != own) dup2(socket, own);
   close_range(own + 1, ~0U, 0);
   fcntl(own, F_SETFD, FD_CLOEXEC);
-  // Ctrl-C is for the parent, which tells when to end.
-  for (const int ignored : {SIGINT, SIGTERM, SIGHUP}) signal(ignored, SIG_IGN);
+  // A session of its own has no terminal: neither Ctrl-C nor what a program reads comes from there.
+  setsid();
+  for (const int ignored : kIgnored) signal(ignored, SIG_IGN);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  while (std::optional<Message> message = Message::receive(own)) {
-    const auto limits = message->take<Limits>();
-    std::string answer;
-    put(answer, run_supervised(request_of(*message), limits, own));
-    if (!send_message(own, answer)) break;
+  const pid_t child = fork();
+  if (child == 0) {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // It is not inherited.
+    supervise(own, folder);
   }
-  std::error_code ignored;
-  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+  close(own);
+  const bool was_killed = child < 0 || WIFSIGNALED(status_of(child));
+  kill_descendants();
+  // Else the parent has another one for the same folder.
+  if (was_killed && getppid() != parent && !folder.empty()) removed(folder);
   _exit(0);
 }
 
 }  // namespace
 
-Supervisor::Supervisor(const std::string& folder) {
+Supervisor::Supervisor(const std::string& folder) : folder_(folder) { start(); }
+
+Supervisor::~Supervisor() {
+  end();
+  if (!folder_.empty()) removed(folder_);
+}
+
+void Supervisor::start() {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::system_error(errno, std::generic_category(), "socketpair");
   }
-  process_ = fork();
-  if (process_ < 0) {
-    close(ends[0]);
-    close(ends[1]);
-    throw std::system_error(errno, std::generic_category(), "fork");
-  }
-  if (process_ == 0) supervise(ends[1], folder);
+  const pid_t parent = getpid();
+  guardian_ = fork();
+  if (guardian_ == 0) guard(ends[1], folder_, parent);
+  const int error = errno;
   close(ends[1]);
+  const std::lock_guard lock(mutex_);
   socket_ = ends[0];
+  if (is_interrupted_) shutdown(socket_, SHUT_RDWR);
+  if (guardian_ < 0) throw std::system_error(error, std::generic_category(), "fork");
 }
 
-Supervisor::~Supervisor() {
-  close(socket_);
-  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+void Supervisor::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (socket_ >= 0) close(socket_);
+    socket_ = -1;
   }
+  while (guardian_ > 0 && waitpid(guardian_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  guardian_ = -1;
 }
 
 Ended Supervisor::run(const Request& request, const Limits& limits) {
-  if (!send_message(socket_, message_of(request, limits))) return {};
-  std::optional<Message> answer = Message::receive(socket_);
-  return answer ? answer->take<Ended>() : Ended{};
+  if (socket_ >= 0 && send_message(socket_, message_of(request, limits))) {
+    std::optional<Message> answer = Message::receive(socket_);
+    if (answer) return answer->take<Ended>();
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_interrupted_) return {};
+  }
+  end();
+  start();
+  return {Ending::kSupervisorKilled, SIGKILL};
 }
 
-void Supervisor::interrupt() { shutdown(socket_, SHUT_RDWR); }
+void Supervisor::interrupt() {
+  const std::lock_guard lock(mutex_);
+  is_interrupted_ = true;
+  shutdown(socket_, SHUT_RDWR);
+}
 
 std::string find_program(const std::string& name) {
   namespace fs = std::filesystem;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,14 @@ struct Request {
 };
 
 enum class Ending {
-  kExited,        // code: its exit code
-  kSignalled,     // code: the signal that it died of
-  kTimeLimit,     // it ran too long, and was killed, as for the next two
-  kOutputLimit,   // it wrote too much
-  kProcessLimit,  // it started too many processes
-  kNotStarted,    // code: errno
-  kInterrupted,   // Supervisor::interrupt was called, or the supervisor is gone
+  kExited,            // code: its exit code
+  kSignalled,         // code: the signal that it died of
+  kTimeLimit,         // it ran too long, and was killed, as for the next two
+  kOutputLimit,       // it wrote too much
+  kProcessLimit,      // it started too many processes
+  kNotStarted,        // code: errno
+  kSupervisorKilled,  // somebody killed the process that ran it, and the next run has another
+  kInterrupted,       // Supervisor::interrupt was called
 };
 
 struct Ended {
@@ -43,29 +45,40 @@ struct Ended {
 // A process apart that runs programs one after the other. All that a program starts are descendants
 // of this process, even if they leave their process group, their session and their parent (it is a
 // "child subreaper"), so that it can kill them all when the program ends; it does the same when this
-// process dies, even by SIGKILL. It has one thread and little memory, so that to start a program from
-// it is cheap. Threads may have one each.
+// process dies, even by SIGKILL. It has one thread, little memory and no terminal, so that to start a
+// program from it is cheap. Its own parent, the guardian, does nothing but wait for it: if a program
+// kills the process that started it, the guardian kills the rest; if the program stops it, the
+// guardian lets it go on. Threads may have one each.
 //
 // What is not prevented: a program that kills processes of its user at random, that writes outside
 // of its folder, or that holds files open that it has deleted (each of which is limited, not their sum).
 class Supervisor {
  public:
-  // Forks. Make it before there are threads. `folder`, if any, is removed with all that is in it at the
-  // end of the supervisor, even if this process dies before it. Throws std::system_error.
+  // Forks. `folder`, if any, is removed with all that is in it at the end of the supervisor, even if
+  // this process dies before it. Throws std::system_error.
   explicit Supervisor(const std::string& folder = "");
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  // Runs one program to its end. Not from two threads at a time.
+  // Runs one program to its end. Not from two threads at a time. Throws as the constructor.
   Ended run(const Request& request, const Limits& limits);
 
   // From any thread: the program that runs is killed, and `run` returns; so do all later ones.
   void interrupt();
 
+  // The process that runs the programs has this parent.
+  int guardian() const { return guardian_; }
+
  private:
+  void start();
+  void end();
+
+  std::string folder_;
+  int guardian_ = -1;
+  std::mutex mutex_;  // for what interrupt needs
   int socket_ = -1;
-  int process_ = -1;
+  bool is_interrupted_ = false;
 };
 
 // The path of a program as a shell finds it in PATH; empty if there is none that may be run. A name

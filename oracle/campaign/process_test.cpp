@@ -113,6 +113,58 @@ TEST_CASE("too many processes are killed, all of them") {
   CHECK(trial.run("true").ending == Ending::kExited);
 }
 
+TEST_CASE("folders within folders without end, and empty files without end, are too much") {
+  Trial trial;
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(trial.run("while :; do mkdir d; cd d; done").ending == Ending::kOutputLimit);
+  CHECK(trial.run("i=0; while :; do i=$((i+1)); : > empty$i; done").ending == Ending::kOutputLimit);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+}
+
+TEST_CASE("what was written in less time than between two looks counts too") {
+  Trial trial;
+  CHECK(trial.run("for i in 1 2 3; do head -c 500000 /dev/zero > part$i; done").ending ==
+        Ending::kOutputLimit);
+}
+
+TEST_CASE("a program that kills or stops the process that started it harms only itself") {
+  Trial trial;
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(trial.run("setsid sleep 1000 & echo $! > a; kill -9 $PPID; sleep 1000").ending ==
+        Ending::kSupervisorKilled);
+  CHECK(!trial.runs("a"));
+  CHECK(trial.run("kill -STOP $PPID; sleep 0.1; exit 3").ending == Ending::kExited);
+  CHECK(trial.ended.code == 3);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(4));
+  // Somebody kills the guardian: programs run all the same.
+  kill(trial.supervisor.guardian(), SIGKILL);
+  CHECK(trial.run("exit 4").code == 4);
+}
+
+TEST_CASE("a program has no terminal, and signals mean to it what they mean to others") {
+  Trial trial;
+  CHECK(trial.run("(: < /dev/tty) || exit 6").code == 6);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    CHECK(trial.run("kill -" + std::to_string(number) + " $$; sleep 2").ending ==
+          Ending::kSignalled);
+    CHECK(trial.ended.code == number);
+  }
+}
+
+TEST_CASE("a pipe or a link in the place of what a program says leads nowhere") {
+  Trial trial;
+  trial.folder.write("precious", "precious");
+  CHECK(trial.run("cd ..; rm -f out err; mkfifo out; ln -s precious err").ending ==
+        Ending::kExited);
+  CHECK(trial.run("echo out; echo err >&2").ending == Ending::kExited);
+  CHECK(trial.text("out") == "out\n");
+  CHECK(trial.text("err") == "err\n");
+  CHECK(trial.text("precious") == "precious");
+  CHECK(trial.run("cd ..; rm -f out; ln precious out").ending == Ending::kExited);
+  CHECK(trial.run("echo out").ending == Ending::kExited);
+  CHECK(trial.text("precious") == "precious");
+}
+
 TEST_CASE("memory has a limit") {
   Trial trial;
   trial.limits.memory = std::uint64_t{64} << 20;

@@ -12,8 +12,10 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "oracle/campaign/folders.hpp"
 #include "oracle/campaign/judge_mesh.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
@@ -28,9 +30,9 @@ fs::path place_for_scratch(const Limits& limits) {
   std::error_code error;
   const fs::space_info space = fs::space(memory, error);
   const bool has_room = !error && space.available / 32 >= limits.output;
-  const bool chosen = std::getenv("TMPDIR") != nullptr;
-  return has_room && !chosen && access(memory.c_str(), W_OK) == 0 ? memory
-                                                                  : fs::temp_directory_path();
+  const char* const chosen = std::getenv("TMPDIR");
+  if (has_room && chosen == nullptr && access(memory.c_str(), W_OK) == 0) return memory;
+  return fs::absolute(chosen == nullptr ? "/tmp" : chosen);
 }
 
 std::string new_scratch_folder(const Limits& limits) {
@@ -41,20 +43,24 @@ std::string new_scratch_folder(const Limits& limits) {
   return path;
 }
 
-// The beginning of a file, as much of it as a person reads.
+// Is it a file, and not a pipe or a link that would lead a reader astray?
+bool is_plain_file(const std::string& path) {
+  struct stat status {};
+  return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// The beginning of a file, about as much of it as a person reads.
 std::string beginning_of(const std::string& path) {
-  constexpr std::size_t kBytes = 4000;
+  constexpr std::size_t kBytes = 8000;
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) {
+    return "";
+  }
   std::string text(kBytes, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(text.data(), static_cast<std::streamsize>(kBytes));
   text.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return text;
-}
-
-// Is it a file, and not a pipe or a link that would lead a reader astray?
-bool is_plain_file(const std::string& path) {
-  struct stat status {};
-  return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
 std::string signal_name(int number) {
@@ -81,32 +87,31 @@ bool speaks_of_memory(const std::string& text) {
          has("memory exhausted");
 }
 
-// Deletes the files in a folder; false if it is no folder any more, or holds anything that stays.
-bool emptied(const std::string& folder) {
-  std::error_code error;
-  if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
-  std::vector<std::string> paths;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    paths.push_back(entry->path().string());
-  }
-  return !error && std::all_of(paths.begin(), paths.end(), [](const std::string& path) {
-    return unlink(path.c_str()) == 0;
-  }) && chmod(folder.c_str(), 0700) == 0;
+Outcome not_run(const std::string& text) {
+  return {OutcomeKind::kNotRun, word(OutcomeKind::kNotRun), text};
 }
 
-// Removes a folder, even if its folders may not be written to.
-bool removed_by_force(const std::string& folder) {
-  std::error_code error;
-  chmod(folder.c_str(), 0700);
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    std::error_code gone;
-    const bool is_folder = fs::is_directory(entry->symlink_status(gone));
-    if (is_folder) chmod(entry->path().c_str(), 0700);
+// Is there so little room left that a program may have failed for want of it?
+bool is_full(const std::string& folder) {
+  struct statvfs status {};
+  constexpr std::uint64_t kNeeded = 1 << 20;
+  return statvfs(folder.c_str(), &status) == 0 && status.f_bavail * status.f_frsize < kNeeded;
+}
+
+// Without what would move the cursor, ring the bell or change the title of the window.
+std::string for_terminals(std::string text) {
+  for (char& c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) c = '?';
   }
-  fs::remove_all(folder, error);
-  return !error && !fs::exists(fs::symlink_status(folder, error));
+  return text;
+}
+
+void replace_all(std::string& text, const std::string& part, const std::string& by) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at)) {
+    text.replace(at, part.size(), by);
+    at += by.size();
+  }
 }
 
 }  // namespace
@@ -125,19 +130,33 @@ std::string Runner::mesh_file() const {
 }
 
 std::string Runner::said() const {
-  const std::string out = subject_.writes_stdout ? "" : beginning_of(scratch_ + "/" + "stdout");
-  return out + beginning_of(scratch_ + "/stderr");
+  const auto said_in = [&](const std::string& name) {
+    constexpr std::size_t kShown = 4000;
+    return without_places(beginning_of(scratch_ + "/" + name)).substr(0, kShown);
+  };
+  return (subject_.writes_stdout ? "" : said_in("stdout")) + said_in("stderr");
 }
 
-// The folder of the last run may resist; then it is left, and the next one has another.
-void Runner::empty_work_folder() {
-  if (!work_.empty() && (emptied(work_) || removed_by_force(work_))) {
-    fs::create_directory(work_);
-    return;
+std::string Runner::without_places(std::string text) const {
+  replace_all(text, work_ + "/", "");
+  replace_all(text, scratch_ + "/", "");
+  return text;
+}
+
+// The folder of the last run may resist; then it is left, and the next one has another. The program
+// may have deleted the one around it.
+std::string Runner::prepare_work_folder() {
+  if (!work_.empty() && emptied(work_)) return "";
+  if (work_.empty() || !removed(work_)) {
+    work_ = scratch_ + "/work" + (folders_ == 0 ? "" : std::to_string(folders_));
+    ++folders_;
   }
-  work_ = scratch_ + "/work" + (folders_ == 0 ? "" : std::to_string(folders_));
-  ++folders_;
-  fs::create_directory(work_);
+  if (mkdir(work_.c_str(), 0700) == 0) return "";
+  if (errno == ENOENT || errno == ENOTDIR) {
+    removed(scratch_);
+    if (mkdir(scratch_.c_str(), 0700) == 0 && mkdir(work_.c_str(), 0700) == 0) return "";
+  }
+  return work_ + ": " + std::strerror(errno);
 }
 
 Outcome Runner::run(const Input& input) {
@@ -146,9 +165,22 @@ Outcome Runner::run(const Input& input) {
   const auto text = file_text(input, formats::extension(subject_.input_name), subject_.first_index,
                               subject_.dimension);
   if (!text) return {OutcomeKind::kSkipped, "skipped", "the format has no way to say this input"};
-  empty_work_folder();
-  Paths paths{work_, work_ + "/" + subject_.input_name, work_ + "/" + subject_.mesh_name};
-  std::ofstream(paths.input, std::ios::binary) << *text;
+  Outcome outcome = run_on(input, *text);
+  // Anybody may have killed the supervisor: only a program that does it again is to blame.
+  if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text);
+  if (!is_finding(outcome.kind)) return outcome;
+  if (is_full(scratch_)) return not_run(scratch_ + ": the disk is full");
+  if (outcome.kind != OutcomeKind::kFails && is_flat(subject_, input)) outcome.signature += "-flat";
+  return outcome;
+}
+
+Outcome Runner::run_on(const Input& input, const std::string& text) {
+  const std::string fault = prepare_work_folder();
+  if (!fault.empty()) return not_run(fault);
+  const Paths paths{work_, work_ + "/" + subject_.input_name, work_ + "/" + subject_.mesh_name};
+  if (!(std::ofstream(paths.input, std::ios::binary) << text << std::flush)) {
+    return not_run(paths.input + ": cannot be written: " + std::strerror(errno));
+  }
   Request request;
   request.command = filled_in(subject_, paths);
   request.folder = work_;
@@ -159,10 +191,8 @@ Outcome Runner::run(const Input& input) {
   const Ended ended = supervisor_.run(request, subject_.limits);
   if (gate_ != nullptr) gate_->release();
   Outcome outcome = outcome_of(ended, input);
-  const bool breaks_rule = outcome.kind == OutcomeKind::kFails;
-  if (is_finding(outcome.kind) && !breaks_rule && is_flat(subject_, input)) {
-    outcome.signature += "-flat";
-  }
+  outcome.text = without_places(std::move(outcome.text));
+  outcome.explanation = for_terminals(without_places(std::move(outcome.explanation)));
   return outcome;
 }
 
@@ -177,6 +207,8 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
     case Ending::kNotStarted:
       return named(OutcomeKind::kNotRun, "",
                    subject_.command.front() + ": could not be run: " + std::strerror(ended.code));
+    case Ending::kSupervisorKilled:
+      return named(OutcomeKind::kKillsParent, "", "it killed the process that started it");
     case Ending::kTimeLimit:
       return named(OutcomeKind::kHang, "", "it ran longer than allowed, and was killed");
     case Ending::kOutputLimit:

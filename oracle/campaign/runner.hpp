@@ -34,13 +34,17 @@ class Runner {
   // Everything that the last run left: what it wrote in its folder and what it said.
   const std::string& work_folder() const { return work_; }
   std::string said() const;
+  // The text with names in place of the paths of files in the scratch folder, which differ each time.
+  std::string without_places(std::string text) const;
 
   // From any thread: the run that is under way ends at once.
   void interrupt() { supervisor_.interrupt(); }
 
  private:
   Outcome outcome_of(const Ended& ended, const Input& input) const;
-  void empty_work_folder();
+  Outcome run_on(const Input& input, const std::string& text);
+  // What is wrong if there is none in the end; else an empty string.
+  std::string prepare_work_folder();
 
   const Subject& subject_;
   Gate* gate_;

@@ -58,6 +58,40 @@ TEST_CASE("no case finds what the one before it left") {
   for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).signature == "no-mesh");
 }
 
+TEST_CASE("a program may delete the folder around its own, or put a link or a pipe there") {
+  const Subject deleting = shell("cd /; rm -rf \"$(dirname \"$(dirname \"$0\")\")\"");
+  Runner runner(deleting);
+  for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).signature == "no-mesh");
+  const Subject linking = shell("cd ..; rm -rf work; ln -s /nowhere work");
+  Runner other(linking);
+  for (int i = 0; i < 3; ++i) CHECK(other.run(kTetrahedron).signature == "no-mesh");
+  const Subject piping =
+      shell("cd ..; rm -f own.node; mkfifo own.node; echo '1 4 0\n0 0 1 2 3' > $1");
+  Runner third(piping);
+  for (int i = 0; i < 2; ++i) CHECK(third.run(kTetrahedron).kind == OutcomeKind::kHolds);
+}
+
+TEST_CASE(
+    "a program that kills the process that started it is told apart, and no other is blamed") {
+  const Subject killing = shell("[ -e ../killed ] && exit 3; touch ../killed; kill -9 $PPID");
+  Runner runner(killing);
+  CHECK(runner.run(kTetrahedron).signature == "exit-code-3");
+  const Subject always = shell("kill -9 $PPID; sleep 100");
+  CHECK(Runner(always).run(kTetrahedron).signature == "kills-parent");
+}
+
+TEST_CASE("what is kept of a run does not hold the path of the scratch folder") {
+  const Subject subject = shell("echo \"error: cannot open $0\"; exit 3");
+  Runner runner(subject);
+  const Outcome outcome = runner.run(kTetrahedron);
+  CHECK(outcome.text == "it ended with exit code 3: \"error: cannot open x.node\"");
+  CHECK(outcome.explanation == "error: cannot open x.node\n");
+  const Subject colourful = shell("printf 'a\\033[2Jb\\n'; exit 3");
+  CHECK(Runner(colourful).run(kTetrahedron).explanation == "a?[2Jb\n");
+  const Subject unreadable = shell("echo nonsense > $1");
+  CHECK(Runner(unreadable).run(kTetrahedron).text.rfind("x.ele:1: expected", 0) == 0);
+}
+
 TEST_CASE("a scratch folder is gone with its runner") {
   std::string folder;
   {

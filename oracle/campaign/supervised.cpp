@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "oracle/campaign/folders.hpp"
+
 namespace circumspect::campaign {
 namespace {
 
@@ -41,7 +43,8 @@ struct Start {
 
 void become_program(Start* start) {
   setpgid(0, 0);
-  for (const int caught : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) signal(caught, SIG_DFL);
+  for (const int caught : kIgnored) signal(caught, SIG_DFL);
+  for (const int caught : {SIGPIPE, SIGXFSZ}) signal(caught, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -62,13 +65,29 @@ void become_program(Start* start) {
   return child;
 }
 
+// Opens a file of our own, emptied. A program that ran before may have put a pipe or a link in its
+// place, which would wait for ever or lead elsewhere: that is replaced. −1: it cannot be.
+int opened_empty(const std::string& path) {
+  const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int file = open(path.c_str(), flags, 0600);
+  struct stat status {};
+  if (file >= 0 && fstat(file, &status) == 0) {
+    if (S_ISCHR(status.st_mode)) return file;  // /dev/null
+    if (S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+        (status.st_size == 0 || ftruncate(file, 0) == 0)) {
+      return file;
+    }
+  }
+  if (file >= 0) close(file);
+  return removed(path) ? open(path.c_str(), flags | O_EXCL, 0600) : -1;
+}
+
 struct OpenFiles {
   int files[3] = {-1, -1, -1};
   explicit OpenFiles(const Request& request) {
     files[0] = open(request.stdin_file.c_str(), O_RDONLY | O_CLOEXEC);
-    const int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
-    files[1] = open(request.stdout_file.c_str(), flags, 0600);
-    files[2] = open(request.stderr_file.c_str(), flags, 0600);
+    files[1] = opened_empty(request.stdout_file);
+    files[2] = opened_empty(request.stderr_file);
   }
   ~OpenFiles() {
     for (const int file : files) {
@@ -91,7 +110,8 @@ pid_t start_program(const Request& request, const Limits& limits) {
   if (!files.all_open()) return -errno;
   // Threads share the limit on processor time; it matters only if the supervisor is gone.
   const auto processors = std::max(1U, std::thread::hardware_concurrency());
-  const auto cpu = static_cast<std::uint64_t>(std::ceil(limits.seconds * processors)) + 1;
+  const auto cpu =
+      static_cast<std::uint64_t>(std::ceil(std::min(limits.seconds, 1e9) * processors)) + 1;
   Start start = {request.folder.c_str(),
                  arguments.data(),
                  {files.files[0], files.files[1], files.files[2]},
@@ -114,6 +134,7 @@ class Watch {
       : request_(request),
         limits_(limits),
         lifeline_(lifeline),
+        number_(process),
         process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
   ~Watch() {
     if (process_ >= 0) close(process_);
@@ -125,38 +146,35 @@ class Watch {
   Ending wait() {
     while (true) {
       const double left = limits_.seconds - seconds_since(start_);
-      if (left <= 0) return Ending::kTimeLimit;
+      if (left <= 0) return has_ended() ? Ending::kExited : Ending::kTimeLimit;
       pollfd files[2] = {{process_, POLLIN, 0}, {lifeline_, POLLRDHUP, 0}};
       const int milliseconds = static_cast<int>(std::ceil(std::min(left, kTick) * 1000));
       poll(files, 2, milliseconds);
-      if ((files[0].revents & (POLLIN | POLLNVAL)) != 0) return Ending::kExited;
+      if (files[0].revents != 0 || (process_ < 0 && has_ended())) return Ending::kExited;
       if ((files[1].revents & (POLLRDHUP | POLLHUP)) != 0) return Ending::kInterrupted;
-      if (bytes_in(request_.folder) > limits_.output) return Ending::kOutputLimit;
-      if (descendants().size() > limits_.processes) return Ending::kProcessLimit;
+      if (bytes_in(request_.folder, limits_.output) >= limits_.output) return Ending::kOutputLimit;
+      const std::size_t too_many = limits_.processes + 1;
+      if (descendants(too_many).size() >= too_many) return Ending::kProcessLimit;
     }
   }
 
  private:
   static constexpr double kTick = 0.02;  // seconds between two looks at what it uses
 
+  // It stays to be reaped.
+  bool has_ended() const {
+    siginfo_t about{};
+    const auto number = static_cast<id_t>(number_);
+    return waitid(P_PID, number, &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+  }
+
   const Request& request_;
   const Limits& limits_;
   int lifeline_;
-  int process_;
+  pid_t number_;
+  int process_;  // a file that can be polled; −1 where the kernel has none
   Clock::time_point start_ = Clock::now();
 };
-
-// Kills what is left: those that left the program's process group are children of this process by
-// now, or descend from one.
-void kill_the_rest() {
-  while (true) {
-    const pid_t ended = waitpid(-1, nullptr, WNOHANG);
-    if (ended < 0 && errno == ECHILD) return;
-    if (ended != 0) continue;
-    for (const pid_t process : descendants()) kill(process, SIGKILL);
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-}
 
 bool is_full(const std::string& path, std::uint64_t limit) {
   struct stat status {};
@@ -167,7 +185,8 @@ Ended described(Ending ending, int status, const Request& request, const Limits&
   if (ending != Ending::kExited) return {ending, SIGKILL};
   const bool wrote_too_much = (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ) ||
                               is_full(request.stdout_file, limits.output) ||
-                              is_full(request.stderr_file, limits.output);
+                              is_full(request.stderr_file, limits.output) ||
+                              bytes_in(request.folder, limits.output) >= limits.output;
   if (wrote_too_much) return {Ending::kOutputLimit, SIGXFSZ};
   if (WIFEXITED(status)) return {Ending::kExited, WEXITSTATUS(status)};
   if (WTERMSIG(status) == SIGXCPU) return {Ending::kTimeLimit, SIGXCPU};
@@ -175,6 +194,25 @@ Ended described(Ending ending, int status, const Request& request, const Limits&
 }
 
 }  // namespace
+
+// Those that left the program's process group are children of this process by now, or descend from
+// one. A group is killed at once, so that none of it can start another meanwhile.
+void kill_descendants() {
+  const pid_t own_group = getpgrp();
+  for (int looks = 0;; ++looks) {
+    pid_t ended = 0;
+    while ((ended = waitpid(-1, nullptr, WNOHANG)) > 0) {
+    }
+    if (ended < 0 && errno == ECHILD) return;
+    for (const pid_t process : descendants()) {
+      const pid_t group = getpgid(process);
+      if (group > 1 && group != own_group) kill(-group, SIGKILL);
+      kill(process, SIGKILL);
+    }
+    // Those that start another and end are met only by looking again at once.
+    if (looks >= 50) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
 
 Ended run_supervised(const Request& request, const Limits& limits, int lifeline) {
   const auto start = Clock::now();
@@ -188,7 +226,7 @@ Ended run_supervised(const Request& request, const Limits& limits, int lifeline)
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  kill_the_rest();
+  kill_descendants();
   Ended ended = described(ending, status, request, limits);
   ended.seconds = seconds;
   return ended;

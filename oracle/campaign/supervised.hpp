@@ -1,21 +1,28 @@
 // What happens inside the process of a Supervisor.
 #pragma once
 
+#include <vector>
+
+#include <signal.h>
 #include <sys/types.h>
 
 #include "oracle/campaign/process.hpp"
 
 namespace circumspect::campaign {
 
+// Signals from the terminal, which are for the process that wants the answers.
+constexpr int kIgnored[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGTTIN, SIGTTOU};
+
 // Runs one program to its end and kills all that is left of it. `lifeline`: a socket; when its other
 // end is closed, nobody waits for the answer any more, and the program is killed.
 // Requires: this process is a child subreaper and has no other children.
 Ended run_supervised(const Request& request, const Limits& limits, int lifeline);
 
-// Every process that descends from this one.
-std::vector<pid_t> descendants();
+// Processes that descend from this one: all of them, or as many as are enough.
+std::vector<pid_t> descendants(std::size_t enough = static_cast<std::size_t>(-1));
 
-// How many bytes the files of a folder take on disk.
-std::uint64_t bytes_in(const std::string& folder);
+// Kills every process that descends from this one, and waits for their ends.
+// Requires: this process is a child subreaper.
+void kill_descendants();
 
 }  // namespace circumspect::campaign

@@ -17,6 +17,7 @@
 #include "oracle/cli/campaign_stop.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -146,7 +147,7 @@ ExitCode run(const CampaignOptions& options) {
 constexpr const char* kFooter =
     "Examples:\n"
     "  circumspect campaign --time 60s -- ./my_program {points} {mesh}\n"
-    "  circumspect campaign --mesh x.1.ele -- tetgen -Q {points}\n"
+    "  circumspect campaign --mesh x.1.ele -- tetgen -JQ {points}\n"
     "  circumspect campaign --points x.qhull --stdin --mesh x.qhull-i --stdout -- qdelaunay Qt i\n"
     "  circumspect campaign --mesh x.1.ele --claim steiner-cdt -- tetgen -pQ {domain}\n"
     "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
@@ -165,10 +166,12 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
   command->footer(kFooter);
   add_subject_options(*command, options->subject);
   command->add_option("--seed", options->seed, "What all inputs follow from (default: 0)")
+      ->check(whole_number())
       ->option_text("N");
   add_duration(*command, "--time", options->seconds,
                "How long to go on (default, without --cases: 60s)");
   command->add_option("--cases", options->cases, "How many inputs to draw, in all calls together")
+      ->check(whole_number())
       ->option_text("N");
   command
       ->add_option("--families", options->families,
@@ -177,6 +180,7 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->delimiter(',')
       ->option_text("NAME,...");
   command->add_option("--max-points", options->max_points, "Of an input (default: 20)")
+      ->check(CLI::Range(1, 1'000'000).description(""))
       ->option_text("N");
   command
       ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")

@@ -231,8 +231,35 @@ TEST_CASE("campaign: usage, and programs that there are not") {
   CHECK(code({"--mesh", "../x.ele"}, {program.path, "{points}"}) == 2);
   CHECK(code({"--limit-time", "soon"}, {program.path, "{points}", "{mesh}"}) == 2);
   CHECK(code({}, {"no-such-program", "{points}", "{mesh}"}) == 3);
+  for (const char* option : {"--seed", "--cases", "--max-points", "--minimize-runs"}) {
+    for (const char* value : {"-1", "99999999999999999999999", "1.5"}) {
+      CHECK(code({option, value}, {program.path, "{points}", "{mesh}"}) == 2);
+    }
+  }
+  CHECK(code({"--limit-processes", "0"}, {program.path, "{points}", "{mesh}"}) == 2);
+  CHECK(code({}, {program.path + " -Q", "{points}", "{mesh}"}) == 3);
   CHECK(run({"campaign"}).exit_code == 2);
   CHECK(!fs::exists(program.output()));
+}
+
+TEST_CASE("campaign and minimize: no place for the files of programs, or for what is found") {
+  const Program program(kRight);
+  const std::string input =
+      program.folder.write("a.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
+  const std::string err = program.folder.path("err");
+  const std::string command = " -- " + program.path + " '{points}' '{mesh}' > /dev/null 2> " + err;
+  for (const std::string& arguments :
+       {"campaign --cases 1 --output " + program.folder.path("none"),
+        "minimize " + input + " -o " + program.folder.path("b.node")}) {
+    const std::string line = "TMPDIR=/nowhere " CIRCUMSPECT_COMMAND " " + arguments + command;
+    CHECK(WEXITSTATUS(std::system(line.c_str())) == 3);
+    CHECK(is_error_line(contents(err)));
+    CHECK(has(contents(err), "/nowhere/circumspect-campaign-"));
+  }
+  const Run nowhere = run({"campaign", "--cases", "1", "--output", program.path, "--", program.path,
+                           "{points}", "{mesh}"});
+  CHECK(nowhere.exit_code == 3);
+  CHECK(has(nowhere.err, "/journal.tsv: expected a file that can be written to"));
 }
 
 TEST_CASE("campaign: stdin and stdout, other formats, JSON") {

@@ -10,6 +10,7 @@
 
 #include "oracle/campaign/input.hpp"
 #include "oracle/cli/domain_input.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::cli {
@@ -205,12 +206,14 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
   add_bytes(command, "--limit-output", options.output,
             "What it may write, each file and all together (default: 64M)");
   command.add_option("--limit-processes", options.processes, "At a time (default: 256)")
+      ->check(CLI::Range(1, 1'000'000).description(""))
       ->option_text("N");
   add_duration(command, "--minimize-time", options.minimise_seconds,
                "How long an input is made smaller (default: 120s)");
   command
       .add_option("--minimize-runs", options.minimise_tries,
                   "After how many runs that ends (default: 50000)")
+      ->check(whole_number())
       ->option_text("N");
 }
 

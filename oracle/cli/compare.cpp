@@ -9,6 +9,7 @@
 #include "oracle/cli/input.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "reference/exact/write_number.hpp"
 
 namespace circumspect::cli {
@@ -147,7 +148,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--max-errors", options->most,
                    "How many differences of each kind are shown (default 20; 0: all)")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(whole_number())
       ->option_text("N");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

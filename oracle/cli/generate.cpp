@@ -11,6 +11,7 @@
 #include "oracle/cli/generate_list.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/node.hpp"
 #include "properties/generators/in_doubles.hpp"
@@ -181,6 +182,7 @@ void add_drawing_options(CLI::App& command, GenerateOptions& options) {
     return CLI::Validator(CLI::Range(first, last)).description("");
   };
   command.add_option("--seed", options.seed, "The same seed gives the same bytes (default: 0)")
+      ->check(whole_number())
       ->option_text("N");
   command
       .add_option("--count", options.count,

@@ -202,5 +202,12 @@ TEST_CASE("generate, inspect: every family of domains is a piecewise linear comp
   }
 }
 
+TEST_CASE("generate: a seed is a whole number, neither negative nor cut off") {
+  for (const char* seed : {"-1", "99999999999999999999999", "1.5", "x"}) {
+    CHECK(run({"generate", "uniform", "--seed", seed}).exit_code == 2);
+  }
+  CHECK(run({"generate", "uniform", "--seed", "18446744073709551615"}).exit_code == 0);
+}
+
 }  // namespace
 }  // namespace circumspect::cli

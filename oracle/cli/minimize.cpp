@@ -1,6 +1,7 @@
 // circumspect minimize INPUT -o OUT -- CMD…
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -79,6 +80,16 @@ void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
   if (stop_flag()) output.exit_with(ExitCode::kUndecided);
 }
 
+// Errors: there is no place for its files.
+tl::expected<std::unique_ptr<campaign::Runner>, std::string> new_runner(
+    const campaign::Subject& subject) {
+  try {
+    return std::make_unique<campaign::Runner>(subject);
+  } catch (const std::system_error& error) {
+    return tl::unexpected(std::string(error.what()));
+  }
+}
+
 ExitCode run(const MinimizeOptions& options) {
   Output output(options.output);
   const auto fault = [&](ExitCode code, const std::string& message) {
@@ -94,15 +105,16 @@ ExitCode run(const MinimizeOptions& options) {
   }
   const auto input = campaign_input(*subject, options.input);
   if (!input) return fault(ExitCode::kInputFault, input.error());
-  campaign::Runner runner(*subject);
-  const campaign::Outcome outcome = runner.run(*input);
+  const auto runner = new_runner(*subject);
+  if (!runner) return fault(ExitCode::kInputFault, runner.error());
+  const campaign::Outcome outcome = (*runner)->run(*input);
   if (!campaign::is_finding(outcome.kind)) {
     return fault(ExitCode::kInputFault,
                  fmt::format("{}: expected an input on which the program fails, found: {}{}{}",
                              options.input, campaign::word(outcome.kind),
                              outcome.text.empty() ? "" : ": ", outcome.text));
   }
-  minimize(options, *subject, *input, outcome.signature, runner, output);
+  minimize(options, *subject, *input, outcome.signature, **runner, output);
   return output.finish();
 }
 

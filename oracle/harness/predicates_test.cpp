@@ -111,7 +111,9 @@ TEST_CASE("the exact signs are those of the reference, in all families") {
         signs[std::string(family.name)].insert(expected);
       }
       CHECK(signs.size() == 5);
-      for (const auto& [family, occurring] : signs) {
+      for (const auto& entry : signs) {
+        const std::string& family = entry.first;
+        const std::set<int>& occurring = entry.second;
         CAPTURE(family);
         if (family == "degenerate") {
           CHECK(occurring.count(0) == 1);

@@ -1,0 +1,107 @@
+// Replays findings/: the mesh that each program wrote is judged against what it was given, and breaks
+// the rule that expected.tsv names. Needs none of the programs; findings/reproduce.sh runs them.
+#include <filesystem>
+
+#include <circumspect/judgement.hpp>
+#include <doctest/doctest.h>
+
+#include "corpus/domain_table.hpp"
+#include "oracle/harness/mesh_of.hpp"
+#include "properties/generators/arrays.hpp"
+
+namespace circumspect::corpus {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kFindings = CIRCUMSPECT_CORPUS_DIR "/findings/";
+
+// One line: a name; a claim, with the kind of the domain if it is one; the rule that is broken first,
+// or how the program ended without a mesh; the file that it read; the mesh that it wrote or vouched
+// for, "-" if there is none; the command, for people.
+struct FindingRow {
+  std::string name;
+  std::vector<std::string> claim;
+  std::string outcome;
+  std::string input;
+  std::string mesh;
+  std::string text;
+};
+
+std::vector<FindingRow> finding_rows() {
+  std::ifstream file(kFindings + "expected.tsv");
+  std::vector<FindingRow> rows;
+  for (std::string line; std::getline(file, line);) {
+    const std::vector<std::string> cells = split(line, '\t');
+    rows.push_back({cells.at(0), split(cells.at(1), ' '), cells.at(2), kFindings + cells.at(3),
+                    cells.at(4) == "-" ? "" : kFindings + cells.at(4), line});
+  }
+  return rows;
+}
+
+bool is_about_points(const FindingRow& row) { return row.claim.at(0) == name(Claim::kDelaunay); }
+
+formats::RawPoints points_of(const FindingRow& row) {
+  auto raw = formats::read_points(row.input, NumberReading::kDouble);
+  if (!raw) throw std::runtime_error(raw.error().to_string());
+  return std::move(*raw);
+}
+
+// The rule by which campaigns name a failure: the first of those that are broken.
+std::string first_rule(const Verdict& verdict) {
+  return verdict.holds() ? "" : std::string(identifier(verdict.tallies().begin()->first));
+}
+
+// A program that writes indices alone means the points that it read.
+std::string rule_of_points(const FindingRow& row) {
+  const auto points = generators::array({points_of(row).points.points, {}});
+  auto raw = formats::read_mesh({.mesh = row.mesh, .points = row.input});
+  if (!raw) return raw.error().to_string();
+  const auto& simplices = raw->simplices.simplices;
+  const Mesh mesh = harness::mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
+  return first_rule(check::judge(Claim::kDelaunay, mesh, {.max_violations = 1}));
+}
+
+std::string rule_of_domain(const FindingRow& row) {
+  const DomainKind kind = row.claim.back() == "hull" ? DomainKind::kHull : DomainKind::kEnclosed;
+  return first_rule(check::judge_domain(claim_about_a_domain(row.claim.at(0)),
+                                        mesh_with_faces(row.mesh), domain_of(row.input, kind),
+                                        {.max_violations = 1}));
+}
+
+}  // namespace
+
+TEST_CASE("each mesh that was found breaks the rule that it was found for") {
+  std::size_t judged = 0;
+  for (const FindingRow& row : finding_rows()) {
+    INFO(row.text);
+    if (row.mesh.empty()) continue;
+    CHECK((is_about_points(row) ? rule_of_points(row) : rule_of_domain(row)) == row.outcome);
+    ++judged;
+  }
+  CHECK(judged >= 10);
+}
+
+TEST_CASE("what a program crashed on, or never ended on, is an input without fault") {
+  for (const FindingRow& row : finding_rows()) {
+    INFO(row.text);
+    if (!row.mesh.empty()) continue;
+    if (is_about_points(row)) {
+      CHECK_NOTHROW(points_of(row));
+    } else {
+      CHECK_NOTHROW(domain_of(row.input, DomainKind::kEnclosed));
+    }
+  }
+}
+
+TEST_CASE("expected.tsv names every file of findings/") {
+  std::set<std::string> names;
+  for (const FindingRow& row : finding_rows()) names.insert(row.name);
+  for (const auto& entry : fs::directory_iterator(kFindings)) {
+    const std::string file = entry.path().filename().string();
+    if (file == "README.md" || file == "expected.tsv" || file == "reproduce.sh") continue;
+    CHECK_MESSAGE(names.contains(file.substr(0, file.find('.'))), file);
+  }
+}
+
+}  // namespace circumspect::corpus
