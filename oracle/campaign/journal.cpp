@@ -103,7 +103,8 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
     return tl::unexpected(path + ": " + std::strerror(errno));
   }
   if (complete == 0) {
-    std::string beginning = std::string(kHeading) + "\n";
+    std::string beginning(kHeading);
+    beginning += '\n';
     for (const auto& [name, value] : settings) {
       beginning += "setting\t" + name + "\t" + field(value) + "\n";
     }
