@@ -12,13 +12,14 @@ CLANG_FORMAT ?= clang-format-14
 # Precompiled headers, which a developer who uses the presets goes without.
 CONFIGURE    := cmake -DCIRCUMSPECT_QUICK_BUILD=ON
 COMMAND      := build/release/bin/circumspect
+FUZZ_TARGETS := $(wildcard fuzz/*_fuzz.cpp)
 SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
 export PYTHONDONTWRITEBYTECODE := 1
 
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo test test-style test-release test-sanitize soak bench format clean \
+.PHONY: build demo test test-style test-release test-sanitize soak soak-fuzz bench format clean \
         deps deps-demo deps-test deps-bench
 
 deps: ; @cmake/packages.sh demo test bench
@@ -65,6 +66,12 @@ soak: deps-test
 	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset release -j $(JOBS)
 	@properties/soak.sh build/release $(MINUTES)
+
+# The fuzz targets on new inputs, in turn, for MINUTES altogether.
+soak-fuzz: deps-test
+	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON
+	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/%.cpp,%,$(FUZZ_TARGETS))
+	@SEED=$$RANDOM fuzz/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
 
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }

@@ -1,8 +1,9 @@
 #!/bin/bash
-# Runs fuzz targets on their seeds and on so many new inputs each, the same on every run:
+# Runs fuzz targets on their seeds and on so many new inputs each (0: until the time is over), the same on
+# every run:
 #   fuzz/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]
 # TARGET is a fuzzer, FOLDER one that has them all, such as build/sanitize/fuzz. Exits 1 at the first
-# finding, which stays in a folder that is named, and says how to repeat it.
+# finding, which stays in a folder that is named, and says how to repeat it. SEED=… draws other inputs.
 set -euo pipefail
 
 [ $# -ge 2 ] || { echo "usage: fuzz/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]" >&2; exit 2; }
@@ -15,6 +16,7 @@ else
   targets=("$1")
 fi
 
+[ "$runs" -gt 0 ] || runs=-1  # libFuzzer's word for any number
 for target in "${targets[@]}"; do
   [ -x "$target" ] || { echo "fuzz/run.sh: expected a fuzz target, found $target" >&2; exit 2; }
   name=$(basename "$target")
@@ -24,7 +26,7 @@ for target in "${targets[@]}"; do
   [ ! -f "$sources/$name.dict" ] || dictionary=("-dict=$sources/$name.dict")
   status=0
   # New inputs go to the first folder; the seeds stay as they are. Whatever a seed, a run is at most 25 s.
-  "$target" -runs="$runs" -seed=20260101 -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 \
+  "$target" -runs="$runs" -seed="${SEED:-20260101}" -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 \
     -artifact_prefix="$work/" -print_final_stats=1 "${dictionary[@]}" "$work/corpus" \
     "$sources/seeds/$name" >"$work/log" 2>&1 || status=$?
   if [ "$status" -ne 0 ]; then

@@ -27,7 +27,8 @@ struct Program {
   std::string output(const std::string& name = "out") const { return folder.path(name); }
 
   Arguments campaign(const Arguments& options, const std::string& out = "out") const {
-    Arguments all = {"campaign", "--output", output(out)};
+    // What AddressSanitizer reserves is more than any limit: the programs below run this command.
+    Arguments all = {"campaign", "--output", output(out), "--limit-memory", "0"};
     all.insert(all.end(), options.begin(), options.end());
     all.insert(all.end(), {"--", path, "{points}", "{mesh}"});
     return all;
@@ -265,9 +266,10 @@ TEST_CASE("campaign and minimize: no place for the files of programs, or for wha
 TEST_CASE("campaign: stdin and stdout, other formats, JSON") {
   const Program program("cat > in.node\n" CIRCUMSPECT_COMMAND
                         " build delaunay --quiet in.node -o out.ele && cat out.ele\n");
-  const Run result = run({"campaign", "--output", program.output(), "--cases", "4", "--families",
-                          "integers", "--stdin", "--stdout", "--dimension", "2", "--first-index",
-                          "1", "--format", "json", "--", program.path});
+  const Run result =
+      run({"campaign", "--output", program.output(), "--limit-memory", "0", "--cases", "4",
+           "--families", "integers", "--stdin", "--stdout", "--dimension", "2", "--first-index",
+           "1", "--format", "json", "--", program.path});
   CHECK(result.exit_code == 0);
   const auto campaign = document(result)["results"][0];
   CHECK(campaign["cases"] == 4);
@@ -277,8 +279,9 @@ TEST_CASE("campaign: stdin and stdout, other formats, JSON") {
 
 TEST_CASE("campaign: domains") {
   const Program program(CIRCUMSPECT_COMMAND " build steiner-cdt --quiet \"$1\" -o \"$2\"\n");
-  const Run result = run({"campaign", "--output", program.output(), "--cases", "4", "--max-points",
-                          "8", "--dimension", "2", "--", program.path, "{domain}", "{mesh}"});
+  const Run result =
+      run({"campaign", "--output", program.output(), "--limit-memory", "0", "--cases", "4",
+           "--max-points", "8", "--dimension", "2", "--", program.path, "{domain}", "{mesh}"});
   CAPTURE(result.out);
   CAPTURE(result.err);
   CHECK(result.exit_code != 2);
@@ -294,14 +297,15 @@ TEST_CASE("minimize: the smallest input, or exit code 3 if it does not fail") {
   }
   const std::string input = program.folder.write("big.node", points);
   const std::string output = program.output("small.node");
-  const Arguments command = {"minimize", input,        "-o",       output,
-                             "--",       program.path, "{points}", "{mesh}"};
+  const Arguments command = {"minimize", input, "-o",         output,     "--limit-memory",
+                             "0",        "--",  program.path, "{points}", "{mesh}"};
   const Run result = run(command);
   CHECK(result.exit_code == 0);
   CHECK(begins_with(last_line(result.out), "minimized: program "));
   CHECK(begins_with(contents(output), "5 3 0 0\n"));
   const Program right(kRight);
-  const Run holds = run({"minimize", input, "-o", output, "--", right.path, "{points}", "{mesh}"});
+  const Run holds = run({"minimize", input, "-o", output, "--limit-memory", "0", "--", right.path,
+                         "{points}", "{mesh}"});
   CHECK(holds.exit_code == 3);
   CHECK(is_error_line(holds.err));
   CHECK(run({"minimize", "nowhere.node", "-o", output, "--", right.path, "{points}", "{mesh}"})
