@@ -10,6 +10,7 @@
 
 #include "oracle/campaign/finding_folder.hpp"
 #include "oracle/campaign/runner.hpp"
+#include "properties/generators/mixed.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -208,13 +209,7 @@ class Campaign {
 }  // namespace
 
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) {
-  const auto mixed = [](std::uint64_t z) {
-    z += 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  };
-  return mixed(mixed(seed) ^ number);
+  return generators::mixed(generators::mixed(seed) ^ number);
 }
 
 Input minimised(const Input& input, const std::string& signature, Runner& runner,

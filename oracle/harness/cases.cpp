@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "oracle/harness/dice.hpp"
 #include "properties/generators/in_doubles.hpp"
+#include "properties/generators/mixed.hpp"
 
 namespace circumspect::harness {
 namespace {
@@ -48,7 +48,7 @@ DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std
 }
 
 std::uint64_t mixed_seed(std::uint64_t run_seed, std::uint64_t index) {
-  return Dice(run_seed + index * 0x9e3779b97f4a7c15).bits();
+  return generators::mixed(run_seed + index * generators::kMixingStep);
 }
 
 }  // namespace circumspect::harness

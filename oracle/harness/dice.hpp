@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "properties/generators/mixed.hpp"
+
 namespace circumspect::harness {
 
 // Splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
@@ -12,11 +14,9 @@ class Dice {
   explicit Dice(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
+    const std::uint64_t bits = generators::mixed(state_);
+    state_ += generators::kMixingStep;
+    return bits;
   }
   // In [0, count). Requires: count > 0.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }

@@ -10,6 +10,7 @@
 #include "properties/generators/complex_families.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/generators/in_doubles.hpp"
+#include "properties/generators/mixed.hpp"
 #include "properties/triangulations/domain_families.hpp"
 #include "reference/piecewise_linear/validity.hpp"
 
@@ -22,13 +23,8 @@ using generators::PointsCase;
 constexpr std::chrono::hours kNoTimeLimit{1000};  // what comes out must not depend on it
 constexpr std::size_t kMostVertices = 9;          // of domains
 
-// splitmix64: any two inputs of any two seeds are unrelated.
-std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15U;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9U;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebU;
-  return value ^ (value >> 31);
-}
+// Any two inputs of any two seeds are unrelated.
+using generators::mixed;
 
 // FNV-1a.
 std::uint64_t hash_of(const std::string& text) {
