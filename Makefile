@@ -12,6 +12,7 @@ CLANG_FORMAT ?= clang-format-14
 # Precompiled headers, which a developer who uses the presets goes without.
 CONFIGURE    := cmake -DCIRCUMSPECT_QUICK_BUILD=ON
 COMMAND      := build/release/bin/circumspect
+VERIFIED     := $(CURDIR)/build/proofs/circumspect-verified
 FUZZ_TARGETS := $(wildcard fuzz/*_fuzz.cpp)
 SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
 export PYTHONDONTWRITEBYTECODE := 1
@@ -19,12 +20,13 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo test test-style test-release test-sanitize soak soak-fuzz bench format clean \
-        deps deps-demo deps-test deps-bench
+.PHONY: build demo proofs test test-style test-proofs test-release test-sanitize soak soak-fuzz \
+        bench format clean deps deps-demo deps-proofs deps-test deps-bench
 
-deps: ; @cmake/packages.sh demo test bench
+deps: ; @cmake/packages.sh demo proofs test bench
 deps-demo: ; @cmake/packages.sh demo
-deps-test: ; @cmake/packages.sh demo test
+deps-proofs: ; @cmake/packages.sh proofs
+deps-test: ; @cmake/packages.sh demo proofs test
 deps-bench: ; @cmake/packages.sh demo bench
 
 # A first build leaves the tests out; a build that has them keeps them, so that going back and
@@ -37,7 +39,12 @@ demo: build
 	@rm -rf build/demo-campaign
 	@CIRCUMSPECT=$(COMMAND) CAMPAIGN_OUTPUT=build/demo-campaign bash corpus/demo.sh
 
-test: deps-test test-style test-release test-sanitize
+# The Coq proofs, and the program that is extracted from them.
+proofs: deps-proofs
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) check
+	@echo "built $(VERIFIED)"
+
+test: deps-test test-style test-proofs test-release test-sanitize
 	@echo
 	@echo "make test: everything passed"
 	@echo "  layout and architecture   clang-format and tidy found nothing"
@@ -55,8 +62,10 @@ test-style:
 	@python3 tidy/tidy.py
 	@python3 tidy/tidy_test.py
 
+test-proofs: proofs
+
 test-release test-sanitize: test-%:
-	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON
+	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_VERIFIED=$(VERIFIED)
 	@cmake --build --preset $* -j $(JOBS)
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
 

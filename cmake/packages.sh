@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|test|bench...
+#   cmake/packages.sh demo|proofs|test|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -19,6 +19,7 @@ nlohmann-json3-dev    JSON
 libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
 librapidcheck-dev     generates and shrinks inputs
+libtbb-dev            threads of the fast judge (oneTBB)
 libboost-dev          spatial indexes, and headers that CGAL includes
 tetgen                a program to put to the test, at the end of the demonstration
 END
@@ -36,8 +37,15 @@ libclang-rt-14-dev    libFuzzer and Clang's sanitizers
 ccache                makes a second build quick
 END
       ;;
+    proofs) cat <<'END'
+coq                   checks the proofs and extracts the certificate checker
+ocaml-nox             compiles it
+libzarith-ocaml-dev   its integers
+gappa                 proves the error bounds of the floating-point filters
+END
+      ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, test or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, proofs, test or bench" >&2; exit 2 ;;
   esac
 }
 

@@ -1,0 +1,127 @@
+(** * The main theorems
+
+    What [circumspect-verified] guarantees, and the book's theorems behind it. All notions are those
+    of [Definitions.v]; the certificates and refutations are the records of [Checker.v] and
+    [Refutation.v], written down as [CERTIFICATE.md] says, and what points and simplices they are
+    about is said by [Meaning.v] and [Evidence.v]. *)
+From Coq Require Import Reals List.
+From Circumspect Require Import Checker Refutation Meaning Breach Evidence Definitions.
+From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
+  Existence Optimality Hull Soundness RefutationSound.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** The program *)
+
+(** An accepted certificate: its points are different, and its simplices are what it claims. *)
+Theorem verified D c : check D c = Accepted ->
+  let S := points_of_certificate (dimension_of D) c in
+  let T := simplices_of_certificate (dimension_of D) c in
+  NoDup S /\
+  match claimed c with
+  | Triangulation => triangulation S T
+  | Delaunay => delaunay_triangulation S T
+  | WeightedDelaunay => (exists w, weights_given (dimension_of D) c w) /\
+      forall w, weights_given (dimension_of D) c w -> weighted_delaunay_triangulation w S T
+  end.
+Proof. apply Soundness.check_sound. Qed.
+
+(** An accepted refutation: the claim is false, and in the way that the evidence names. *)
+Theorem verified_not D c : refute D c = true -> ~ refuted_claim D c.
+Proof. apply RefutationSound.refute_sound. Qed.
+
+Theorem verified_rule D c w : refute D c = true ->
+  (refuted c = WeightedDelaunay -> refuted_weights D c w) ->
+  breach (refuted c) (lifted (refuted c) w) (refuted_points D c) (refuted_simplices D c)
+    (because c).
+Proof. apply RefutationSound.refute_breach. Qed.
+
+(** Two accepted certificates of one generic point set are about the same simplices. *)
+Theorem verified_unique D c c' : check D c = Accepted -> check D c' = Accepted ->
+  claimed c = Delaunay -> claimed c' = Delaunay ->
+  points_of_certificate (dimension_of D) c = points_of_certificate (dimension_of D) c' ->
+  generic (points_of_certificate (dimension_of D) c) ->
+  forall s, faces_of (simplices_of_certificate (dimension_of D) c) s <->
+            faces_of (simplices_of_certificate (dimension_of D) c') s.
+Proof.
+  intros A A' E E' P G. apply verified in A, A'. rewrite E in A. rewrite E' in A'.
+  rewrite <- P in A'. now apply (Uniqueness.theorem_4_4 (points_of_certificate (dimension_of D) c)).
+Qed.
+
+(** ** The book: Chapter 4, for points of R^d with any d *)
+
+Section Book.
+Context {d : nat}.
+Implicit Types (S : list (point d)) (T U : list (simplex d)).
+
+(** Lemma 2.1, the Lifting Lemma: a point is in an open ball if and only if its lifted companion is
+    below the hyperplane of the ball. *)
+Theorem lifting_lemma (c : point d) (r2 : R) p :
+  dist2 c p < r2 <-> norm2 p < plane (scale 2 c) (r2 - norm2 c) p.
+Proof. apply LiftingMap.lifting_lemma. Qed.
+
+(** Lemma 4.1, the Delaunay Lemma: the three statements are equivalent. *)
+Theorem delaunay_lemma S T : (1 <= d)%nat -> triangulation S T ->
+  ((forall t, In t T -> delaunay S t) <-> (forall f, facet T f -> delaunay S f)) /\
+  ((forall t, In t T -> delaunay S t) <-> (forall f, facet T f -> locally_delaunay T f)).
+Proof. intros D. now apply BookLemma.lemma_4_1. Qed.
+
+(** Proposition 4.2. *)
+Theorem proposition_4_2 S s t : incl s S -> incl t S -> strongly_delaunay S s -> delaunay S t ->
+  exists f, incl f s /\ incl f t /\ forall q, (conv s q /\ conv t q) <-> conv f q.
+Proof. apply Uniqueness.proposition_4_2. Qed.
+
+(** Proposition 4.3. *)
+Theorem proposition_4_3 S T s : delaunay_triangulation S T ->
+  incl s S -> s <> [] -> affinely_independent s -> strongly_delaunay S s -> faces_of T s.
+Proof. apply Uniqueness.proposition_4_3. Qed.
+
+(** Theorem 4.4: a generic point set has exactly one Delaunay triangulation, which consists of the
+    strongly Delaunay simplices. (S spans R^d.) *)
+Theorem theorem_4_4 S : Existence.spans S -> generic S -> exists T, delaunay_triangulation S T /\
+  (forall s, faces_of T s <->
+     s <> [] /\ incl s S /\ affinely_independent s /\ strongly_delaunay S s) /\
+  forall U, delaunay_triangulation S U -> forall s, faces_of T s <-> faces_of U s.
+Proof. apply Existence.theorem_4_4_exactly_one. Qed.
+
+(** Section 2.9, symbolic perturbation: every point set has a Delaunay triangulation, and exactly one
+    is canonical; its symbolic signs are the numeric signs for all small e, the same e for all. *)
+Theorem canonical S : Existence.spans S -> exists T,
+  delaunay_triangulation S T /\ EveryPointSet.canonical_triangulation S norm2 T /\
+  forall U, EveryPointSet.canonical_triangulation S norm2 U ->
+    forall s, In s T -> exists r : simplex d, In r U /\ same s r.
+Proof. apply EveryPointSet.every_point_set. Qed.
+
+Theorem perturbation_sound S h (ts : list (Frame.frame d)) : exists e0, 0 < e0 /\
+  forall e, 0 < e < e0 -> forall t p, In t ts -> In p S ->
+    (0 < Perturbation.lead (Perturbation.coefficients S h t p) <->
+     0 < Perturbation.above (Perturbation.perturbed S h e) t p) /\
+    (Perturbation.lead (Perturbation.coefficients S h t p) < 0 <->
+     Perturbation.above (Perturbation.perturbed S h e) t p < 0).
+Proof. apply Perturbation.perturbation_sound. Qed.
+
+(** Proposition 4.5, for any heights: at every point of conv S the interpolation error is least. *)
+Theorem proposition_4_5 h S T U : (forall t, In t T -> witness_plane h S t) -> fills S U ->
+  forall t u p a b a' b', In t T -> In u U -> conv t p -> conv u p ->
+    Optimality.interpolates h t a b -> Optimality.interpolates h u a' b' ->
+    plane a b p - h p <= plane a' b' p - h p.
+Proof. apply Optimality.proposition_4_5. Qed.
+
+(** Proposition 4.6. *)
+Theorem proposition_4_6 (s : simplex d) (o : point d) (r2 : R) q : circumball s o r2 -> conv s q ->
+  (forall x, conv s x -> dist2 o q <= dist2 o x) ->
+  Optimality.min_containment_ball s q (r2 - dist2 o q).
+Proof. apply Optimality.proposition_4_6. Qed.
+
+(** Proposition 4.7: no triangulation has a smaller largest min-containment ball. *)
+Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
+  forall t o r2 q, In t T -> circumball t o r2 -> (forall p, In p S -> ~ dist2 o p < r2) ->
+    conv t q -> (forall x, conv t x -> dist2 o q <= dist2 o x) ->
+    exists u, In u U /\ forall c r2', Optimality.contains c r2' u -> r2 - dist2 o q <= r2'.
+Proof. apply Optimality.proposition_4_7. Qed.
+
+(** The convex hull by convex combinations is the convex hull by half-spaces. *)
+Theorem conv_halfspaces S T : (1 <= d)%nat -> fills S T -> T <> [] -> forall q, conv S q <->
+  (forall a b, (forall p, In p S -> 0 <= plane a b p) -> 0 <= plane a b q).
+Proof. apply Halfspaces.conv_halfspaces. Qed.
+End Book.

@@ -1,0 +1,91 @@
+#!/bin/sh
+# Proves the error bounds of the filters in oracle/fast with Gappa, in a few seconds; fails if one is not
+# proved, if a constant is not that of the code, or if Gappa proves what it must not.
+#     proofs/filters/check.sh [--certificates] [FOLDER-WITH-SCRIPTS [HEADER]]
+# With --certificates Coq checks Gappa's proofs (needs libcoq-gappa and libcoq-flocq).
+set -eu
+certificates=no
+if [ "${1:-}" = --certificates ]; then
+  certificates=yes
+  shift
+fi
+here=$(cd "$(dirname "$0")" && pwd)
+scripts=${1:-$here}
+header=${2:-$here/../../oracle/fast/filter_bounds.hpp}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+faults=0
+
+fault() {
+  echo "filters: $1" >&2
+  faults=$((faults + 1))
+}
+
+command -v gappa >/dev/null || { echo "filters: gappa not found: apt-get install gappa" >&2; exit 2; }
+
+# Proved: exit status 0, and nothing said; for Gappa trusts a rewriting that it cannot verify, with a warning.
+proved() {
+  gappa -Eno-auto-dichotomy "$1" >"$work/log" 2>&1 && [ ! -s "$work/log" ]
+}
+
+# Coq takes the certificate, and it rests on nothing but the axioms of the real numbers. The last lemma
+# that Gappa writes is the statement.
+certified() {
+  gappa -Eno-auto-dichotomy -Bcoq "$1" >"$work/certificate.v" 2>"$work/log" || return 1
+  lemma=$(sed -n 's/^Lemma \(l[0-9]*\) .*/\1/p' "$work/certificate.v" | tail -n 1)
+  echo "Print Assumptions $lemma." >>"$work/certificate.v"
+  coqc -q "$work/certificate.v" >"$work/log" 2>&1 || return 1
+  ! sed -n 's/^\([A-Za-z][A-Za-z0-9_.]*\)\( :.*\)\{0,1\}$/\1/p' "$work/log" | grep -v -x \
+    -e ClassicalDedekindReals.sig_forall_dec -e ClassicalDedekindReals.sig_not_dec \
+    -e FunctionalExtensionality.functional_extensionality_dep
+}
+
+# Must not be proved: what the expression of sed makes of the script.
+refused() {
+  sed "$3" "$1" >"$work/mutant.gappa"
+  if cmp -s "$1" "$work/mutant.gappa"; then
+    fault "$(basename "$1"): the mutant '$2' changes nothing"
+  elif gappa -Eno-auto-dichotomy "$work/mutant.gappa" >"$work/log" 2>&1; then
+    fault "$(basename "$1"): proved although $2, so the proof proves nothing"
+  elif ! grep -q 'some properties were not satisfied' "$work/log"; then
+    fault "$(basename "$1"): the mutant '$2' is no script: $(head -n 1 "$work/log")"
+  fi
+}
+
+# The line `inline constexpr double kNAME = VALUE;  // FILE.gappa` names each script's constant.
+sed -n 's/^inline constexpr double k[A-Za-z0-9]* = \(0x[^;]*\); *\/\/ \([a-z0-9_]*\.gappa\)$/\2 \1/p' \
+  "$header" >"$work/bounds"
+listed=$(cut -d ' ' -f 1 "$work/bounds" | sort)
+found=$(cd "$scripts" && ls ./*.gappa | sed 's/^\.\///' | sort)
+[ -n "$listed" ] && [ "$listed" = "$found" ] ||
+  fault "the scripts are not those that $header names"
+
+of_difference='-\/ \([A-Z]*\) in \[-1b-53, 1b-53\]'
+while read -r file constant; do
+  script=$scripts/$file
+  [ -f "$script" ] || continue
+  grep -q "| <= $constant\$" "$script" ||
+    fault "$file: bounds $(sed -n 's/.*| <= //p' "$script") where the code says $constant"
+  if proved "$script"; then
+    echo "filters: $file: error at most $constant: proved"
+  else
+    fault "$file: not proved: $(head -n 1 "$work/log")"
+  fi
+  if [ $certificates = yes ]; then
+    if certified "$script"; then
+      echo "filters: $file: Coq takes the certificate"
+    else
+      fault "$file: Coq does not take the certificate: $(grep -A1 Error "$work/log" | tr "\n" " ")"
+    fi
+  fi
+  # The bounds are rounded up by less than one in 4,000, so that 0.999 of one is too little.
+  less=$(python3 -c 'import sys; print("%.6e" % (0.999 * float.fromhex(sys.argv[1])))' "$constant")
+  refused "$script" "the bound is 0.999 of it" "s/| <= .*/| <= $less/"
+  case $file in in_sphere*) continue ;; esac  # which take seconds each
+  refused "$script" "one difference may be 2" '0,/in \[-1, 1\]/s//in [-2, 2]/'
+  refused "$script" "one difference has 40 bits" "0,/$of_difference/s//-\\/ \\1 in [-1b-40, 1b-40]/"
+  refused "$script" "underflow adds 2^-50" '0,/in \[-1b-125, 1b-125\]/s//in [-1b-50, 1b-50]/'
+  refused "$script" "products keep 52 bits" 's/ \* \([a-z0-9]*\)) in \[-1b-53, 1b-53\]/ * \1) in [-1b-52, 1b-52]/'
+done <"$work/bounds"
+
+[ "$faults" -eq 0 ] || exit 1

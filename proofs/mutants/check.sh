@@ -1,0 +1,35 @@
+#!/bin/bash
+# Holds circumspect-verified to the first line of each certificate here, and the certificates to
+# make.py:  proofs/mutants/check.sh PROGRAM
+set -euo pipefail
+program=$1
+cd "$(dirname "${BASH_SOURCE[0]}")"
+again=$(mktemp -d)
+trap 'rm -rf "$again"' EXIT
+python3 make.py "$again"
+for file in "$again"/*.cert *.cert; do
+  cmp -s "$again/$(basename "$file")" "$(basename "$file")" || {
+    echo "$(basename "$file") is not what make.py writes: run proofs/mutants/make.py proofs/mutants" >&2
+    exit 1
+  }
+done
+failures=0
+for file in *.cert; do
+  expected=$(head -n 1 "$file" | cut -c 3-)
+  found=$("$program" "$file") && code=0 || code=$?
+  case "$expected" in
+    verified*) wanted=0 ;;
+    rejected*) wanted=1 ;;
+    *) wanted=3 ;;
+  esac
+  if [ "$code" -ne "$wanted" ] || [[ "$found" != "$expected"* ]]; then
+    echo "$file: expected '$expected', exit $wanted; found '$found', exit $code" >&2
+    failures=$((failures + 1))
+  fi
+done
+[ "$failures" -eq 0 ]
+# Every condition of the checker has a mutant.
+sed -n 's/^| `\([a-z-]*\)` |.*/\1/p' ../CERTIFICATE.md | while read -r condition; do
+  ls "$condition"*.cert >/dev/null 2>&1 || { echo "no mutant breaks $condition" >&2; exit 1; }
+done
+echo "mutants: $(ls ./*.cert | wc -l) certificates answered as expected"

@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+"""Writes the certificates of this folder: sound ones, and mutants that break one condition each.
+
+    proofs/mutants/make.py FOLDER
+
+A file's name begins with the condition of CERTIFICATE.md that it breaks; its first line is a
+comment with the answer that circumspect-verified must give. The certificates of broken meshes are
+as honest as can be: pointers follow the mesh, and only the mesh is wrong.
+"""
+
+import copy
+import itertools
+import math
+import os
+import sys
+from fractions import Fraction
+
+
+def determinant(rows):
+    if not rows:
+        return 1
+    return sum((-1) ** i * rows[0][i] * determinant([r[:i] + r[i + 1:] for r in rows[1:]])
+               for i in range(len(rows)))
+
+
+def orientation(points):
+    last = points[-1]
+    return determinant([[x - y for x, y in zip(p, last)] for p in points[:-1]])
+
+
+def side(points, i, q):
+    """The orientation with point i replaced by q."""
+    return orientation(points[:i] + [q] + points[i + 1:])
+
+
+def pair_up(places):
+    """Which place is matched with which: those in which the same face stands, two and two."""
+    across = {}
+    for where in places.values():
+        for a, b in zip(where[::2], where[1::2]):
+            across[a], across[b] = b, a
+    return across
+
+
+def certificate(claim, points, simplices, weights=None, start=0, sample=None, glue=lambda f: True):
+    """The parts of a certificate; `glue` says which facets are matched where two simplices meet."""
+    d = len(points[0])
+    order = sorted(range(len(points)), key=lambda v: points[v])
+    number = {v: k for k, v in enumerate(order)}
+    place = [points[v] for v in order]
+    simplices = [[number[v] for v in s] for s in simplices]
+    for s in simplices:
+        if orientation([place[v] for v in s]) < 0:
+            s[0], s[1] = s[1], s[0]
+    facets = {}
+    for t, s in enumerate(simplices):
+        for i in range(d + 1):
+            facet = frozenset(s) - {s[i]}
+            key = facet if glue({order[v] for v in facet}) else (t, i)
+            facets.setdefault(key, []).append((t, i))
+    across = pair_up(facets)
+    hull = [(t, i) for t in range(len(simplices)) for i in range(d + 1) if (t, i) not in across]
+    ridges = {}
+    for h, (t, i) in enumerate(hull):
+        face = simplices[t][:i] + simplices[t][i + 1:]
+        for a in range(d):
+            ridges.setdefault(frozenset(face) - {face[a]}, []).append((h, a))
+    beyond = pair_up(ridges)
+    if sample is None:
+        corners = [place[v] for v in simplices[start]]
+        sample = [Fraction(sum(xs), d + 1) for xs in zip(*corners)]
+    w = math.lcm(*(x.denominator for x in map(Fraction, sample)))
+
+    def away(t, s):
+        corners = [place[v] for v in s]
+        outer = [i for i in range(d + 1) if side(corners, i, sample) < 0]
+        return "-" if t == start else outer[0] if outer else 0
+
+    def home(v):
+        return next(((t + 1, simplices[t].index(v)) for t in reversed(range(len(simplices)))
+                     if v in simplices[t]), (1, 0))
+
+    return {
+        "claim": claim, "d": d, "scale": [1, 1],
+        "points": [[list(place[v]), [weights[order[v]]] if weights else [], *home(v), order[v]]
+                   for v in range(len(points))],
+        "simplices": [[[v + 1 for v in s],
+                       [[across[t, i][0] + 1, across[t, i][1]] if (t, i) in across
+                        else ["-", hull.index((t, i)) + 1] for i in range(d + 1)],
+                       away(t, s)] for t, s in enumerate(simplices)],
+        "hull": [[t + 1, i, [[beyond[h, a][0] + 1, beyond[h, a][1]] if (h, a) in beyond else [1, 0]
+                             for a in range(d)]] for h, (t, i) in enumerate(hull)],
+        "sample": [start + 1, [int(x * w) for x in map(Fraction, sample)], w],
+    }
+
+
+def flat(thing):
+    return [x for part in thing for x in flat(part)] if isinstance(thing, list) else [thing]
+
+
+def text(c):
+    lines = ["circumspect-certificate 1 %s %d" % (c["claim"], c["d"]),
+             " ".join(map(str, ["scale"] + c["scale"]))]
+    for name in ["points", "simplices", "hull"]:
+        lines.append("%s %d" % (name, len(c[name])))
+        lines += [" ".join(map(str, flat(row))) for row in c[name]]
+    lines.append(" ".join(map(str, flat(["sample", c["sample"]]))))
+    return "\n".join(lines + ["end"]) + "\n"
+
+
+# ---------------------------------------------------------------------------------- the meshes
+
+SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1)]
+SQUARE_MESH = [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+OCTAHEDRON = [(0, 0, 0), (2, 0, 0), (-2, 0, 0), (0, 2, 0), (0, -2, 0), (0, 0, 2), (0, 0, -2)]
+OCTAHEDRON_MESH = [(0, x, y, z) for x in (1, 2) for y in (3, 4) for z in (5, 6)]
+# A ring that winds twice around the origin; every edge from the origin is matched.
+RING = [(14280, 6877), (-7858, 9854), (-4612, -5783), (3739, -1801), (1181, 5176), (-10000, 0),
+        (3269, -14323)]
+
+
+def ring_fan():
+    return [(0, 0)] + RING, [(0, k + 1, (k + 1) % 7 + 1) for k in range(7)]
+
+
+def ring_cone():
+    """The fan in space: two apexes, above and below the origin, over every edge of the ring."""
+    points = [(0, 0, 0), (0, 0, 9000), (0, 0, -9000)] + [(x, y, 0) for x, y in RING]
+    around = [(k + 3, (k + 1) % 7 + 3) for k in range(7)]
+    return points, [(0, apex, a, b) for apex in (1, 2) for a, b in around]
+
+
+def swapped(c, t, i, j):
+    """Vertices i and j of simplex t change places, and all that points there with them."""
+    corners, walls, outer = c["simplices"][t]
+    corners[i], corners[j] = corners[j], corners[i]
+    walls[i], walls[j] = walls[j], walls[i]
+    turn = {i: j, j: i}
+    c["simplices"][t][2] = turn.get(outer, outer)
+    for _, others, _ in c["simplices"]:
+        for wall in others:
+            if wall[0] == t + 1:
+                wall[1] = turn.get(wall[1], wall[1])
+    for row in c["hull"]:
+        if row[0] == t + 1:
+            row[1] = turn.get(row[1], row[1])
+    for row in c["points"]:
+        if row[2] == t + 1:
+            row[3] = turn.get(row[3], row[3])
+    return c
+
+
+def files():
+    plane = certificate("delaunay", SQUARE, SQUARE_MESH)
+    space = certificate("delaunay", OCTAHEDRON, OCTAHEDRON_MESH)
+    weighted = certificate("weighted-delaunay", SQUARE, SQUARE_MESH[:0] + [(0, 1, 2), (0, 2, 3)],
+                           weights=[0, 0, 0, 0, -50])
+    inside = next(k for k, row in enumerate(weighted["points"]) if row[4] == 4)
+    weighted["points"][inside][2:4] = [1, "-"]
+    yield "sound--plane", plane, "verified: delaunay, 5 points, 4 triangles"
+    yield "sound--space", space, "verified: delaunay, 7 points, 8 tetrahedra"
+    yield "sound--weighted", weighted, "verified: weighted-delaunay, 5 points, 2 triangles"
+    huge = certificate("delaunay", [tuple(x * 10 ** 400 for x in p) for p in OCTAHEDRON],
+                       OCTAHEDRON_MESH)
+    yield "sound--huge-coordinates", huge, "verified: delaunay, 7 points, 8 tetrahedra"
+
+    def mutant(base, change, answer, name=None):
+        c = copy.deepcopy(base)
+        change(c)
+        return name or answer.split(",")[0], c, "rejected: " + answer
+
+    def put(*path):
+        *path, key, value = path
+
+        def change(c):
+            for step in path:
+                c = c[step]
+            c[key] = value
+        return change
+
+    yield mutant(space, put("scale", 1, 0), "scale")
+    yield mutant(space, put("scale", 0, -1), "scale", "scale--negative")
+    twice = certificate("delaunay", SQUARE + [(4, 4)], SQUARE_MESH)
+    yield "points-increasing--duplicate", twice, "rejected: points-increasing, point 5"
+    unused = certificate("delaunay", SQUARE + [(1, 1)], SQUARE_MESH)
+    yield "point-used", unused, "rejected: point-used, point 3"
+    yield mutant(weighted, put("points", inside, 2, 2), "point-used, point 3",
+                 "point-used--in-another-simplex")
+    yield mutant(weighted, put("points", inside, 1, [50]), "point-used, point 3",
+                 "point-used--below-the-witness-plane")
+    elsewhere = certificate("delaunay", SQUARE, SQUARE_MESH, start=2)
+    yield mutant(elsewhere, put("simplices", 0, 0, 1, 9), "vertex-known, simplex 1")
+    elsewhere = certificate("delaunay", OCTAHEDRON, OCTAHEDRON_MESH, start=7)
+    yield "simplex-positive", swapped(elsewhere, 0, 1, 2), \
+        "rejected: simplex-positive, simplex 1"
+    collinear = certificate("triangulation", SQUARE[:4] + [(2, 0)],
+                            [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)], start=1)
+    yield "simplex-positive--flat", collinear, "rejected: simplex-positive, simplex 1"
+    wall = next(i for i, f in enumerate(space["simplices"][0][1]) if f[0] != "-")
+    wrong = [space["simplices"][0][1][wall][0] % 8 + 1, space["simplices"][0][1][wall][1]]
+    yield mutant(space, put("simplices", 0, 1, wall, wrong), "facet-matched, simplex 1, facet %d"
+                 % wall, "facet-matched--wrong-neighbour")
+    u, j = space["simplices"][0][1][wall]
+    yield mutant(space, put("simplices", u - 1, 1, j, [u % 8 + 1, 0]),
+                 "back-pointer, simplex 1, facet %d" % wall)
+    outer = next(i for i, f in enumerate(space["simplices"][0][1]) if f[0] == "-")
+    yield mutant(space, put("simplices", 0, 1, outer, ["-", 2]),
+                 "hull-pointer, simplex 1, facet %d" % outer)
+    missing = copy.deepcopy(space)
+    missing["hull"].pop()
+    yield "hull-pointer--missing-hull-facet", missing, \
+        "rejected: hull-pointer, simplex 8, facet %d" % \
+        next(i for i, f in enumerate(space["simplices"][7][1]) if f[0] == "-")
+    extra = copy.deepcopy(space)
+    extra["hull"].append([1, wall, extra["hull"][0][2]])
+    yield "hull-pointer--facet-that-is-matched", extra, "rejected: hull-pointer, hull facet 9"
+    g, b = space["hull"][0][2][0]
+    yield mutant(space, put("hull", 0, 2, 0, [g % 8 + 1, b]), "ridge-matched, hull facet 1, ridge 0")
+    yield mutant(space, put("hull", g - 1, 2, b, [g % 8 + 1, 0]),
+                 "ridge-back-pointer, hull facet 1, ridge 0")
+    yield from broken_meshes(plane, space)
+
+
+def broken_meshes(plane, space):
+    dart = [(-1, 0), (6, -3), (1, 0), (6, 3)]
+    reflex = certificate("triangulation", dart, [(0, 1, 2), (0, 2, 3)],
+                         sample=[0, Fraction(-1, 10)])
+    yield "hull-locally-convex", reflex, "rejected: hull-locally-convex"
+    pyramid = [(0, 0, 0), (8, 0, 0), (0, 8, 0), (0, 0, 8), (3, 3, 3)]
+    dented = certificate("triangulation", pyramid + [(1, 1, 1)],
+                         [(0, 1, 2, 5), (0, 1, 3, 5), (0, 2, 3, 5), (1, 2, 4, 5), (1, 3, 4, 5),
+                          (2, 3, 4, 5)])
+    yield "sound--tetrahedron-with-a-bump", dented, \
+        "verified: triangulation, 6 points, 6 tetrahedra"
+    dent = [(8, 0, 0), (0, 8, 0), (0, 0, 8), (2, 2, 2), (0, 0, 0), (1, 1, 1)]
+    dented = certificate("triangulation", dent,
+                         [(4, 0, 1, 5), (4, 0, 2, 5), (4, 1, 2, 5), (0, 1, 3, 5), (0, 2, 3, 5),
+                          (1, 2, 3, 5)])
+    yield "hull-locally-convex--dent", dented, "rejected: hull-locally-convex"
+    outside = certificate("delaunay", SQUARE, SQUARE_MESH, sample=[3, 2])
+    yield "sample-inside", outside, "rejected: sample-inside"
+    nested = SQUARE[:3] + [(2, 1), (3, 1), (3, 2)]
+    for start, name in (0, "outer"), (1, "inner"):
+        twice = certificate("triangulation", nested, [(0, 1, 2), (3, 4, 5)], start=start,
+                            sample=[Fraction(8, 3), Fraction(4, 3)])
+        yield "sample-outside--covered-twice-from-the-%s" % name, twice, "rejected: sample-outside"
+    for name, mesh, o in ("the-plane", ring_fan(), [64, 167]), ("space", ring_cone(), [64, 167, 9]):
+        winding = certificate("triangulation", *mesh, sample=o)
+        yield "sample-outside--doubly-winding-fan-in-%s" % name, winding, \
+            "rejected: sample-outside"
+    points, fan = ring_fan()
+    winding = certificate("triangulation", points, fan, sample=[Fraction(12000), Fraction(6000)])
+    yield "sample-inside-hull--doubly-winding-fan", winding, "rejected: sample-inside-hull"
+    slit = certificate("delaunay", OCTAHEDRON, OCTAHEDRON_MESH,
+                       glue=lambda facet: facet != {0, 1, 3})
+    yield "sample-inside-hull--facet-folded-in-its-plane", slit, "rejected: sample-inside-hull"
+    apart = certificate("triangulation", SQUARE[:3] + [(9, 9), (10, 9), (10, 10)],
+                        [(0, 1, 2), (3, 4, 5)])
+    yield "sample-inside-hull--two-pieces", apart, "rejected: sample-inside-hull"
+    flipped = certificate("delaunay", [(0, 0), (6, 0), (7, 2), (0, 2)], [(0, 1, 2), (0, 2, 3)])
+    yield "facet-locally-delaunay--plane", flipped, "rejected: facet-locally-delaunay"
+    bipyramid = [(10, 0, 0), (-5, 9, 0), (-5, -9, 0), (0, 0, 1), (0, 0, -1)]
+    flat_pair = certificate("delaunay", bipyramid, [(0, 1, 2, 3), (0, 1, 2, 4)])
+    yield "facet-locally-delaunay--space", flat_pair, "rejected: facet-locally-delaunay"
+    heavy = certificate("weighted-delaunay", SQUARE, SQUARE_MESH, weights=[0, 0, 0, 0, -50])
+    yield "facet-locally-delaunay--submerged-vertex", heavy, "rejected: facet-locally-delaunay"
+
+
+def malformed():
+    sound = text(certificate("delaunay", SQUARE, SQUARE_MESH))
+    lines = sound.split("\n")
+    yield "malformed--truncated", "\n".join(lines[:9]) + "\n", "malformed"
+    yield "malformed--cut-in-a-line", sound[:len(sound) // 2 - 3], "malformed"
+    yield "malformed--no-end", "\n".join(lines[:-2]) + "\n", "malformed"
+    yield "malformed--huge-count", sound.replace("points 5", "points 4000000000000000000"), \
+        "malformed"
+    yield "malformed--count-beyond-62-bits", sound.replace("points 5", "points " + "9" * 30), \
+        "malformed"
+    yield "malformed--fraction", sound.replace("scale 1 1", "scale 1/2 1"), "malformed"
+    yield "malformed--version", sound.replace("certificate 1", "certificate 2"), "malformed"
+    yield "malformed--dimension", sound.replace("delaunay 2", "delaunay 4"), "malformed"
+
+
+def main():
+    folder = sys.argv[1]
+    os.makedirs(folder, exist_ok=True)
+    for name, content, answer in itertools.chain(
+            ((name, text(c), answer) for name, c, answer in files()), malformed()):
+        with open(os.path.join(folder, name + ".cert"), "w") as out:
+            out.write("# %s\n%s" % (answer, content))
+
+
+if __name__ == "__main__":
+    main()

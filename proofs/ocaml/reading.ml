@@ -1,0 +1,88 @@
+(* What the two kinds of files have in common; see CERTIFICATE.md. *)
+open Extracted
+
+(* The binary numeral of each number, made once and shared. A number greater than any thing that
+   the file can list names nothing, and is replaced by the least such. *)
+let numerals source =
+  let made = Array.make (source.Text.lines + 2) Big.XH in
+  for n = 2 to source.Text.lines + 1 do
+    made.(n) <- (if n land 1 = 1 then Big.XI made.(n / 2) else Big.XO made.(n / 2))
+  done;
+  let beyond = source.Text.lines + 1 in
+  fun n -> made.(if n < 1 || n > beyond then beyond else n)
+
+type context = { source : Text.t; numeral : int -> Big.numeral; d : int; weighted : bool }
+
+let count c token = Text.count c.source token
+let number c token = c.numeral (count c token)
+let integer c token = Text.integer c.source token
+(* A vertex, facet or ridge: greater numbers than d name nothing. *)
+let index c token = min (count c token) (c.d + 1)
+let unless_dash read c token = if token = "-" then None else Some (read c token)
+
+(* The first [n] tokens, each read, and the others. *)
+let rec take c read n expected tokens =
+  if n = 0 then ([], tokens)
+  else match tokens with
+    | token :: rest ->
+      let value = read c token in
+      let values, others = take c read (n - 1) expected rest in
+      (value :: values, others)
+    | [] -> Text.fail c.source expected "the end of the line"
+
+let site c expected weighted tokens =
+  let coordinates, rest = take c integer c.d expected tokens in
+  let weights, rest = take c integer (if weighted then 1 else 0) expected rest in
+  ({ coordinates; weight = (match weights with [ w ] -> w | _ -> Big.zero) }, rest)
+
+let no_more c expected = function
+  | [] -> ()
+  | token :: _ -> Text.fail c.source (expected ^ " and no more") (Text.quote token)
+
+(* A line that begins with the word [name]: its other tokens. *)
+let line c name rest_expected =
+  let expected = "'" ^ name ^ " " ^ rest_expected ^ "'" in
+  match Text.next_of c.source expected with
+  | word :: rest when word = name -> (expected, rest)
+  | word :: _ -> Text.fail c.source expected (Text.quote word)
+  | [] -> assert false
+
+(* `NAME COUNT` and that many lines. *)
+let section c name expected read =
+  let header, tokens = line c name "COUNT" in
+  let counts, rest = take c count 1 header tokens in
+  no_more c header rest;
+  let rec lines n read_so_far =
+    if n = 0 then List.rev read_so_far
+    else begin
+      let tokens = Text.next_of c.source expected in
+      let value, rest = read tokens in
+      no_more c expected rest;
+      lines (n - 1) (value :: read_so_far)
+    end in
+  lines (List.hd counts) []
+
+let scale c =
+  let expected, tokens = line c "scale" "P Q" in
+  match take c integer 2 expected tokens with
+  | [ p; q ], rest -> no_more c expected rest; (p, q)
+  | _ -> assert false
+
+let ending c =
+  let expected, rest = line c "end" "" in
+  no_more c expected rest;
+  match Text.next c.source with
+  | None -> ()
+  | Some tokens -> Text.fail c.source "nothing after 'end'" (Text.quote (List.hd tokens))
+
+let pair c expected first second tokens =
+  let a, rest = take c first 1 expected tokens in
+  let b, rest = take c second 1 expected rest in
+  ((List.hd a, List.hd b), rest)
+
+let rec times n read tokens =
+  if n = 0 then ([], tokens)
+  else
+    let value, rest = read tokens in
+    let values, rest = times (n - 1) read rest in
+    (value :: values, rest)
