@@ -1,3 +1,4 @@
+(** * What the main theorems rest on: the output is compared with assumptions.expected *)
 From Circumspect Require Import MainTheorems.
 
 (* Everything that MainTheorems.v states, as one term: so its assumptions are those of all. *)

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """Holds README.md to the truth: every `$ circumspect …` in it is run, and its output compared.
 
-    readme.py COMMAND            compare; exit 1 and show the difference if they differ
-    readme.py COMMAND --update   write the outputs into README.md
+    readme.py COMMAND [--verified PROGRAM]            compare; exit 1 and show the difference
+    readme.py COMMAND [--verified PROGRAM] --update   write the outputs into README.md
+
+PROGRAM is circumspect-verified; without it, what it printed stays as it is.
 """
+import argparse
 import difflib
 import pathlib
 import re
@@ -21,27 +24,28 @@ TABLES = [
      r"\{BreachKind"),
 ]
 # How the names of files begin that the examples write.
-SCRATCH = ("reference", "proof", "drawn")
+SCRATCH = ("reference", "proof", "drawn", "certificate")
 
 
-def output_of(command, line, folder):
+def output_of(programs, line, folder):
     """What the command prints, stdout and stderr, run at the root; files it writes are in the folder."""
-    words = shlex.split(line)[1:]
+    name, *words = shlex.split(line)
+    command = programs[name]
     words = [f"{folder}/{word}" if word.startswith(SCRATCH) else word for word in words]
     run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)
     return (run.stdout + run.stderr).replace(f"{folder}/", "").splitlines()
 
 
-def with_outputs(command, text, folder):
-    """The text, with the lines behind each `$ circumspect …` replaced by what it prints."""
+def with_outputs(programs, text, folder):
+    """The text, with the lines behind each `$ PROGRAM …` replaced by what it prints."""
     lines = []
     in_block = shown = False
     for line in text.splitlines():
         if line.startswith("```"):
             in_block, shown = not in_block, False
-        elif in_block and line.startswith("$ circumspect "):
-            lines += [line, *output_of(command, line[2:], folder)]
-            shown = True
+        elif in_block and line.startswith("$ "):
+            shown = line.split()[1] in programs
+            lines += [line, *(output_of(programs, line[2:], folder) if shown else [])]
             continue
         elif shown:
             continue
@@ -72,11 +76,17 @@ def with_tables(text):
 
 
 def main():
-    command = str(pathlib.Path(sys.argv[1]).resolve())
+    parser = argparse.ArgumentParser()
+    parser.add_argument("command", type=pathlib.Path)
+    parser.add_argument("--verified", type=pathlib.Path)
+    parser.add_argument("--update", action="store_true")
+    options = parser.parse_args()
+    programs = {"circumspect": options.command, "circumspect-verified": options.verified}
+    programs = {name: str(path.resolve()) for name, path in programs.items() if path}
     text = README.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
-        true_text = with_tables(with_outputs(command, text, folder))
-    if "--update" in sys.argv[2:]:
+        true_text = with_tables(with_outputs(programs, text, folder))
+    if options.update:
         README.write_text(true_text, encoding="utf-8")
         return 0
     difference = list(difflib.unified_diff(text.splitlines(), true_text.splitlines(), "README.md",

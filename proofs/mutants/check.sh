@@ -2,7 +2,7 @@
 # Holds circumspect-verified to the first line of each certificate here, and the certificates to
 # make.py:  proofs/mutants/check.sh PROGRAM
 set -euo pipefail
-program=$1
+program=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")"
 again=$(mktemp -d)
 trap 'rm -rf "$again"' EXIT

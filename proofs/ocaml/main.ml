@@ -81,6 +81,8 @@ let verdict source =
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
 let () =
+  (* Little of what is read becomes garbage: collect seldom. *)
+  Gc.set { (Gc.get ()) with Gc.space_overhead = 400; minor_heap_size = 1 lsl 20 };
   let name = match Sys.argv with
     | [| _; ("-h" | "--help") |] -> print_endline usage; exit 0
     | [| _; name |] -> name
