@@ -1,11 +1,17 @@
 // Prints the tables of bench/README.md. With arguments, only the algorithms whose name contains the
-// first one.
+// first one. After --, the program of campaigns, and before it the name of its mesh:
+//
+//     circumspect_bench campaign x.1.ele -- tetgen -JQ {points}
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "bench/algorithms.hpp"
+#include "bench/campaigning.hpp"
+#include "bench/checking.hpp"
 #include "bench/constrained.hpp"
 #include "bench/judging.hpp"
 #include "bench/point_families.hpp"
@@ -91,10 +97,17 @@ void count_changes_on_grids() {
 }  // namespace circumspect::bench
 
 int main(int count, char** arguments) {
-  const std::string wanted = count > 1 ? arguments[1] : "";
+  const std::vector<std::string> words(arguments + 1, arguments + count);
+  const auto dashes = std::find(words.begin(), words.end(), "--");
+  const std::string wanted = dashes != words.begin() ? words.front() : "";
+  circumspect::bench::Program program;
+  if (dashes - words.begin() > 1) program.mesh = words[1];
+  if (words.end() - dashes > 1) program.command.assign(dashes + 1, words.end());
   int too_slow = circumspect::bench::time_all(wanted);
   too_slow += circumspect::bench::time_constrained(wanted);
   too_slow += circumspect::bench::time_judging(wanted);
+  too_slow += circumspect::bench::time_campaigns(wanted, program);
+  too_slow += circumspect::bench::time_checking(wanted);
   if (wanted.empty()) circumspect::bench::count_changes_on_grids();
   if (too_slow > 0) fmt::print("\n{} algorithms took longer than they may\n", too_slow);
   return too_slow == 0 ? 0 : 1;

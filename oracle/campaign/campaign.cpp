@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -50,12 +51,14 @@ class Campaign {
     }
     const std::lock_guard lock(mutex_);
     --working_;
+    one_ended_.notify_one();
   }
 
   void start(std::size_t jobs) { working_ = jobs; }
-  bool is_over() {
-    const std::lock_guard lock(mutex_);
-    return working_ == 0;
+  // Waits for the end, but not longer than this.
+  bool is_over_within(std::chrono::milliseconds time) {
+    std::unique_lock lock(mutex_);
+    return one_ended_.wait_for(lock, time, [this] { return working_ == 0; });
   }
   bool must_stop() {
     const std::lock_guard lock(mutex_);
@@ -194,6 +197,7 @@ class Campaign {
   std::mutex drawing_;
 
   std::mutex mutex_;  // for all below
+  std::condition_variable one_ended_;
   Journal journal_;
   std::size_t working_ = 0;
   std::size_t given_ = 0;
@@ -230,13 +234,14 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
                                       const std::function<void(const Progress&)>& progress) {
   auto journal = Journal::open(plan.output, plan.settings);
   if (!journal) return tl::unexpected(journal.error());
-  // Runners fork, which is cheapest before there are threads.
+  std::optional<Gate> gate;  // Runners use it to their ends.
   std::vector<std::unique_ptr<Runner>> runners;
-  // One more than programs may run: it judges while the others wait for theirs.
-  Runner::Gate gate(static_cast<std::ptrdiff_t>(plan.jobs));
   try {
+    gate.emplace(plan.jobs);
+    // Runners fork, which is cheapest before there are threads. One more than programs may run: it
+    // judges, and makes the next input ready, while the others wait for theirs.
     for (std::size_t i = 0; i < plan.jobs + 1; ++i) {
-      runners.push_back(std::make_unique<Runner>(plan.subject, &gate));
+      runners.push_back(std::make_unique<Runner>(plan.subject, gate->turn()));
     }
   } catch (const std::system_error& error) {
     return tl::unexpected(std::string(error.what()));
@@ -247,11 +252,10 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
   for (const auto& runner : runners) {
     threads.emplace_back([&campaign, &runner] { campaign.work(*runner); });
   }
-  while (!campaign.is_over()) {
+  while (!campaign.is_over_within(std::chrono::milliseconds(20))) {
     if (campaign.must_stop()) {
       for (const auto& runner : runners) runner->interrupt();
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     progress(campaign.progress());
   }
   for (std::thread& thread : threads) thread.join();

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "oracle/formats/rows.hpp"
+#include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -32,6 +33,25 @@ std::string segments_text(const PiecewiseLinearInput& input, Vertex first) {
     text += formats::joined(row) + "\n";
   }
   return text;
+}
+
+// Lists with each polygon what lies in it and is not listed there: a segment is a line of two, a vertex
+// one of one. Book: Definition 4.3, whose faces of a polygon these are; TetGen wants to be told.
+PiecewiseLinearInput with_all_faces_listed(PiecewiseLinearInput input) {
+  const auto complex = validated(input, 1);
+  if (!complex) return input;
+  for (const Adoption& adoption : adoptions(input, *complex)) {
+    std::vector<std::vector<Vertex>>& lines = input.polygons[adoption.polygon].lines;
+    std::set<Vertex> ends;
+    for (const Simplex& segment : adoption.segments) {
+      lines.push_back(segment);
+      ends.insert(segment.begin(), segment.end());
+    }
+    for (const Vertex v : adoption.vertices) {
+      if (ends.count(v) == 0) lines.push_back({v});
+    }
+  }
+  return input;
 }
 
 std::string facets_text(const PiecewiseLinearInput& input, Vertex first) {
@@ -115,7 +135,8 @@ std::string poly_text(const PiecewiseLinearInput& input, Vertex first_index) {
   const bool in_plane = !input.points.empty() && input.points.front().size() == 2;
   return std::to_string(input.points.size()) + (in_plane ? " 2 0 0\n" : " 3 0 0\n") +
          counted(input.points, first_index) +
-         (in_plane ? segments_text(input, first_index) : facets_text(input, first_index)) +
+         (in_plane ? segments_text(input, first_index)
+                   : facets_text(with_all_faces_listed(input), first_index)) +
          std::to_string(input.hole_seeds.size()) + "\n" + counted(input.hole_seeds, 1);
 }
 

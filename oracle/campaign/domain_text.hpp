@@ -9,7 +9,8 @@
 namespace circumspect::campaign {
 
 // As a .poly file: of Triangle in the plane, of TetGen in space, where a lone segment is a facet with
-// one polygon of two corners.
+// one polygon of two corners. A facet lists all that lies in it, as TetGen wants it, if the domain is
+// valid: segments as polygons of two corners, vertices as polygons of one.
 std::string poly_text(const PiecewiseLinearInput& input, Vertex first_index);
 
 // As a .geo file for Gmsh, in space: the polygons are the surfaces of one volume; segments are one

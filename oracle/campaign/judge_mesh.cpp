@@ -1,10 +1,8 @@
 #include "oracle/campaign/judge_mesh.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 
-#include "oracle/campaign/folders.hpp"
 #include "oracle/check/domain/judge_domain.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/report/text.hpp"
@@ -106,15 +104,16 @@ PointsCase with_weights_of(const PointsCase& set, std::vector<Point> points) {
   return own;
 }
 
-Outcome judged_points(const Subject& subject, const PointsCase& set, const std::string& path,
-                      const std::string& own_points) {
+Outcome judged_points(const Subject& subject, const PointsCase& set, const std::string& path) {
   formats::MeshRequest request;
   request.mesh = path;
   const bool own = lists_points(path);
   if (!own) {
-    request.points = own_points;
-    removed(own_points);  // The program may have put a pipe or a link there.
-    std::ofstream(own_points) << *file_text(set, ".node", subject.first_index, subject.dimension);
+    // What is asked of the points is how many coordinates they have, and from where they are counted.
+    request.own_points.emplace();
+    request.own_points->dimension =
+        set.points.empty() ? subject.dimension : set.points.front().size();
+    request.own_points->first_index = subject.first_index;
   }
   auto raw = formats::read_mesh(request);
   if (!raw) return unreadable(raw.error().to_string());
@@ -191,10 +190,9 @@ std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& who
 
 }  // namespace
 
-Outcome judged(const Subject& subject, const Input& input, const std::string& path,
-               const std::string& own_points) {
+Outcome judged(const Subject& subject, const Input& input, const std::string& path) {
   if (const auto* const set = std::get_if<PointsCase>(&input)) {
-    return judged_points(subject, *set, path, own_points);
+    return judged_points(subject, *set, path);
   }
   return judged_domain(subject, std::get<ComplexCase>(input), path);
 }

@@ -13,10 +13,8 @@ namespace circumspect::campaign {
 // simplices alone (.ele, .qhull-i) are about the points of the input, whatever the program made of
 // them; a mesh that lists its points (.off, .mesh, .json) must have exactly those of the input, in
 // any order. Meshes of domains are judged by the coordinates that the program wrote.
-// `own_points`: where this may write a file for itself.
 // Requires: the file is a regular one.
-Outcome judged(const Subject& subject, const Input& input, const std::string& path,
-               const std::string& own_points);
+Outcome judged(const Subject& subject, const Input& input, const std::string& path);
 
 // Can the input be judged at all? Empty, or why it is skipped: it is not made of doubles; the points
 // do not span the space, where that is asked for; the domain is invalid or encloses nothing.

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -35,6 +36,14 @@ bool write_all(int file, const char* bytes, std::size_t count) {
   return true;
 }
 
+// Who waits in read() is also woken when the other side takes what was sent to it. Then it may queue
+// behind the program that has just begun, and stay there while the next request waits for it.
+void wait_for_bytes(int file) {
+  pollfd waited = {file, POLLIN, 0};
+  while (poll(&waited, 1, -1) < 0 && errno == EINTR) {
+  }
+}
+
 bool read_all(int file, char* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t got = read(file, bytes, count);
@@ -57,16 +66,18 @@ void put(std::string& message, const std::string& text) {
   message += text;
 }
 
+// At once: whoever waits for it is woken once.
 bool send_message(int file, const std::string& message) {
-  const std::size_t size = message.size();
-  return write_all(file, reinterpret_cast<const char*>(&size), sizeof(size)) &&
-         write_all(file, message.data(), size);
+  std::string bytes;
+  put(bytes, message);
+  return write_all(file, bytes.data(), bytes.size());
 }
 
 // A message that is taken apart in the order in which it was put together.
 class Message {
  public:
   static std::optional<Message> receive(int file) {
+    wait_for_bytes(file);
     std::size_t size = 0;
     if (!read_all(file, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
     Message message;
@@ -117,11 +128,11 @@ Request request_of(Message& message) {
 }
 
 // The life of the process that runs the programs.
-[[noreturn]] void supervise(int socket, const std::string& folder) {
+[[noreturn]] void supervise(int socket, const std::string& folder, Turn turn) {
   while (std::optional<Message> message = Message::receive(socket)) {
     const auto limits = message->take<Limits>();
     std::string answer;
-    put(answer, run_supervised(request_of(*message), limits, socket));
+    put(answer, run_supervised(request_of(*message), limits, {socket, turn}));
     if (!send_message(socket, answer)) break;
   }
   if (!folder.empty()) removed(folder);
@@ -141,7 +152,7 @@ int status_of(pid_t child) {
 
 // The life of the guardian. Its own file is the only one of its parent's that it keeps, and its child
 // after it.
-[[noreturn]] void guard(int socket, const std::string& folder, pid_t parent) {
+[[noreturn]] void guard(int socket, const std::string& folder, Turn turn, pid_t parent) {
   const int null = open("/dev/null", O_RDWR);
   for (int file = 0; file < 3; ++file) dup2(null, file);
   const int own = 3;
@@ -155,7 +166,7 @@ int status_of(pid_t child) {
   const pid_t child = fork();
   if (child == 0) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);  // It is not inherited.
-    supervise(own, folder);
+    supervise(own, folder, turn);
   }
   close(own);
   const bool was_killed = child < 0 || WIFSIGNALED(status_of(child));
@@ -167,7 +178,9 @@ int status_of(pid_t child) {
 
 }  // namespace
 
-Supervisor::Supervisor(const std::string& folder) : folder_(folder) { start(); }
+Supervisor::Supervisor(const std::string& folder, Turn turn) : folder_(folder), turn_(turn) {
+  start();
+}
 
 Supervisor::~Supervisor() {
   end();
@@ -181,7 +194,7 @@ void Supervisor::start() {
   }
   const pid_t parent = getpid();
   guardian_ = fork();
-  if (guardian_ == 0) guard(ends[1], folder_, parent);
+  if (guardian_ == 0) guard(ends[1], folder_, turn_, parent);
   const int error = errno;
   close(ends[1]);
   const std::lock_guard lock(mutex_);
@@ -199,6 +212,7 @@ void Supervisor::end() {
   while (guardian_ > 0 && waitpid(guardian_, nullptr, 0) < 0 && errno == EINTR) {
   }
   guardian_ = -1;
+  turn_.give_back();  // The supervisor may have been killed before it did.
 }
 
 Ended Supervisor::run(const Request& request, const Limits& limits) {

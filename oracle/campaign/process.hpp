@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "oracle/campaign/gate.hpp"
+
 namespace circumspect::campaign {
 
 // What a program may use. It is killed when it uses more.
@@ -55,8 +57,8 @@ struct Ended {
 class Supervisor {
  public:
   // Forks. `folder`, if any, is removed with all that is in it at the end of the supervisor, even if
-  // this process dies before it. Throws std::system_error.
-  explicit Supervisor(const std::string& folder = "");
+  // this process dies before it. `turn`: what it waits for before each program. Throws std::system_error.
+  explicit Supervisor(const std::string& folder = "", Turn turn = {});
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
@@ -75,6 +77,7 @@ class Supervisor {
   void end();
 
   std::string folder_;
+  Turn turn_;
   int guardian_ = -1;
   std::mutex mutex_;  // for what interrupt needs
   int socket_ = -1;

@@ -116,11 +116,10 @@ void replace_all(std::string& text, const std::string& part, const std::string& 
 
 }  // namespace
 
-Runner::Runner(const Subject& subject, Gate* gate)
+Runner::Runner(const Subject& subject, Turn turn)
     : subject_(subject),
-      gate_(gate),
       scratch_(new_scratch_folder(subject.limits)),
-      supervisor_(scratch_) {}
+      supervisor_(scratch_, turn) {}
 
 Runner::~Runner() = default;
 
@@ -187,9 +186,7 @@ Outcome Runner::run_on(const Input& input, const std::string& text) {
   if (subject_.reads_stdin) request.stdin_file = paths.input;
   request.stdout_file = scratch_ + "/" + (subject_.writes_stdout ? subject_.mesh_name : "stdout");
   request.stderr_file = scratch_ + "/stderr";
-  if (gate_ != nullptr) gate_->acquire();
   const Ended ended = supervisor_.run(request, subject_.limits);
-  if (gate_ != nullptr) gate_->release();
   Outcome outcome = outcome_of(ended, input);
   outcome.text = without_places(std::move(outcome.text));
   outcome.explanation = for_terminals(without_places(std::move(outcome.explanation)));
@@ -244,7 +241,7 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
     return named(OutcomeKind::kNoMesh, "",
                  "it ended with exit code 0 and wrote no " + subject_.mesh_name);
   }
-  return judged(subject_, input, mesh, scratch_ + "/own.node");
+  return judged(subject_, input, mesh);
 }
 
 }  // namespace circumspect::campaign

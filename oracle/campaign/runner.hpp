@@ -1,7 +1,6 @@
 // Runs one case: writes the input, runs the program, reads and judges the mesh.
 #pragma once
 
-#include <semaphore>
 #include <string>
 
 #include "oracle/campaign/input.hpp"
@@ -19,10 +18,8 @@ namespace circumspect::campaign {
 // (/dev/shm) if there is room and TMPDIR says nothing else.
 class Runner {
  public:
-  // How many programs may run at a time, of all runners that share it.
-  using Gate = std::counting_semaphore<>;
-
-  explicit Runner(const Subject& subject, Gate* gate = nullptr);
+  // `turn`: of the gate that limits how many programs run at a time.
+  explicit Runner(const Subject& subject, Turn turn = {});
   ~Runner();
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
@@ -47,7 +44,6 @@ class Runner {
   std::string prepare_work_folder();
 
   const Subject& subject_;
-  Gate* gate_;
   std::string scratch_;
   std::string work_;
   std::size_t folders_ = 0;

@@ -4,9 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/campaign/domain_text.hpp"
-#include "properties/generators/named_complexes.hpp"
-
 namespace circumspect::campaign {
 namespace {
 
@@ -65,8 +62,7 @@ TEST_CASE("a program may delete the folder around its own, or put a link or a pi
   const Subject linking = shell("cd ..; rm -rf work; ln -s /nowhere work");
   Runner other(linking);
   for (int i = 0; i < 3; ++i) CHECK(other.run(kTetrahedron).signature == "no-mesh");
-  const Subject piping =
-      shell("cd ..; rm -f own.node; mkfifo own.node; echo '1 4 0\n0 0 1 2 3' > $1");
+  const Subject piping = shell("cd ..; rm -f stdout; mkfifo stdout; echo '1 4 0\n0 0 1 2 3' > $1");
   Runner third(piping);
   for (int i = 0; i < 2; ++i) CHECK(third.run(kTetrahedron).kind == OutcomeKind::kHolds);
 }
@@ -102,16 +98,6 @@ TEST_CASE("a scratch folder is gone with its runner") {
     CHECK(std::filesystem::exists(folder));
   }
   CHECK(!std::filesystem::exists(folder));
-}
-
-TEST_CASE("domains as Gmsh reads them, if they are one closed surface") {
-  PiecewiseLinearInput box = generators::box(0, 1);
-  const auto text = geo_text(box);
-  REQUIRE(text);
-  CHECK(text->find("Line(12) = ") != std::string::npos);
-  CHECK(text->find("Surface Loop(1) = {1,2,3,4,5,6};") != std::string::npos);
-  box.polygons.pop_back();
-  CHECK(!geo_text(box));
 }
 
 }  // namespace

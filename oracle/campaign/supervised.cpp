@@ -38,6 +38,7 @@ struct Start {
   rlimit file_size;
   rlimit cpu;
   bool limits_memory;
+  Surroundings around;
   int failure;  // errno, written by the child
 };
 
@@ -53,6 +54,11 @@ void become_program(Start* start) {
               setrlimit(RLIMIT_FSIZE, &start->file_size) == 0 && chdir(start->folder) == 0;
   if (start->limits_memory) done = done && setrlimit(RLIMIT_AS, &start->memory) == 0;
   for (int i = 0; i < 3; ++i) done = done && dup2(start->files[i], i) == i;
+  // All is ready, so that it only becomes the program when its turn comes.
+  if (done && !start->around.turn.take(start->around.lifeline)) {
+    errno = ECANCELED;
+    done = false;
+  }
   if (done) execve(start->arguments[0], start->arguments, environ);
   start->failure = errno;
   _exit(127);
@@ -99,8 +105,9 @@ struct OpenFiles {
   bool all_open() const { return std::min({files[0], files[1], files[2]}) >= 0; }
 };
 
-// Starts the program. Returns its process, or −errno.
-pid_t start_program(const Request& request, const Limits& limits) {
+// Starts the program when its turn comes. Returns its process, or −errno; ECANCELED: nobody waits for it
+// any more.
+pid_t start_program(const Request& request, const Limits& limits, const Surroundings& around) {
   std::vector<char*> arguments;
   for (const std::string& argument : request.command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -109,7 +116,7 @@ pid_t start_program(const Request& request, const Limits& limits) {
   const OpenFiles files(request);
   if (!files.all_open()) return -errno;
   // Threads share the limit on processor time; it matters only if the supervisor is gone.
-  const auto processors = std::max(1U, std::thread::hardware_concurrency());
+  static const auto processors = std::max(1U, std::thread::hardware_concurrency());
   const auto cpu =
       static_cast<std::uint64_t>(std::ceil(std::min(limits.seconds, 1e9) * processors)) + 1;
   Start start = {request.folder.c_str(),
@@ -119,6 +126,7 @@ pid_t start_program(const Request& request, const Limits& limits) {
                  both(limits.output),
                  {cpu, cpu + 1},
                  limits.memory != 0,
+                 around,
                  0};
   const pid_t process = start_process(&start);
   if (process < 0) return -errno;
@@ -214,11 +222,14 @@ void kill_descendants() {
   }
 }
 
-Ended run_supervised(const Request& request, const Limits& limits, int lifeline) {
+Ended run_supervised(const Request& request, const Limits& limits, const Surroundings& around) {
+  const pid_t process = start_program(request, limits, around);
+  if (process < 0) {
+    around.turn.give_back();
+    return {process == -ECANCELED ? Ending::kInterrupted : Ending::kNotStarted, -process};
+  }
   const auto start = Clock::now();
-  const pid_t process = start_program(request, limits);
-  if (process < 0) return {Ending::kNotStarted, -process};
-  const Ending ending = Watch(process, request, limits, lifeline).wait();
+  const Ending ending = Watch(process, request, limits, around.lifeline).wait();
   const double seconds = seconds_since(start);
   // The program itself is not reaped yet, so that its number cannot belong to anybody else.
   kill(-process, SIGKILL);
@@ -227,6 +238,7 @@ Ended run_supervised(const Request& request, const Limits& limits, int lifeline)
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
   kill_descendants();
+  around.turn.give_back();
   Ended ended = described(ending, status, request, limits);
   ended.seconds = seconds;
   return ended;

@@ -13,10 +13,17 @@ namespace circumspect::campaign {
 // Signals from the terminal, which are for the process that wants the answers.
 constexpr int kIgnored[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGTTIN, SIGTTOU};
 
-// Runs one program to its end and kills all that is left of it. `lifeline`: a socket; when its other
-// end is closed, nobody waits for the answer any more, and the program is killed.
+// What a run depends on beside its request.
+struct Surroundings {
+  // A socket: when its other end is closed, nobody waits for the answer any more, and the program is
+  // killed, or not even started.
+  int lifeline;
+  Turn turn;  // held while the program, or anything that it started, runs
+};
+
+// Runs one program to its end and kills all that is left of it.
 // Requires: this process is a child subreaper and has no other children.
-Ended run_supervised(const Request& request, const Limits& limits, int lifeline);
+Ended run_supervised(const Request& request, const Limits& limits, const Surroundings& around);
 
 // Processes that descend from this one: all of them, or as many as are enough.
 std::vector<pid_t> descendants(std::size_t enough = static_cast<std::size_t>(-1));

@@ -12,6 +12,7 @@
 #include "oracle/cli/constructions.hpp"
 #include "oracle/cli/input.hpp"
 #include "oracle/cli/mesh_output.hpp"
+#include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/ele.hpp"
@@ -173,7 +174,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
   command
       .add_option("--order", options.bowyer_watson.order,
                   "In which order Bowyer-Watson inserts (default: brio-hilbert)")
-      ->transform(CLI::CheckedTransformer(orders, CLI::ignore_case).description(""))
+      ->transform(one_of(orders))
       ->option_text("as-given|random|brio-hilbert|brio-z-order");
   const std::map<std::string, PointLocation> locations = {
       {"linear-scan", PointLocation::kLinearScan},
@@ -182,7 +183,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
   command
       .add_option("--location", options.bowyer_watson.location,
                   "How Bowyer-Watson locates points (default: walking)")
-      ->transform(CLI::CheckedTransformer(locations, CLI::ignore_case).description(""))
+      ->transform(one_of(locations))
       ->option_text("linear-scan|conflict-graph|walking");
   command.add_option("--seed", options.bowyer_watson.seed, "Of the random orders (default: 0)")
       ->option_text("N");

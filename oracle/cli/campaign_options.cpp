@@ -10,6 +10,7 @@
 
 #include "oracle/campaign/input.hpp"
 #include "oracle/cli/domain_input.hpp"
+#include "oracle/cli/one_of.hpp"
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
@@ -67,22 +68,8 @@ void add_files(CLI::App& command, SubjectOptions& options) {
 }
 
 void add_claims(CLI::App& command, SubjectOptions& options) {
-  const std::map<std::string, Claim> claims = {
-      {"triangulation", Claim::kTriangulation},
-      {"delaunay", Claim::kDelaunay},
-      {"weighted-delaunay", Claim::kWeightedDelaunay},
-      {"plc-triangulation", Claim::kPlcTriangulation},
-      {"steiner-triangulation", Claim::kSteinerTriangulation},
-      {"cdt", Claim::kCdt},
-      {"steiner-cdt", Claim::kSteinerCdt},
-      {"conforming-delaunay", Claim::kConformingDelaunay}};
-  command
-      .add_option("--claim", options.claim,
-                  "What its meshes are to be (default: delaunay; of domains: steiner-cdt)")
-      ->transform(CLI::CheckedTransformer(claims, CLI::ignore_case).description(""))
-      ->option_text(
-          "triangulation|delaunay|weighted-delaunay|plc-triangulation|steiner-triangulation|cdt|"
-          "steiner-cdt|conforming-delaunay");
+  add_claim_option(command, options.claim,
+                   "What its meshes are to be (default: delaunay; of domains: steiner-cdt)");
   add_domain_kind_option(command, options.domain_kind);
   command.add_option("--dimension", options.dimension, "Of the points (default: 3)")
       ->check(CLI::Range(1, 8).description(""))

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/breach_text.hpp"
+#include "oracle/cli/one_of.hpp"
 #include "oracle/formats/domain_files.hpp"
 
 namespace circumspect::cli {
@@ -51,7 +52,7 @@ void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind) 
                   "none). Has to be said if there are some that enclose nothing: enclosed, if they "
                   "are to be meshed and nothing filled. hull needs points that do not all lie in "
                   "one plane")
-      ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description(""))
+      ->transform(one_of(kinds))
       ->option_text("enclosed|hull");
 }
 

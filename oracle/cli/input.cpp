@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "oracle/cli/one_of.hpp"
+
 namespace circumspect::cli {
 namespace {
 
@@ -154,7 +156,7 @@ void add_coordinates_option(CLI::App& command, InputOptions& options) {
       .add_option("--coordinates", options.coordinates,
                   "How decimals are read: 'double' as strtod does, which is what other programs "
                   "saw (default), or 'decimal', exactly as written")
-      ->transform(CLI::CheckedTransformer(readings, CLI::ignore_case).description(""))
+      ->transform(one_of(readings))
       ->option_text("double|decimal");
 }
 
@@ -164,7 +166,7 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
   command
       .add_option("--duplicates", options.duplicates,
                   "Equal points: 'reject' the input (default) or 'merge' them")
-      ->transform(CLI::CheckedTransformer(policies, CLI::ignore_case).description(""))
+      ->transform(one_of(policies))
       ->option_text("reject|merge");
 }
 

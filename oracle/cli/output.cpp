@@ -9,6 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "oracle/cli/one_of.hpp"
+
 namespace circumspect::cli {
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -16,7 +18,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
                                                        {"json", OutputFormat::kJson}};
   command
       .add_option("--format", options.format, "What stdout is: text (default) or one JSON document")
-      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case).description(""))
+      ->transform(one_of(formats))
       ->option_text("text|json");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
 }

@@ -48,7 +48,7 @@ Status check_kind(const std::string& name, const struct stat& status) {
 }
 
 Result<std::string> read_all(const std::string& name, int descriptor) {
-  constexpr std::size_t kStep = std::size_t{1} << 16;
+  constexpr std::size_t kStep = std::size_t{1} << 12;
   std::string text;
   std::size_t size = 0;
   while (true) {
