@@ -2,7 +2,9 @@
 
     One definition for each rule that the oracle may report, in words about points alone, and for
     each the proof that a list that breaks the rule is not what it claims to be.  [L] lists the
-    simplices as their author wrote them down: a vertex that names no point is [None]. *)
+    simplices as their author wrote them down: a vertex that names no point is [None].  A breach
+    says that some simplices and points break the rule, not which; whoever has [S] and [L] can
+    look.  Points are their coordinates: a point that is listed twice is one point. *)
 From Coq Require Import Reals Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence Adjacency
   LiftingMap.
@@ -24,6 +26,9 @@ Definition claims_weighted_delaunay w S L : Prop :=
 Definition claims_to_fill S L : Prop := exists T, L = map (map Some) T /\ fills S T.
 
 Definition listed L s : Prop := In (map Some s) L.
+(** [s] is listed, and it is a d-simplex. *)
+Definition listed_simplex L s : Prop :=
+  listed L s /\ length s = Datatypes.S d /\ affinely_independent s.
 
 (** simplex.wrong-dimension *)
 Definition wrong_dimension L : Prop :=
@@ -47,24 +52,27 @@ Definition facet_overused L : Prop := exists s t u f,
 Definition overlap L : Prop := exists s t q, listed L s /\ listed L t /\ conv s q /\ conv t q /\
   forall f, incl f s -> incl f t -> ~ conv f q.
 (** triangulation.unused-point *)
-Definition unused_point S L : Prop := exists p, In p S /\ forall s, listed L s -> ~ In p s.
+Definition unused_point S L : Prop := exists p, In p S /\
+  forall r : list (option (point d)), In r L -> ~ In (Some p) r.
 (** triangulation.hull-not-convex and triangulation.hull-not-closed: a hole in conv S. *)
 Definition uncovered S L : Prop := exists q, conv S q /\ forall s, listed L s -> ~ conv s q.
-(** delaunay.vertex-in-ball: in every open circumball of a simplex. *)
-Definition vertex_in_ball S L : Prop := exists s p, listed L s /\ In p S /\
+(** delaunay.vertex-in-ball: in every open circumball of a simplex.  (Here and below the simplex is
+    a d-simplex, so it has exactly one.) *)
+Definition vertex_in_ball S L : Prop := exists s p, listed_simplex L s /\ In p S /\
   forall c r2, circumball s c r2 -> dist2 c p < r2.
 (** delaunay.facet-not-local: two simplices share d vertices, and a vertex of the second is in
     every open circumball of the first. *)
-Definition facet_not_local L : Prop := exists s t f v, listed L s /\ listed L t /\
+Definition facet_not_local L : Prop := exists s t f v, listed_simplex L s /\ listed L t /\
   NoDup f /\ length f = d /\ incl f s /\ incl f t /\ In v t /\
   forall c r2, circumball s c r2 -> dist2 c v < r2.
 (** delaunay.facet-not-local with weights: the lifted vertex is below every hyperplane through the
     lifted vertices of the first. *)
 Definition facet_below_plane (h : point d -> R) L : Prop := exists s t f v,
-  listed L s /\ listed L t /\ NoDup f /\ length f = d /\ incl f s /\ incl f t /\ In v t /\
+  listed_simplex L s /\ listed L t /\ NoDup f /\ length f = d /\ incl f s /\ incl f t /\ In v t /\
   forall a b, (forall p, In p s -> plane a b p = h p) -> h v < plane a b v.
 (** weighted.point-below-plane *)
-Definition point_below_plane (h : point d -> R) S L : Prop := exists s p, listed L s /\ In p S /\
+Definition point_below_plane (h : point d -> R) S L : Prop := exists s p,
+  listed_simplex L s /\ In p S /\
   forall a b, (forall v, In v s -> plane a b v = h v) -> h p < plane a b p.
 (** weighted.vertex-submerged: the lifted vertex is strictly above a lifted simplex of points. *)
 Definition vertex_submerged (h : point d -> R) S L : Prop := exists s v X, listed L s /\ In v s /\
@@ -114,7 +122,7 @@ Qed.
 Theorem unused_point_refutes : unused_point S L -> ~ claims_triangulation S L.
 Proof.
   intros (p & Hp & N) (T & -> & _ & V). destruct (V p Hp) as (t & Ht & I).
-  apply (N t); [|assumption]. unfold listed. now apply in_map.
+  apply (N (map Some t)); now apply in_map.
 Qed.
 
 Theorem uncovered_refutes : uncovered S L -> ~ claims_to_fill S L.
@@ -125,13 +133,13 @@ Qed.
 
 Theorem vertex_in_ball_refutes : vertex_in_ball S L -> ~ claims_delaunay S L.
 Proof.
-  intros (s & p & H & Hp & N) (T & -> & _ & D). apply listed_in in H.
+  intros (s & p & [H _] & Hp & N) (T & -> & _ & D). apply listed_in in H.
   destruct (D s H) as (c & r2 & B & E). exact (E p Hp (N c r2 B)).
 Qed.
 
 Theorem facet_not_local_refutes : facet_not_local L -> ~ claims_delaunay S L.
 Proof.
-  intros (s & t & f & v & Hs & Ht & _ & _ & _ & _ & Hv & N)
+  intros (s & t & f & v & [Hs _] & Ht & _ & _ & _ & _ & Hv & N)
     (T & -> & ((_ & _ & _ & V & _) & _) & D).
   apply listed_in in Hs, Ht. destruct (D s Hs) as (c & r2 & B & E).
   exact (E v (V t Ht v Hv) (N c r2 B)).
@@ -140,14 +148,14 @@ Qed.
 Theorem point_below_plane_refutes w : point_below_plane (fun p => norm2 p - w p) S L ->
   ~ claims_weighted_delaunay w S L.
 Proof.
-  intros (s & p & H & Hp & N) (T & -> & _ & D). apply listed_in in H.
+  intros (s & p & [H _] & Hp & N) (T & -> & _ & D). apply listed_in in H.
   destruct (D s H) as (a & b & B & E). specialize (N a b B). specialize (E p Hp). cbn in *. lra.
 Qed.
 
 Theorem facet_below_plane_refutes w : facet_below_plane (fun p => norm2 p - w p) L ->
   ~ claims_weighted_delaunay w S L.
 Proof.
-  intros (s & t & f & v & Hs & Ht & _ & _ & _ & _ & Hv & N) (T & -> & (_ & _ & _ & V & _) & D).
+  intros (s & t & f & v & [Hs _] & Ht & _ & _ & _ & _ & Hv & N) (T & -> & (_ & _ & _ & V & _) & D).
   apply listed_in in Hs, Ht. destruct (D s Hs) as (a & b & B & E).
   specialize (N a b B). specialize (E v (V t Ht v Hv)). cbn in *. lra.
 Qed.

@@ -19,6 +19,8 @@ Extract Inlined Constant Z.leb => "Big.leq".
 Extract Inlined Constant Z.ltb => "Big.lt".
 Extract Inlined Constant Z.eqb => "Big.equal".
 
+(* Lists may be long, and OCaml's function needs no stack for them. *)
+Extract Constant length => "Stdlib.List.length".
 (* The maps of the standard library come with a comparison of keys that is opaque; it is not used. *)
 Set Warnings "-extraction-opaque-accessed".
 Extraction "extracted.ml" check refute.

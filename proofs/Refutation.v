@@ -86,12 +86,12 @@ Fixpoint all_named (r : row) : option (list site) :=
                | _, _ => None
                end
   end.
-(** The d+1 vertices of a simplex that has them. *)
+Definition right_length {A} (l : list A) : bool :=
+  Nat.eqb (length l) (Datatypes.S (dimension pr)).
+(** The d+1 vertices of a simplex that has them.  The length comes first: the recursion that looks
+    the names up is then d+1 deep, however many entries the caller has written. *)
 Definition simplex_of (r : row) : option (list site) :=
-  match all_named r with
-  | Some X => if Nat.eqb (length X) (Datatypes.S (dimension pr)) then Some X else None
-  | None => None
-  end.
+  if right_length r then all_named r else None.
 (** The same, for a simplex that is not degenerate. *)
 Definition proper (X : list site) : bool := negb (orientation pr X =? 0).
 Definition proper_simplex_of (r : row) : option (list site) :=
@@ -174,6 +174,7 @@ Definition point_at (p : positive) (f : site -> bool) : bool :=
   match PM.find p S with Some q => f q | None => false end.
 (** A simplex that is not degenerate, of points of the list. *)
 Definition proper_with (X : list positive) (f : list site -> bool) : bool :=
+  right_length X &&
   match proper_simplex_of (map Some X) with Some Y => f Y | None => false end.
 
 Definition repeats (m n : option positive) : bool :=
@@ -185,7 +186,7 @@ Definition repeats (m n : option positive) : bool :=
 Definition holds (l : list row) (e : evidence) : bool :=
   match e with
   | WrongDimension t =>
-      row_at t (fun r => negb (Nat.eqb (length r) (Datatypes.S (dimension pr))))
+      row_at t (fun r => negb (right_length r))
   | UnknownVertex t i =>
       entry_at t i (fun n => match named n with Some _ => false | None => true end)
   | RepeatedVertex t i j =>

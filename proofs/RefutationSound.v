@@ -56,10 +56,10 @@ Lemma vertices_shaped x X : vertices_are x X -> Forall (well_shaped d) X.
 Proof. intros [_ I _]. eapply incl_Forall; eauto. Qed.
 Lemma simplex_of_vertices x X : simplex_of pr S x = Some X -> vertices_are x X.
 Proof.
-  unfold simplex_of. rewrite (dimension_d M).
-  destruct (all_named S x) as [Y|] eqn:E; [|discriminate].
-  destruct (Nat.eqb_spec (length Y) (Datatypes.S d)) as [N|]; [|discriminate].
-  intros H. injection H as <-. apply all_named_rows in E. destruct E. now constructor.
+  unfold simplex_of, right_length. rewrite (dimension_d M).
+  destruct (Nat.eqb_spec (length x) (Datatypes.S d)) as [N|]; [|discriminate].
+  intros E. apply all_named_rows in E. destruct E as [E I]. constructor; auto.
+  apply (f_equal (@length _)) in E. rewrite !map_length in E. congruence.
 Qed.
 Lemma proper_simplex_of_frame x X : proper_simplex_of pr S x = Some X ->
   vertices_are x X /\ exists t, framed X t.
@@ -104,7 +104,8 @@ Qed.
 Lemma proper_with_in K f : proper_with pr S K f = true ->
   exists X g, framed X g /\ incl X P /\ f X = true.
 Proof.
-  unfold proper_with. destruct (proper_simplex_of pr S (map Some K)) as [X|] eqn:E; [|discriminate].
+  unfold proper_with. rewrite andb_true_iff. intros [_ H]. revert H.
+  destruct (proper_simplex_of pr S (map Some K)) as [X|] eqn:E; [|discriminate].
   apply proper_simplex_of_frame in E. destruct E as (E & g & G). intros H.
   exists X, g. repeat split; try apply E; try apply G; auto.
 Qed.
@@ -208,7 +209,7 @@ Proof.
   apply in_map_iff in Hs. destruct Hs as (x & E & Hx).
   assert (T : existsb (lists S p) l = true); [|congruence].
   apply existsb_exists. exists x. split; [assumption|]. unfold lists. apply existsb_exists.
-  apply (in_map Some) in I. rewrite <- E in I. apply in_map_iff in I. destruct I as (n & En & Hn).
+  rewrite <- E in I. apply in_map_iff in I. destruct I as (n & En & Hn).
   exists n. split; [assumption|]. rewrite caller_named in En.
   destruct (named S n) as [q|] eqn:Eq; [|discriminate]. injection En as En.
   apply (same_place_place M); auto.
@@ -221,10 +222,16 @@ Hypothesis heights : heights_of r h P.
 Lemma heights_among p X : In p P -> incl X P -> heights_of r h (p :: X).
 Proof. intros Hp I q [<-|Hq]; apply heights; auto. Qed.
 
+Lemma framed_simplex X a : framed X a -> listed caller_rows (places X) ->
+  listed_simplex caller_rows (places X).
+Proof.
+  intros FX LX. split; [assumption|]. rewrite <- (framed_vertices X a FX).
+  split; [apply vertices_length|apply vertices_independent].
+Qed.
 Lemma below_breach X a p : framed X a -> incl X P -> listed caller_rows (places X) -> In p P ->
   (0 <? below_sign pr X p)%Z = true -> point_below_plane h caller_points caller_rows.
 Proof.
-  intros FX IX LX Hp B. exists (places X), (place p). split; [assumption|].
+  intros FX IX LX Hp B. exists (places X), (place p). split; [now apply (framed_simplex X a)|].
   split; [now apply caller_point|]. rewrite <- (framed_vertices X a FX).
   apply below_all_planes.
   apply (below_witness M X a FX); auto using heights_among.
@@ -240,6 +247,7 @@ Proof.
   apply nth_error_In in Ev. apply (same_facet_shared M X Y a b FX FY) in SF.
   destruct SF as (N & Len & JX & JY & _).
   exists (places X), (places Y), (places (remove i X)), (place v).
+  split; [now apply (framed_simplex X a)|].
   repeat (split; [assumption || now apply in_map|]).
   rewrite <- (framed_vertices X a FX). apply below_all_planes.
   apply (below_witness M X a FX); auto using heights_among.
@@ -268,7 +276,8 @@ Proof.
   intros Co D H. destruct e; cbn [holds breach] in *.
   - apply row_at_in in H. destruct H as (x & _ & I & H).
     exists (map caller_entry x). split; [assumption|].
-    apply negb_true_iff, Nat.eqb_neq in H. rewrite (dimension_d M) in H. now rewrite map_length.
+    unfold right_length in H. apply negb_true_iff, Nat.eqb_neq in H. rewrite (dimension_d M) in H.
+    now rewrite map_length.
   - apply entry_at_in in H. destruct H as (x & n & _ & I & E & H).
     exists (map caller_entry x). split; [assumption|]. apply nth_error_In in E.
     replace None with (caller_entry n); [now apply in_map|]. rewrite caller_named.

@@ -9,10 +9,14 @@
 #include <fmt/format.h>
 
 #include "oracle/check/domain/judge_domain.hpp"
+#include "oracle/check/flat/judge_flat.hpp"
+#include "oracle/cli/certificate_output.hpp"
 #include "oracle/cli/domain_input.hpp"
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 
@@ -24,6 +28,7 @@ struct CheckOptions {
   std::optional<Claim> claim;
   std::optional<std::string> domain;
   std::optional<DomainKind> domain_kind;
+  std::optional<std::string> certificate;
   check::Options check;
   InputOptions input;
   OutputOptions output;
@@ -63,8 +68,28 @@ std::string domain_line(const LoadedDomain& domain) {
   return fmt::format("domain: {} {}, {}\n", domain.name, word(complex.kind), filled);
 }
 
+// Judges a mesh where it lies in flat arrays. False if that gives no verdict: whatever is to be said of
+// the mesh then is said by those who look at exact numbers.
+bool check_flat(const std::string& path, const CheckOptions& options, Output& output) {
+  if (options.certificate || options.check.by != check::By::kLemma) return false;
+  const auto mesh = formats::read_flat_mesh(
+      {path, options.input.points, options.input.coordinates, options.input.neighbors});
+  if (!mesh) return false;
+  const Claim claim = options.claim.value_or(Claim::kDelaunay);
+  const auto verdict = check::judge_flat(claim, *mesh, options.check);
+  if (!verdict) return false;
+  output.exit_with(ExitCode::kHolds);
+  const Mesh not_needed{PointSet({}), {}};  // what holds names no part of the mesh
+  if (output.wants_text()) output.text(report::verdict_line(*verdict, not_needed, path) + "\n");
+  if (output.wants_json()) {
+    output.json(report::verdict(*verdict, not_needed, path, options.check.by));
+  }
+  return true;
+}
+
 void check_one(const std::string& path, const CheckOptions& options, const LoadedDomain* domain,
                Output& output) {
+  if (domain == nullptr && check_flat(path, options, output)) return;
   const auto dimension =
       domain == nullptr ? std::optional<std::size_t>() : domain->domain.complex.ambient_dimension();
   const auto loaded = load_mesh(path, options.input, dimension);
@@ -100,8 +125,10 @@ void check_one(const std::string& path, const CheckOptions& options, const Loade
       result["notes"] = domain->file.notes;
       for (const std::string& note : loaded->notes) result["notes"].push_back(note);
     }
+    if (options.certificate) result["certificate"] = *options.certificate;
     output.json(std::move(result));
   }
+  if (options.certificate) write_certificate(*options.certificate, path, mesh, verdict, output);
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
@@ -126,6 +153,17 @@ std::string usage_fault(const CheckOptions& options) {
   }
   if (options.domain_kind && !options.domain) {
     return "expected --domain FILE beside --domain-kind, found none";
+  }
+  if (options.certificate && options.meshes.size() != 1) {
+    return fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size());
+  }
+  if (options.certificate && options.domain) {
+    return "expected no --domain beside --certificate, found one: certificates are of the claims "
+           "triangulation, delaunay and weighted-delaunay";
+  }
+  if (options.certificate == "-") {
+    return "expected a file for --certificate, found -; circumspect certify writes to standard "
+           "output";
   }
   return "";
 }
@@ -161,28 +199,15 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "5 internal error.");
   command
       ->add_option("mesh", options->meshes,
-                   "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i; "
-                   "- for JSON on stdin")
+                   "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i, "
+                   ".npy (with --points); - for JSON on stdin")
       ->required();
-  const std::map<std::string, Claim> claims = {
-      {"triangulation", Claim::kTriangulation},
-      {"delaunay", Claim::kDelaunay},
-      {"weighted-delaunay", Claim::kWeightedDelaunay},
-      {"plc-triangulation", Claim::kPlcTriangulation},
-      {"steiner-triangulation", Claim::kSteinerTriangulation},
-      {"cdt", Claim::kCdt},
-      {"steiner-cdt", Claim::kSteinerCdt},
-      {"conforming-delaunay", Claim::kConformingDelaunay}};
-  command
-      ->add_option(
-          "--claim", options->claim,
-          "What is claimed of the mesh (default: delaunay; with a domain cdt, or steiner-cdt "
-          "if the mesh has more vertices); weights are the first attribute of a .node "
-          "file, as for tetgen -w, or the key weights of JSON")
-      ->transform(CLI::CheckedTransformer(claims, CLI::ignore_case).description(""))
-      ->option_text(
-          "triangulation|delaunay|weighted-delaunay|plc-triangulation|steiner-triangulation|cdt|"
-          "steiner-cdt|conforming-delaunay");
+  add_claim_option(*command, options->claim,
+                   "What is claimed of the mesh (default: delaunay; with a domain cdt, or "
+                   "steiner-cdt if the mesh has "
+                   "more vertices); weights are the first attribute of a .node file, as for tetgen "
+                   "-w, or the key "
+                   "weights of JSON");
   command
       ->add_option("--domain", options->domain,
                    "The domain that the mesh is to fill: .poly, .smesh, .off, .stl, .ply, .mesh; "
@@ -197,8 +222,12 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--by", options->check.by,
                    "Judge by the lemmas (default) or, slowly, by the definitions")
-      ->transform(CLI::CheckedTransformer(ways, CLI::ignore_case).description(""))
+      ->transform(one_of(ways))
       ->option_text("lemma|definition");
+  command
+      ->add_option("--certificate", options->certificate,
+                   "Write what proves the verdict, as circumspect certify does")
+      ->option_text("FILE");
   command->add_flag("--oriented", options->check.oriented,
                     "Demand that all simplices list their vertices with one orientation");
   command->add_flag("--neighbors", options->input.neighbors,
@@ -206,7 +235,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--max-errors", options->check.max_violations,
                    "How many witnesses are kept (default 20; 0: all)")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(whole_number())
       ->option_text("N");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

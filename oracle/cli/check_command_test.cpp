@@ -70,6 +70,27 @@ TEST_CASE("check: exit code 2 for what is no command line") {
   }
 }
 
+TEST_CASE("check: what is no word or number of an option is answered with those that are") {
+  const Meshes meshes;
+  const auto said = [&](const std::string& option, const std::string& value) {
+    return run({"check", option, value, meshes.good}).err;
+  };
+  const std::string more = "\nRun with --help for more information.\n";
+  CHECK(said("--by", "foo") == "--by: expected definition|lemma, found foo" + more);
+  CHECK(said("--max-errors", "-1") ==
+        "--max-errors: expected a whole number from 0 to 2^64 - 1, found -1" + more);
+  CHECK(said("--claim", "foo") ==
+        "--claim: expected cdt|conforming-delaunay|delaunay|plc-triangulation|steiner-cdt|"
+        "steiner-triangulation|triangulation|weighted-delaunay, found foo" +
+            more);
+  CHECK(said("--domain-kind", "foo") == "--domain-kind: expected enclosed|hull, found foo" + more);
+  CHECK(said("--coordinates", "x") == "--coordinates: expected decimal|double, found x" + more);
+  CHECK(said("--duplicates", "x") == "--duplicates: expected merge|reject, found x" + more);
+  CHECK(said("--format", "xml") == "--format: expected json|text, found xml" + more);
+  CHECK(run({"check", "--by", "Definition", "--claim", "CDT", meshes.good}).exit_code == 2);
+  CHECK(run({"check", "--by", "Definition", "--claim", "Delaunay", meshes.good}).exit_code == 0);
+}
+
 TEST_CASE("check: exit code 3 for a malformed file, a directory, a file that is not there") {
   const Meshes meshes;
   for (const std::string& path :
@@ -268,7 +289,7 @@ TEST_CASE("every malformed file of the corpus: exit code 3 and one line that say
     std::vector<std::string> arguments = {"check", folder + file};
     std::istringstream more(options);
     for (std::string option; more >> option;) {
-      const bool is_file = arguments.back() == "--domain";
+      const bool is_file = arguments.back() == "--domain" || arguments.back() == "--points";
       arguments.push_back(is_file ? folder + option : option);
     }
     const Run result = run(arguments);

@@ -38,6 +38,7 @@ ExitCode run(int argc, char** argv) {
   app.failure_message(CLI::FailureMessage::simple);
   ExitCode exit_code = ExitCode::kHolds;
   circumspect::cli::add_check(app, exit_code);
+  circumspect::cli::add_certify(app, exit_code);
   circumspect::cli::add_build(app, exit_code);
   circumspect::cli::add_inspect(app, exit_code);
   circumspect::cli::add_replay(app, exit_code);

@@ -10,6 +10,7 @@ class App;
 namespace circumspect::cli {
 
 void add_check(CLI::App& app, ExitCode& exit_code);
+void add_certify(CLI::App& app, ExitCode& exit_code);
 void add_build(CLI::App& app, ExitCode& exit_code);
 void add_inspect(CLI::App& app, ExitCode& exit_code);
 void add_replay(CLI::App& app, ExitCode& exit_code);

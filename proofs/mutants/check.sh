@@ -8,13 +8,14 @@ again=$(mktemp -d)
 trap 'rm -rf "$again"' EXIT
 python3 make.py "$again"
 for file in "$again"/*.cert *.cert; do
+  case "$(basename "$file")" in large--*) continue ;; esac
   cmp -s "$again/$(basename "$file")" "$(basename "$file")" || {
     echo "$(basename "$file") is not what make.py writes: run proofs/mutants/make.py proofs/mutants" >&2
     exit 1
   }
 done
 failures=0
-for file in *.cert; do
+for file in "$again"/*.cert; do
   expected=$(head -n 1 "$file" | cut -c 3-)
   found=$("$program" "$file") && code=0 || code=$?
   case "$expected" in
@@ -32,4 +33,4 @@ done
 sed -n 's/^| `\([a-z-]*\)` |.*/\1/p' ../CERTIFICATE.md | while read -r condition; do
   ls "$condition"*.cert >/dev/null 2>&1 || { echo "no mutant breaks $condition" >&2; exit 1; }
 done
-echo "mutants: $(ls ./*.cert | wc -l) certificates answered as expected"
+echo "mutants: $(ls "$again"/*.cert | wc -l) certificates and refutations answered as expected"

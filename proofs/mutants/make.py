@@ -4,7 +4,8 @@
     proofs/mutants/make.py FOLDER
 
 A file's name begins with the condition of CERTIFICATE.md that it breaks; its first line is a
-comment with the answer that circumspect-verified must give. The certificates of broken meshes are
+comment with the answer that circumspect-verified must give. Refutations are named after their rule.
+Files large--… are not kept: check.sh makes them anew. The certificates of broken meshes are
 as honest as can be: pointers follow the mesh, and only the mesh is wrong.
 """
 
@@ -281,11 +282,57 @@ def malformed():
     yield "malformed--dimension", sound.replace("delaunay 2", "delaunay 4"), "malformed"
 
 
+def refutations():
+    """For each rule evidence that shows it, and evidence that does not, of meshes of one square."""
+    square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1)]
+    fan = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]]
+    halves = [[1, 2, 3], [1, 3, 4]]
+    crossed = [[1, 2, 3], [1, 2, 4]]
+    cases = [  # rule, simplices, evidence, evidence that fails, weights, the point to leave out
+        ("simplex.wrong-dimension", fan + [[1, 2]], "5", "1", None),
+        ("triangulation.unknown-vertex", fan + [[1, 2, -7]], "5 2", "5 1", None),
+        ("simplex.repeated-vertex", fan + [[1, 2, 1]], "5 0 2", "5 0 1", None),
+        ("simplex.degenerate", [[1, 3, 6]] + fan, "1", "2", None),
+        ("complex.duplicate-simplex", fan + [[5, 1, 2]], "1 5", "1 4", None),
+        ("complex.facet-overused", [[1, 2, 3], [1, 2, 4], [1, 2, 5]], "1 2 2 2 3 2", "1 2 2 2 3 1",
+         None),
+        ("complex.overlap", crossed, "1 2 4 1 2", "1 2 0 0 1", None),
+        ("triangulation.covered-twice", crossed, "1 2 4 1 2", "1 1 4 1 2", None),
+        ("triangulation.unused-point", halves, "5", "4", None),
+        ("triangulation.hull-not-convex", fan[:3], "1 2 1 1 5 4 1 0 0", "3 1 1 1 5 4 1 0 0", None),
+        ("triangulation.hull-not-closed", fan[:3], "1 2 1 1 5 4 1 0 0", "1 2 1 1 5 4 1 0 2", None),
+        ("delaunay.vertex-in-ball", halves, "1 5", "1 4", None),
+        ("delaunay.facet-not-local", [[1, 2, 3], [1, 3, 7]], "1 1 2 2", "1 0 2 2", None),
+        ("weighted.point-below-plane", halves, "1 5", "1 4", [0, 0, 0, 0, 0, 0, 0]),
+        ("weighted.vertex-submerged", fan, "1 2 1 2 3", "1 1 1 2 3", [0, 0, 0, 0, -50, 0, 0]),
+    ]
+    for rule, simplices, shows, fails, weights in cases:
+        claim = "weighted-delaunay" if weights else \
+            "delaunay" if rule.startswith("delaunay") else "triangulation"
+        points = square + [(2, 2), (1, 3)]
+        lines = ["circumspect-refutation 1 %s 2 %s" % (claim, rule), "scale 1 1",
+                 "points %d" % len(points)]
+        lines += [" ".join(map(str, [*p, *([weights[v]] if weights else []), v]))
+                  for v, p in enumerate(points)]
+        lines.append("simplices %d" % len(simplices))
+        lines += [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        for name, evidence, answer in (
+                ("shown", shows, "verified: not %s, %s" % (claim, rule)),
+                ("not-shown", fails, "rejected: the evidence does not show " + rule)):
+            yield "%s--%s" % (rule, name), \
+                "\n".join(lines + ["because " + evidence, "end"]) + "\n", answer
+    row = " ".join(["1"] * 200000)
+    yield "large--simplex-of-200000-vertices", \
+        "circumspect-refutation 1 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 1\n0 0 0\n" \
+        "simplices 1\n200000 %s\nbecause 1\nend\n" % row, \
+        "verified: not delaunay, simplex.wrong-dimension"
+
+
 def main():
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
     for name, content, answer in itertools.chain(
-            ((name, text(c), answer) for name, c, answer in files()), malformed()):
+            ((name, text(c), answer) for name, c, answer in files()), refutations(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -11,14 +11,15 @@ let wall c expected = function
     let (t, j), rest = pair c expected number index tokens in
     (Neighbour (t, j), rest)
 
+(* The certificate, and the labels of its points. *)
 let read c claimed =
   let numerator, denominator = scale c in
   let expected = "the coordinates of a point, its simplex, its vertex there and a label" in
   let points = section c "points" expected (fun tokens ->
       let position, rest = site c expected c.weighted tokens in
       let (home, home_vertex), rest = pair c expected number (unless_dash index) rest in
-      let _, rest = take c integer 1 expected rest in
-      ({ position; home; home_vertex }, rest)) in
+      let label, rest = take c integer 1 expected rest in
+      (({ position; home; home_vertex }, List.hd label), rest)) in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
   let simplices = section c "simplices" expected (fun tokens ->
       let corners, rest = take c number (c.d + 1) expected tokens in
@@ -36,5 +37,7 @@ let read c claimed =
   let sample_denominator, rest = take c integer 1 expected rest in
   no_more c expected rest;
   ending c;
-  { claimed; numerator; denominator; points; simplices; hull; sample_simplex = List.hd simplex;
-    sample; sample_denominator = List.hd sample_denominator }
+  let labels = List.rev (List.rev_map snd points) in
+  let points = List.rev (List.rev_map fst points) in
+  ({ claimed; numerator; denominator; points; simplices; hull; sample_simplex = List.hd simplex;
+     sample; sample_denominator = List.hd sample_denominator }, labels)

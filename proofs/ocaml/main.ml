@@ -1,9 +1,12 @@
 (* circumspect-verified FILE: checks a certificate or a refutation, prints one line.
-   Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable. *)
+   circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
+   Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
+   told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified FILE   (a certificate or refutation that `circumspect \
-certify` wrote; `-` is standard input)"
+let usage = "usage: circumspect-verified [--mesh] FILE\n\
+FILE is a certificate or a refutation that `circumspect certify` wrote; `-` is standard input.\n\
+--mesh prints the points and simplices that it is about, by your own labels, and checks nothing."
 
 let read_all channel =
   let buffer = Buffer.create 65536 in
@@ -60,40 +63,67 @@ let context source claim dimension =
 let counts d points simplices =
   Printf.sprintf "%d points, %d %s" points simplices (if d = 2 then "triangles" else "tetrahedra")
 
-(* The line to print, and the exit code. *)
-let verdict source =
+let number numeral = Big.to_int (Big.of_numeral numeral)
+
+(* What a file is about, and what checking it says: the line to print, and the exit code. *)
+type content = { mesh : unit -> unit; verdict : unit -> string * int }
+
+let certificate (c : Reading.context) space claim claimed =
+  let certificate, labels = Certificate_file.read c claimed in
+  let sites = List.rev (List.rev_map (fun e -> e.position) certificate.points) in
+  let simplices = List.rev (List.rev_map (fun (e : simplex_entry) ->
+      List.map (fun v -> Some (number v)) e.corners) certificate.simplices) in
+  let verdict () = match check space certificate with
+    | Accepted ->
+      (Printf.sprintf "verified: %s, %s" claim
+         (counts c.d (List.length sites) (List.length simplices)), 0)
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1) in
+  let unit = (certificate.numerator, certificate.denominator) in
+  { mesh = (fun () -> Mesh_text.print unit c.weighted sites labels simplices); verdict }
+
+let refutation (c : Reading.context) space claim claimed rule =
+  let refutation, labels = Refutation_file.read c claimed rule in
+  let simplices = List.rev (List.rev_map (List.map (Option.map number)) refutation.rows) in
+  let verdict () =
+    if refute space refutation then (Printf.sprintf "verified: not %s, %s" claim rule, 0)
+    else ("rejected: the evidence does not show " ^ rule, 1) in
+  let unit = (refutation.unit_numerator, refutation.unit_denominator) in
+  { mesh = (fun () -> Mesh_text.print unit c.weighted refutation.sites labels simplices); verdict }
+
+let content source =
   let first = "'circumspect-certificate 1 CLAIM D' or 'circumspect-refutation 1 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claim dimension in
-    let certificate = Certificate_file.read c claimed in
-    (match check space certificate with
-     | Accepted ->
-       (Printf.sprintf "verified: %s, %s" claim
-          (counts c.d (List.length certificate.points) (List.length certificate.simplices)), 0)
-     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1))
+    certificate c space claim claimed
   | [ "circumspect-refutation"; "1"; claim; dimension; rule ] ->
     let c, claimed, space = context source claim dimension in
-    let refutation = Refutation_file.read c claimed rule in
-    if refute space refutation then
-      (Printf.sprintf "verified: not %s, %s" claim rule, 0)
-    else ("rejected: the evidence does not show " ^ rule, 1)
+    refutation c space claim claimed rule
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
 let () =
   (* Little of what is read becomes garbage: collect seldom. *)
   Gc.set { (Gc.get ()) with Gc.space_overhead = 400; minor_heap_size = 1 lsl 20 };
-  let name = match Sys.argv with
+  let only_mesh, name = match Sys.argv with
     | [| _; ("-h" | "--help") |] -> print_endline usage; exit 0
-    | [| _; name |] -> name
+    | [| _; "--mesh"; name |] -> (true, name)
+    | [| _; name |] -> (false, name)
     | _ -> prerr_endline usage; exit 2 in
-  let malformed message = (Printf.sprintf "malformed: %s%s" name message, 3) in
+  let shown = String.escaped name in
+  let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in
   let line, code =
-    match verdict (Text.of_string (read_file name)) with
-    | result -> result
+    match content (Text.of_string (read_file name)) with
+    | content when only_mesh ->
+      (match content.mesh () with
+       | () -> exit 0
+       | exception Sys_error _ -> close_out_noerr stdout; exit 5
+       | exception Division_by_zero -> malformed ": the scale is zero")
+    | content -> content.verdict ()
     | exception Text.Malformed (line, message) -> malformed (Printf.sprintf ":%d: %s" line message)
-    | exception Sys_error message -> (Printf.sprintf "malformed: cannot read %s" message, 3)
+    | exception Sys_error message ->
+      (Printf.sprintf "malformed: cannot read %s: %s" shown (String.escaped message), 3)
     | exception Out_of_memory -> malformed ": too large for the memory of this machine"
     | exception Stack_overflow -> malformed ": a line is too long for the stack" in
-  print_endline line;
-  exit code
+  match print_endline line with
+  | () -> exit code
+  | exception Sys_error _ -> close_out_noerr stdout; exit 5

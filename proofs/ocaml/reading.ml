@@ -20,15 +20,14 @@ let integer c token = Text.integer c.source token
 let index c token = min (count c token) (c.d + 1)
 let unless_dash read c token = if token = "-" then None else Some (read c token)
 
-(* The first [n] tokens, each read, and the others. *)
-let rec take c read n expected tokens =
-  if n = 0 then ([], tokens)
-  else match tokens with
-    | token :: rest ->
-      let value = read c token in
-      let values, others = take c read (n - 1) expected rest in
-      (value :: values, others)
-    | [] -> Text.fail c.source expected "the end of the line"
+(* The first [n] tokens, each read, and the others; a line may have millions. *)
+let take c read n expected tokens =
+  let rec go n read_so_far tokens =
+    if n = 0 then (List.rev read_so_far, tokens)
+    else match tokens with
+      | token :: rest -> go (n - 1) (read c token :: read_so_far) rest
+      | [] -> Text.fail c.source expected "the end of the line" in
+  go n [] tokens
 
 let site c expected weighted tokens =
   let coordinates, rest = take c integer c.d expected tokens in
@@ -41,7 +40,7 @@ let no_more c expected = function
 
 (* A line that begins with the word [name]: its other tokens. *)
 let line c name rest_expected =
-  let expected = "'" ^ name ^ " " ^ rest_expected ^ "'" in
+  let expected = "'" ^ String.trim (name ^ " " ^ rest_expected) ^ "'" in
   match Text.next_of c.source expected with
   | word :: rest when word = name -> (expected, rest)
   | word :: _ -> Text.fail c.source expected (Text.quote word)

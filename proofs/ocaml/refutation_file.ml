@@ -77,15 +77,18 @@ let evidence c rule simplices tokens =
   no_more c expected rest;
   found
 
+(* The refutation, and the labels of its points. *)
 let read c refuted rule =
   let unit_numerator, unit_denominator = scale c in
   let expected = "the coordinates of a point and a label" in
   let sites = section c "points" expected (fun tokens ->
       let position, rest = site c expected c.weighted tokens in
-      let _, rest = take c integer 1 expected rest in
-      (position, rest)) in
+      let label, rest = take c integer 1 expected rest in
+      ((position, List.hd label), rest)) in
+  let labels = List.rev (List.rev_map snd sites) in
+  let sites = List.rev (List.rev_map fst sites) in
   let rows = section c "simplices" "a simplex" (simplex c) in
   let _, tokens = line c "because" "EVIDENCE" in
   let because = evidence c rule rows tokens in
   ending c;
-  { refuted; unit_numerator; unit_denominator; sites; rows; because }
+  ({ refuted; unit_numerator; unit_denominator; sites; rows; because }, labels)

@@ -1,0 +1,149 @@
+#include "oracle/certificate/certificate.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numeric>
+
+#include "oracle/certificate/face_uses.hpp"
+#include "oracle/certificate/point_location.hpp"
+#include "oracle/certificate/sidedness.hpp"
+
+namespace circumspect::certificate {
+namespace {
+
+std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
+  std::vector<Vertex> order(points.size());
+  std::iota(order.begin(), order.end(), Vertex{0});
+  std::sort(order.begin(), order.end(), [&](Vertex a, Vertex b) {
+    for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+      const int comparison = cmp(points.coordinate(a, axis), points.coordinate(b, axis));
+      if (comparison != 0) return comparison < 0;
+    }
+    return a < b;
+  });
+  return order;
+}
+
+// Swaps two vertices where that makes the orientation positive.
+std::vector<CertifiedSimplex> positive_simplices(const Mesh& mesh, const ScaledPoints& points) {
+  Sidedness sidedness(points);
+  std::vector<CertifiedSimplex> simplices(mesh.simplices.size());
+  const std::size_t size = points.dimension + 1;
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    const Simplex& simplex = mesh.simplices[s];
+    assert(simplex.size() == size);
+    std::array<Vertex, 4>& vertices = simplices[s].vertices;
+    std::copy(simplex.begin(), simplex.end(), vertices.begin());
+    if (sidedness.orientation(simplex) < 0) std::swap(vertices[size - 2], vertices[size - 1]);
+  }
+  return simplices;
+}
+
+std::vector<std::uint32_t> short_indices(std::span<const Vertex> vertices) {
+  return {vertices.begin(), vertices.end()};
+}
+
+// Matches the facets two by two; what is left over is the hull.
+void match_facets(Certificate& certificate) {
+  const std::size_t size = certificate.points.dimension + 1;
+  std::vector<FaceUse> uses;
+  uses.reserve(size * certificate.simplices.size());
+  std::array<std::uint32_t, 4> vertices{};
+  for (std::size_t s = 0; s < certificate.simplices.size(); ++s) {
+    std::copy_n(certificate.simplices[s].vertices.begin(), size, vertices.begin());
+    for (std::size_t place = 0; place < size; ++place) {
+      uses.push_back(face_use(std::span(vertices).first(size), s, place));
+    }
+  }
+  for_each_face(uses, [&](std::span<const FaceUse> group) {
+    const FaceUse& use = group.front();
+    Across& across = certificate.simplices[use.cell].across[use.place];
+    if (group.size() == 1) {
+      across.cell = static_cast<std::uint32_t>(certificate.hull.size());
+      certificate.hull.push_back({use.cell, use.place});
+      return;
+    }
+    assert(group.size() == 2);
+    const FaceUse& other = group.back();
+    across = {other.cell, static_cast<std::int32_t>(other.place)};
+    certificate.simplices[other.cell].across[other.place] = {use.cell,
+                                                             static_cast<std::int32_t>(use.place)};
+  });
+}
+
+// The ridges of the hull lie in two hull facets each.
+void match_ridges(Certificate& certificate) {
+  const std::size_t size = certificate.points.dimension + 1;
+  std::vector<FaceUse> uses;
+  uses.reserve((size - 1) * certificate.hull.size());
+  for (std::size_t h = 0; h < certificate.hull.size(); ++h) {
+    const HullFacet& facet = certificate.hull[h];
+    std::vector<std::uint32_t> vertices =
+        short_indices(std::span(certificate.simplices[facet.simplex].vertices).first(size));
+    vertices.erase(vertices.begin() + facet.place);
+    for (std::size_t place = 0; place < vertices.size(); ++place) {
+      uses.push_back(face_use(vertices, h, place));
+    }
+  }
+  for_each_face(uses, [&](std::span<const FaceUse> group) {
+    assert(group.size() == 2);
+    const FaceUse& a = group.front();
+    const FaceUse& b = group.back();
+    certificate.hull[a.cell].across[a.place] = {b.cell, static_cast<std::int32_t>(b.place)};
+    certificate.hull[b.cell].across[b.place] = {a.cell, static_cast<std::int32_t>(a.place)};
+  });
+}
+
+// Points that are no vertices, which only a weighted triangulation has, are looked for.
+void find_incidences(Certificate& certificate) {
+  const std::size_t size = certificate.points.dimension + 1;
+  std::vector<std::optional<Incidence>> found(certificate.points.size());
+  for (std::size_t s = 0; s < certificate.simplices.size(); ++s) {
+    for (std::size_t place = 0; place < size; ++place) {
+      const auto v = static_cast<std::size_t>(certificate.simplices[s].vertices[place]);
+      if (!found[v]) found[v] = Incidence{static_cast<std::uint32_t>(s), place};
+    }
+  }
+  std::uint32_t near = 0;
+  for (std::size_t v = 0; v < found.size(); ++v) {
+    if (!found[v]) {
+      near = simplex_that_contains(certificate, static_cast<Vertex>(v), near);
+      found[v] = Incidence{near, std::nullopt};
+    }
+    certificate.incidences.push_back(*found[v]);
+  }
+}
+
+// The barycentre of the first simplex is in the interior of what the mesh covers, so on the inner side
+// of all hull facets, and in no other simplex (oracle/check/README.md).
+void choose_sample(Certificate& certificate) {
+  const std::size_t size = certificate.points.dimension + 1;
+  const std::array<Vertex, 4>& first = certificate.simplices.front().vertices;
+  certificate.sample = barycentre(certificate.points, Simplex(first.begin(), first.begin() + size));
+  Sidedness sidedness(certificate.points);
+  for (std::size_t s = 1; s < certificate.simplices.size(); ++s) {
+    CertifiedSimplex& simplex = certificate.simplices[s];
+    const auto vertices = std::span<const Vertex>(simplex.vertices).first(size);
+    simplex.separating = sidedness.separating_place(vertices, 1, certificate.sample);
+    assert(simplex.separating);
+  }
+}
+
+}  // namespace
+
+Certificate certificate_of(const Mesh& mesh, Claim claim, ScaledPoints points) {
+  assert(!mesh.simplices.empty());
+  assert(mesh.points.size() < std::numeric_limits<std::uint32_t>::max());
+  assert(mesh.simplices.size() < std::numeric_limits<std::uint32_t>::max());
+  Certificate certificate{claim, std::move(points)};
+  certificate.order = lexicographic_order(certificate.points);
+  certificate.simplices = positive_simplices(mesh, certificate.points);
+  match_facets(certificate);
+  match_ridges(certificate);
+  find_incidences(certificate);
+  choose_sample(certificate);
+  return certificate;
+}
+
+}  // namespace circumspect::certificate

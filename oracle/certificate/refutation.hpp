@@ -1,0 +1,34 @@
+// What proves that a claim does not hold of a mesh: one fault, with the evidence by which it can be
+// seen. proofs/CERTIFICATE.md says which evidence each rule takes.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <vector>
+
+#include "oracle/certificate/scaled_points.hpp"
+#include "oracle/mesh.hpp"
+#include "oracle/verdict.hpp"
+
+namespace circumspect::certificate {
+
+struct Refutation {
+  Claim claim;
+  Rule rule;
+  std::vector<Integer> because;  // the tokens of the evidence
+};
+
+// Of the rules that the verdict says are broken the first that can be shown; or the fault behind it,
+// where evidence of another kind says more surely what is wrong: where what should be bare beyond a
+// hull facet is covered, complex.overlap. Linear in the mesh for all but rare kinds of fault. Nothing
+// if all that is broken is no part of the claim: simplex.orientation, complex.wrong-neighbor.
+// Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that is
+// the dimension of their affine hull.
+std::optional<Refutation> refutation_of(const Mesh& mesh, const Verdict& verdict,
+                                        const ScaledPoints& points);
+
+// As proofs/CERTIFICATE.md lays it out.
+void write(std::ostream& out, const Mesh& mesh, const ScaledPoints& points,
+           const Refutation& refutation);
+
+}  // namespace circumspect::certificate

@@ -1,0 +1,122 @@
+#include "oracle/certificate/scaled_points.hpp"
+
+namespace circumspect::certificate {
+namespace {
+
+// The least common multiple of all denominators, or 0 if the points would take too many bits.
+Integer least_common_denominator(const PointSet& points, double most_bits) {
+  Integer scale = 1;
+  const auto numbers = static_cast<double>(points.size() * points.ambient_dimension());
+  for (const Point& point : points.points()) {
+    for (const Rational& x : point) {
+      if (scale % x.get_den() == 0) continue;
+      scale = least_common_multiple(scale, x.get_den());
+      if (static_cast<double>(bit_length(scale)) * numbers > most_bits) return 0;
+    }
+  }
+  return scale;
+}
+
+// Sets coordinates and scale. `denominator` is a common one.
+void scale_coordinates(const PointSet& points, const Integer& denominator, ScaledPoints& scaled) {
+  scaled.coordinates.reserve(points.size() * scaled.dimension);
+  Integer common = 0;
+  for (const Point& point : points.points()) {
+    for (const Rational& x : point) {
+      scaled.coordinates.push_back(x.get_num() * exact_quotient(denominator, x.get_den()));
+      if (common != 1) common = gcd(common, scaled.coordinates.back());
+    }
+  }
+  // The denominator is the least, so it has no factor in common with all numerators.
+  scaled.scale_denominator = denominator;
+  if (common <= 1) return;
+  for (Integer& x : scaled.coordinates) x = exact_quotient(x, common);
+  scaled.scale_numerator = common;
+}
+
+// A small k whose square is a multiple of n: the least if n has at most one prime factor above the
+// bound that makes it no square.
+Integer root_of_square_multiple(Integer n) {
+  constexpr unsigned kLargestTrial = 1000;
+  Integer root = 1;
+  for (unsigned prime = 2; prime <= kLargestTrial; ++prime) {
+    std::size_t exponent = 0;
+    for (; n % prime == 0; ++exponent) n /= prime;
+    for (std::size_t i = 0; i < (exponent + 1) / 2; ++i) root *= prime;
+  }
+  const Integer rest = sqrt(n);
+  return root * (rest * rest == n ? rest : n);
+}
+
+// Makes the scale so fine that the weights are integers over its square too.
+void scale_weights(const PointSet& points, ScaledPoints& scaled) {
+  const Rational scale = Rational(scaled.scale_numerator) / scaled.scale_denominator;
+  Integer denominators = 1;
+  std::vector<Rational> weights;
+  for (Vertex v = 0; points.names(v); ++v) {
+    weights.push_back(points.weight(v) / (scale * scale));
+    denominators = least_common_multiple(denominators, weights.back().get_den());
+  }
+  const Integer finer = root_of_square_multiple(denominators);
+  if (finer != 1) {
+    for (Integer& x : scaled.coordinates) x *= finer;
+  }
+  for (const Rational& weight : weights) {
+    scaled.weights.push_back(weight.get_num() * exact_quotient(finer * finer, weight.get_den()));
+  }
+  const Rational finest = scale / finer;
+  scaled.scale_numerator = finest.get_num();
+  scaled.scale_denominator = finest.get_den();
+}
+
+}  // namespace
+
+tl::expected<ScaledPoints, std::string> scaled_to_integers(const PointSet& points,
+                                                           double most_bits) {
+  ScaledPoints scaled;
+  scaled.dimension = points.ambient_dimension();
+  const Integer denominator = least_common_denominator(points, most_bits);
+  if (denominator == 0) {
+    return tl::unexpected(
+        std::string("a certificate lists all points as integers over one denominator, and the "
+                    "denominators of these have so little in common that it would take gigabytes"));
+  }
+  scale_coordinates(points, denominator, scaled);
+  if (points.is_weighted()) scale_weights(points, scaled);
+  return scaled;
+}
+
+HomogeneousPoint in_lowest_terms(HomogeneousPoint point) {
+  Integer factor = point.denominator;
+  for (const Integer& x : point.numerators) factor = gcd(factor, x);
+  if (factor == 1) return point;
+  for (Integer& x : point.numerators) x = exact_quotient(x, factor);
+  point.denominator = exact_quotient(point.denominator, factor);
+  return point;
+}
+
+HomogeneousPoint scaled(const ScaledPoints& points, const Point& point) {
+  const Rational factor = Rational(points.scale_denominator) / points.scale_numerator;
+  const Point among_integers = factor * point;
+  HomogeneousPoint result;
+  for (const Rational& x : among_integers) {
+    result.denominator = least_common_multiple(result.denominator, x.get_den());
+  }
+  for (const Rational& x : among_integers) {
+    result.numerators.push_back(x.get_num() * exact_quotient(result.denominator, x.get_den()));
+  }
+  return result;
+}
+
+HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices) {
+  HomogeneousPoint sum{std::vector<Integer>(points.dimension, Integer(0)),
+                       Integer(static_cast<unsigned long>(vertices.size()))};
+  for (const Vertex v : vertices) {
+    for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+      sum.numerators[axis] += points.coordinate(v, axis);
+    }
+  }
+  return in_lowest_terms(std::move(sum));
+}
+
+}  // namespace circumspect::certificate

@@ -1,0 +1,121 @@
+// The proved checker against the C++ one: of the corpus, and of a thousand random and degenerate
+// meshes, whole and broken, what the oracle says is verified, and in the words of its first rule.
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include "corpus/expected_table.hpp"
+#include "oracle/certificate/document.hpp"
+#include "properties/generators/point_sets.hpp"
+#include "properties/generators/run.hpp"
+#include "properties/mutations/mutations.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+
+namespace circumspect::proofs {
+namespace {
+
+using generators::PointsCase;
+
+// What circumspect-verified prints of a file with this text.
+std::string verified(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("circumspect-verified-" + std::to_string(getpid()) + ".cert");
+  std::ofstream(path) << text;
+  const std::string command = CIRCUMSPECT_VERIFIED " " + path.string();
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  REQUIRE(pipe);
+  std::string line;
+  std::array<char, 256> part = {};
+  while (fgets(part.data(), part.size(), pipe.get()) != nullptr) line += part.data();
+  std::filesystem::remove(path);
+  return line;
+}
+
+struct Answer {
+  std::string expected;  // how the line begins
+  std::string found;
+};
+
+// Requires: the points span the plane or space.
+Answer answer_of(const Mesh& mesh, const Verdict& verdict) {
+  const auto document = certificate::document_of(mesh, verdict);
+  if (!document) return {"a document", document.error()};
+  std::ostringstream text;
+  certificate::write(text, mesh, *document);
+  const std::string claim(name(verdict.claim()));
+  if (verdict.holds()) return {"verified: " + claim + ", ", verified(text.str())};
+  const auto& refutation = std::get<certificate::RefutationWithPoints>(*document).refutation;
+  return {"verified: not " + claim + ", " + std::string(identifier(refutation.rule)),
+          verified(text.str())};
+}
+
+bool spans_plane_or_space(const PointSet& points) {
+  const int d = static_cast<int>(points.ambient_dimension());
+  return (d == 2 || d == 3) && points.dimension() == d;
+}
+
+// Rules of the options, not of the claim.
+bool is_about_options(const std::set<std::string>& rules) {
+  return rules == std::set<std::string>{"simplex.orientation"} ||
+         rules == std::set<std::string>{"complex.wrong-neighbor"};
+}
+
+TEST_CASE("each verdict of the corpus in the plane and in space is verified") {
+  std::size_t accepted = 0;
+  std::size_t refuted = 0;
+  for (const corpus::Row& row : corpus::expected_rows()) {
+    if (is_about_options(row.broken)) continue;
+    INFO(row.text);
+    const Mesh mesh = corpus::mesh_of(row);
+    if (!spans_plane_or_space(mesh.points)) continue;
+    const Verdict verdict = check::judge(row.claim, mesh, row.options);
+    CHECK(verdict.holds() == row.broken.empty());
+    const Answer answer = answer_of(mesh, verdict);
+    CHECK(answer.found.starts_with(answer.expected));
+    ++(verdict.holds() ? accepted : refuted);
+  }
+  MESSAGE(accepted << " certificates and " << refuted << " refutations of the corpus verified");
+  CHECK(accepted > 100);
+  CHECK(refuted > 50);
+}
+
+TEST_CASE("verdicts on a thousand random and degenerate meshes, whole and broken, are verified") {
+  std::size_t accepted = 0;
+  std::size_t refuted = 0;
+  for (const std::size_t d : {2u, 3u}) {
+    for (const bool is_weighted : {false, true}) {
+      CAPTURE(d);
+      CAPTURE(is_weighted);
+      CHECK(properties::holds("what the oracle says is verified", 250, [&] {
+        const auto sets = generators::any_point_set(d, 12);
+        const PointsCase set =
+            is_weighted ? *generators::weighted(sets, 12) : *generators::unweighted(sets);
+        const PointSet points(set.points, set.weights);
+        RC_PRE(spans_plane_or_space(points));
+        std::vector<Simplex> simplices = delaunay::bowyer_watson(points).simplices();
+        const int kind = *rc::gen::inRange(0, 3);
+        if (kind == 1) simplices = (*properties::corruption(simplices, points.size())).simplices;
+        if (kind == 2) simplices = (*properties::alteration(simplices, points.size())).simplices;
+        const Claim claim = points.is_weighted()          ? Claim::kWeightedDelaunay
+                            : *rc::gen::arbitrary<bool>() ? Claim::kDelaunay
+                                                          : Claim::kTriangulation;
+        const Mesh mesh{points, simplices};
+        const Verdict verdict = check::judge(claim, mesh);
+        const Answer answer = answer_of(mesh, verdict);
+        RC_ASSERT(answer.found.substr(0, answer.expected.size()) == answer.expected);
+        ++(verdict.holds() ? accepted : refuted);
+      }));
+    }
+  }
+  MESSAGE(accepted << " certificates and " << refuted << " refutations of random meshes verified");
+  CHECK(accepted > 250);
+  CHECK(refuted > 250);
+}
+
+}  // namespace
+}  // namespace circumspect::proofs
