@@ -35,7 +35,7 @@ set_target_properties(circumspect_archive PROPERTIES
   OUTPUT_NAME circumspect EXPORT_NAME harness LINKER_LANGUAGE CXX)
 target_compile_features(circumspect_archive INTERFACE cxx_std_20)
 target_link_libraries(circumspect_archive INTERFACE
-  rapidcheck fmt::fmt gmpxx gmp mpfr Threads::Threads)
+  rapidcheck fmt::fmt TBB::tbb gmpxx gmp mpfr Threads::Threads)
 target_include_directories(circumspect_archive INTERFACE
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/face.hpp"
@@ -12,7 +13,9 @@
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/formats/npy.hpp"
 #include "oracle/formats/off.hpp"
+#include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/qhull.hpp"
@@ -37,8 +40,30 @@ Result<formats::PointFile> three_points() {
   return formats::PointFile{3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, 1};
 }
 
+// Where the readers of plain files have an answer, the others have one too.
+void expect_agreement(const Source& source) {
+  const formats::RandomAccess file{std::string_view(source.text)};
+  const formats::PlainReading reading{1, 64};
+  const auto node = formats::read_plain_node(file, reading);
+  const auto ele = formats::read_plain_ele(file, 0, reading);
+  const auto neigh = formats::read_plain_neigh(file, reading);
+  const auto points = formats::read_node(source, NumberReading::kDouble);
+  if ((node && (!points || node->coordinates.rows() != points->points.size())) ||
+      (ele && !formats::read_ele(source)) || (neigh && !formats::read_neigh(source))) {
+    std::fputs("a plain file that the other reader refuses\n", stderr);
+    std::abort();
+  }
+  for (std::size_t i = 0; node && i < node->coordinates.rows(); ++i) {
+    for (std::size_t j = 0; j < node->coordinates.columns(); ++j) {
+      if (exact_value(node->coordinates.row(i)[j]) == points->points[i][j]) continue;
+      std::fputs("two readers, two coordinates\n", stderr);
+      std::abort();
+    }
+  }
+}
+
 void read(std::uint8_t format, NumberReading reading, const Source& source) {
-  // The letters 'a' to 'n', so that seeds can be written by hand.
+  // The letters 'a' to 'p', so that seeds can be written by hand.
   switch ((format - 'a') & 15) {
     case 0:
       expect_value_or_line(read_node(source, reading));
@@ -78,6 +103,13 @@ void read(std::uint8_t format, NumberReading reading, const Source& source) {
       return;
     case 12:
       expect_value_or_line(read_ply(source, reading));
+      return;
+    case 14:
+      expect_value_or_line(formats::read_npy_points(source));
+      expect_value_or_line(formats::read_npy_simplices(source));
+      return;
+    case 15:
+      expect_agreement(source);
       return;
     default: {
       const auto medit = read_medit(source, reading);

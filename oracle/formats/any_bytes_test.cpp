@@ -11,6 +11,7 @@
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/formats/npy.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/poly.hpp"
@@ -53,6 +54,8 @@ void read_as_every_format(const std::string& text) {
     expect_success_or_one_line(read_json(source, reading));
     read_as_every_domain(source, reading);
   }
+  expect_success_or_one_line(read_npy_points(source));
+  expect_success_or_one_line(read_npy_simplices(source));
   expect_success_or_one_line(read_ele(source));
   expect_success_or_one_line(read_neigh(source));
   expect_success_or_one_line(read_face(source, 3));

@@ -19,17 +19,19 @@ struct Row {
   std::string options;
   std::string message;
 
-  // The file behind the option --domain; empty if there is none.
-  std::string domain() const {
-    const std::string option = "--domain ";
+  // The file behind an option; empty if it is another.
+  std::string file_behind(const std::string& option) const {
     return options.starts_with(option) ? options.substr(option.size()) : "";
   }
+  std::string domain() const { return file_behind("--domain "); }
+  std::string points() const { return file_behind("--points "); }
 };
 
 // What the readers say of a row; empty if they have no complaint.
 std::string message_of(const Row& row) {
   MeshRequest request{kFolder + row.file};
   if (row.options == "--coordinates decimal") request.reading = NumberReading::kDecimal;
+  if (!row.points().empty()) request.points = kFolder + row.points();
   if (!row.domain().empty()) {
     request.with_faces = true;
     const auto domain = read_domain(kFolder + row.domain(), request.reading);
@@ -71,6 +73,7 @@ TEST_CASE("no malformed file is left out of the table") {
   for (const Row& row : rows()) {
     listed.insert(std::filesystem::path(row.file).stem());
     listed.insert(std::filesystem::path(row.domain()).stem());
+    listed.insert(std::filesystem::path(row.points()).stem());
   }
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     if (entry.path().filename() == "expected.tsv" || entry.path().extension() == ".md") continue;

@@ -13,6 +13,7 @@
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/formats/npy.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/qhull.hpp"
 
@@ -62,6 +63,14 @@ Result<Contents> mesh_of_ele(const Source& source, NumberReading) {
 
 Result<Contents> mesh_of_qhull(const Source& source, NumberReading) {
   return simplices_alone(read_qhull_simplices(source));
+}
+
+Result<RawPoints> points_of_npy(const Source& source, NumberReading) {
+  return points_alone(source, read_npy_points(source));
+}
+
+Result<Contents> mesh_of_npy(const Source& source, NumberReading) {
+  return simplices_alone(read_npy_simplices(source));
 }
 
 Result<Contents> mesh_of_off(const Source& source, NumberReading reading) {
@@ -132,6 +141,7 @@ constexpr std::array kFormats = {
     Format{".json", points_of_json, mesh_of_json, "", ""},
     Format{".off", points_of_off, mesh_of_off, "", ""},
     Format{".mesh", points_of_medit, mesh_of_medit, "", ""},
+    Format{".npy", points_of_npy, mesh_of_npy, "", ""},
     Format{".qhull", points_of_qhull, nullptr, "", ".qhull-i"},
     Format{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
 };
@@ -168,6 +178,7 @@ struct Beginning {
 
 // The format of points in a file whose name does not say it.
 const Format* sniff_points(const Source& source) {
+  if (is_npy(source.text)) return format_of(".npy");
   if (looks_like_json(source)) return format_of(".json");
   const Beginning beginning(source);
   if (is_off_keyword(beginning.first_token)) return format_of(".off");
@@ -178,6 +189,7 @@ const Format* sniff_points(const Source& source) {
 // The same for a mesh; null if it cannot be known. A list of simplices counts only where the user
 // says which points it is about.
 const Format* sniff_mesh(const Source& source, bool has_points) {
+  if (is_npy(source.text)) return format_of(".npy");
   if (looks_like_json(source)) return format_of(".json");
   const Beginning beginning(source);
   if (is_off_keyword(beginning.first_token)) return format_of(".off");
@@ -196,6 +208,10 @@ std::string file_of_simplices(const std::string& path) {
 // Reads a file that goes with another, and says so if it is missing.
 Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view points_beside,
                                      NumberReading reading) {
+  if (points_beside.empty()) {
+    return tl::unexpected(
+        FormatError{mesh, 0, "--points FILE, with the points of these simplices", "none"});
+  }
   const std::string path = with_extension(mesh, points_beside);
   if (exists(path)) return read_points(path, reading);
   return tl::unexpected(FormatError{path, 0, "a file with the points of " + mesh,
@@ -270,17 +286,18 @@ Result<Contents> read_contents(const MeshRequest& request, const std::string& pa
   if (!source) return tl::unexpected(source.error());
   name = source->name;
   format = format_of(extension(path));
-  if (format == nullptr) format = sniff_mesh(*source, request.points.has_value());
+  if (format == nullptr) format = sniff_mesh(*source, request.points || request.own_points);
   if (format != nullptr && format->mesh != nullptr) return format->mesh(*source, request.reading);
   const std::string_view first = Beginning(*source).first_token;
-  return tl::unexpected(FormatError{
-      name, 1,
-      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off, .mesh; JSON or OFF text)",
-      first.empty() ? "nothing" : quote(first)});
+  return tl::unexpected(FormatError{name, 1,
+                                    "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, "
+                                    ".off, .mesh, .npy; JSON or OFF text)",
+                                    first.empty() ? "nothing" : quote(first)});
 }
 
 Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& path,
                                  const Format& format, Contents& contents) {
+  if (request.own_points) return RawPoints{*request.own_points};
   if (request.points) return read_points(*request.points, request.reading);
   if (contents.points) return std::move(*contents.points);
   return read_points_beside(path, format.points_beside, request.reading);
@@ -306,7 +323,7 @@ Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
   if (format == nullptr) format = sniff_points(*source);
   if (format->points != nullptr) return format->points(*source, reading);
   return tl::unexpected(FormatError{source->name, 0,
-                                    "a file of points (.node, .json, .off, .mesh, .qhull)",
+                                    "a file of points (.node, .json, .off, .mesh, .npy, .qhull)",
                                     "a " + std::string(format->extension) + " file"});
 }
 

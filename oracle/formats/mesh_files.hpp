@@ -35,6 +35,7 @@ struct MeshRequest {
   // Of the points of the domain that the mesh is held against, if it is: what says the same in other
   // words is read as the domain's dimension wants it; see fit_to_domain.hpp.
   std::optional<std::size_t> domain_dimension = {};
+  std::optional<PointFile> own_points = {};  // instead of any file's
 };
 
 struct RawMesh {

@@ -183,14 +183,16 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(error_of(mesh_of(lone, ele)) != "no error");
   const std::string unknown = folder.write("x.vtk", "# vtk DataFile\nASCII");
   const std::string known =
-      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off, .mesh; JSON or OFF text)";
+      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off, .mesh, .npy; JSON or OFF "
+      "text)";
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"ASCII\"");
   CHECK(error_of(mesh_of("-", "-")) ==
         "<stdin>: expected the mesh or its points on standard input, found both");
   const auto points = read_points(ele, NumberReading::kDouble);
   REQUIRE(!points);
-  CHECK(points.error().to_string() ==
-        ele + ": expected a file of points (.node, .json, .off, .mesh, .qhull), found a .ele file");
+  CHECK(points.error().to_string() == ele +
+                                          ": expected a file of points (.node, .json, .off, .mesh, "
+                                          ".npy, .qhull), found a .ele file");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

@@ -6,13 +6,13 @@
 #include <circumspect/judgement.hpp>
 
 #include "oracle/check/check.hpp"
+#include "oracle/harness/claim_named.hpp"
 #include "oracle/harness/mesh_of.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect {
-namespace {
 
-Claim claim_named(const std::string& claim) {
+Claim harness::claim_named(const std::string& claim) {
   for (const Claim known : {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay}) {
     if (claim == name(known)) return known;
   }
@@ -20,10 +20,8 @@ Claim claim_named(const std::string& claim) {
                               claim + "'");
 }
 
-}  // namespace
-
 Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices) {
-  const Claim known = claim_named(claim);
+  const Claim known = harness::claim_named(claim);
   const Mesh mesh = harness::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
   const Verdict verdict = check::judge(known, mesh);
   if (verdict.holds()) return {true, "", ""};

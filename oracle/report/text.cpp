@@ -75,8 +75,11 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
                    square_root_to_decimal(squared));
   }
   if (witness.ball) {
-    fmt::format_to(to, "  ball     centre {} radius ~ {}\n", point_text(witness.ball->centre),
-                   square_root_to_decimal(witness.ball->squared_radius));
+    // Heavy points may have an orthogonal ball with an imaginary radius.
+    const bool is_real = sign(witness.ball->squared_radius) >= 0;
+    fmt::format_to(to, "  ball     centre {} {}\n", point_text(witness.ball->centre),
+                   is_real ? "radius ~ " + square_root_to_decimal(witness.ball->squared_radius)
+                           : "squared radius " + value_text(witness.ball->squared_radius));
   }
   for (const NamedValue& value : witness.values) {
     fmt::format_to(to, "  {}: {}\n", value.name, value_text(value.value));

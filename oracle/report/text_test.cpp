@@ -78,6 +78,15 @@ TEST_CASE("explanation: a facet that is not locally Delaunay, with its ball") {
         "delaunay.facet-not-local: worst relative margin 0.7822222222222223\n");
 }
 
+// The ball orthogonal to points heavier than it is wide has a negative squared radius.
+TEST_CASE("explanation: a ball of heavy points has no radius") {
+  const Mesh light = kite();
+  const Mesh heavy{PointSet(light.points.points(), {100, 100, 100, 100}), light.simplices, {}, 1};
+  const std::string text = explanation(check::weighted_delaunay(heavy), heavy);
+  CHECK(text.find("squared radius -375/4") != std::string::npos);
+  CHECK(text.find("radius ~") == std::string::npos);
+}
+
 TEST_CASE("explanation: an overlap, with a common point; an unused point; what was dropped") {
   const Mesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {3, 3}, {9, 9}, {8, 9}}),
                   {{0, 1, 2}, {0, 1, 3}}};

@@ -1,0 +1,104 @@
+// The first stage: polynomials with doubles, and when their signs are certain.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/fast/arithmetic.hpp"
+#include "oracle/fast/filter_bounds.hpp"
+#include "oracle/fast/lattice.hpp"
+#include "oracle/fast/polynomials.hpp"
+#include "oracle/fast/site.hpp"
+
+namespace circumspect::fast {
+
+inline constexpr int kUncertain = 2;
+
+// The largest entry of each column of coordinates, and of weights (0 without).
+struct Scale2 {
+  double x, y, weight = 0;
+};
+struct Scale3 {
+  double x, y, z, weight = 0;
+};
+
+inline Scale2 larger(const Scale2& a, const Scale2& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.weight, b.weight)};
+}
+inline Scale3 larger(const Scale3& a, const Scale3& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z), std::max(a.weight, b.weight)};
+}
+
+// A site as seen from the simplex's last vertex, and the size of what is in it. As operations:
+// differences of coordinates, the height, and if kWeighted the difference of the weights off the height.
+struct FilterRow2 {
+  Row2<double, double> row;
+  Scale2 scale;
+};
+struct FilterRow3 {
+  Row3<double, double> row;
+  Scale3 scale;
+};
+
+template <bool kWeighted>
+FilterRow2 row_from(const Site<2>& origin, const Site<2>& site) {
+  const double x = site.at[0] - origin.at[0], y = site.at[1] - origin.at[1];
+  const double w = height(x, y);
+  if constexpr (!kWeighted) return {{x, y, w}, {std::fabs(x), std::fabs(y)}};
+  const double weight = site.weight - origin.weight;
+  return {{x, y, w - weight}, {std::fabs(x), std::fabs(y), std::fabs(weight)}};
+}
+template <bool kWeighted>
+FilterRow3 row_from(const Site<3>& origin, const Site<3>& site) {
+  const double x = site.at[0] - origin.at[0], y = site.at[1] - origin.at[1],
+               z = site.at[2] - origin.at[2];
+  const double w = height(x, y, z);
+  if constexpr (!kWeighted) return {{x, y, z, w}, {std::fabs(x), std::fabs(y), std::fabs(z)}};
+  const double weight = site.weight - origin.weight;
+  return {{x, y, z, w - weight}, {std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(weight)}};
+}
+
+// The sign of a polynomial whose computed value is `value`, if it is certain. `columns` is the product
+// of the largest entries of its columns, `smallest` and `largest` those of the columns of coordinates.
+// A column of zeros makes the polynomial zero. Differences that overflowed fail the second test, and
+// NaN (from infinities) the comparisons. If `exact`, nothing was rounded.
+inline int certain_sign(double value, double bound, double columns, double smallest, double largest,
+                        double largest_height, bool exact) {
+  if (!(smallest >= kSmallestScale && largest <= kLargestScale &&
+        largest_height <= kLargestHeight)) {
+    return smallest == 0 ? 0 : kUncertain;
+  }
+  const double error = columns * (bound * kRoundedBound);
+  if (value > error) return 1;
+  if (value < -error) return -1;
+  return exact ? (value > 0) - (value < 0) : kUncertain;
+}
+
+inline int certain_sign(double value, double bound, const Scale2& scale, Lattice lattice) {
+  const double largest = std::max(scale.x, scale.y);
+  return certain_sign(value, bound, scale.x * scale.y, std::min(scale.x, scale.y), largest, 0,
+                      lattice.keeps_exact(largest));
+}
+inline int certain_sign(double value, double bound, const Scale3& scale, Lattice lattice) {
+  const double largest = std::max({scale.x, scale.y, scale.z});
+  return certain_sign(value, bound, scale.x * scale.y * scale.z,
+                      std::min({scale.x, scale.y, scale.z}), largest, 0,
+                      lattice.keeps_exact(largest));
+}
+
+// With a column of heights: paraboloid and weights, whichever is larger.
+inline int certain_lifted_sign(double value, double bound, const Scale2& scale, Lattice lattice) {
+  const double largest = std::max(scale.x, scale.y);
+  const double heights = std::max(largest * largest, scale.weight);
+  return certain_sign(value, bound, scale.x * scale.y * heights, std::min(scale.x, scale.y),
+                      largest, heights, lattice.keeps_exact(largest, scale.weight));
+}
+inline int certain_lifted_sign(double value, double bound, const Scale3& scale, Lattice lattice) {
+  const double largest = std::max({scale.x, scale.y, scale.z});
+  const double heights = std::max(largest * largest, scale.weight);
+  return certain_sign(value, bound, scale.x * scale.y * scale.z * heights,
+                      std::min({scale.x, scale.y, scale.z}), largest, heights,
+                      lattice.keeps_exact(largest, scale.weight));
+}
+
+}  // namespace circumspect::fast

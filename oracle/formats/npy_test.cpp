@@ -1,0 +1,202 @@
+// .npy files: what is read, what is refused and with which words.
+#include "oracle/formats/npy.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "oracle/formats/npy_bytes_test.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+Source named(const std::string& bytes) { return {"f", bytes}; }
+
+template <class T>
+std::string complaint(const Result<T>& result) {
+  return result ? "no error" : result.error().to_string();
+}
+std::string points_error(const std::string& bytes) {
+  return complaint(read_npy_points(named(bytes)));
+}
+std::string simplices_error(const std::string& bytes) {
+  return complaint(read_npy_simplices(named(bytes)));
+}
+std::string header_error(const std::string& header) {
+  return points_error(npy_with_header(header, std::string(16, '\0')));
+}
+
+const std::vector<double> kSix = {0, 0.1, 1e300, -0.0, 0x1p-1074, -5};
+const std::string kAdvice = "; numpy.save(file, points.astype('<f8')) writes what is read";
+
+}  // namespace
+
+TEST_CASE("npy: points of doubles, exactly") {
+  const auto file = read_npy_points(named(npy("<f8", "(2, 3)", kSix)));
+  REQUIRE_MESSAGE(file.has_value(), complaint(file));
+  CHECK(file->dimension == 3);
+  CHECK(file->first_index == 0);
+  CHECK(file->points == std::vector<Point>{{0, exact_value(0.1), exact_value(1e300)},
+                                           {0, exact_value(0x1p-1074), -5}});
+  const std::string bytes = npy("<f8", "(3, 2)", kSix);
+  const auto flat = read_flat_npy_points(RandomAccess(std::string_view(bytes)), "f");
+  REQUIRE(flat);
+  CHECK(flat->rows() == 3);
+  CHECK(flat->row(1)[0] == 1e300);
+  CHECK(!std::signbit(flat->row(1)[1]));
+  const auto none = read_npy_points(named(npy<double>("<f8", "(0, 3)", {})));
+  REQUIRE_MESSAGE(none.has_value(), complaint(none));
+  CHECK(none->dimension == 3);
+  CHECK(none->points.empty());
+}
+
+TEST_CASE("npy: simplices of 32 and of 64 bits") {
+  const std::vector<Simplex> expected = {{0, 1, 2}, {-1, 2147483647, 3}};
+  const auto narrow =
+      read_npy_simplices(named(npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, -1, 2147483647, 3})));
+  REQUIRE_MESSAGE(narrow.has_value(), complaint(narrow));
+  CHECK(narrow->simplices == expected);
+  CHECK(narrow->vertices_per_simplex == 3);
+  CHECK(narrow->lines.size() == 2);
+  const auto wide =
+      read_npy_simplices(named(npy<std::int64_t>("<i8", "(2, 3)", {0, 1, 2, -1, 2147483647, 3})));
+  REQUIRE_MESSAGE(wide.has_value(), complaint(wide));
+  CHECK(wide->simplices == expected);
+  CHECK(read_npy_simplices(named(npy<std::int64_t>("<i8", "(1, 1)", {INT64_MIN})))->simplices ==
+        std::vector<Simplex>{{INT64_MIN}});
+}
+
+TEST_CASE("npy: every version and every way to write the header") {
+  const std::string data(16, '\0');
+  const std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }";
+  for (const char version : {'\1', '\2', '\3'}) {
+    CHECK(read_npy_points(named(npy_with_header(header, data, version))));
+  }
+  for (const std::string other :
+       {"{'shape': (1, 2), 'fortran_order': False, 'descr': '<f8'}",
+        "{\"descr\":\"<f8\",\"fortran_order\":False,\"shape\":(1,2)}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1L, 2L), }",
+        " { 'descr' : '<f8' , 'fortran_order' : False , 'shape' : ( 1 , 2 , ) , } "}) {
+    CHECK(header_error(other) == "no error");
+  }
+}
+
+TEST_CASE("npy: another type, order or shape, with what to do about it") {
+  const std::string points = "f: expected points of type float64 ('<f8'), found ";
+  CHECK(points_error(npy(">f8", "(2, 3)", kSix)) == points + "\">f8\" (big-endian)" + kAdvice);
+  CHECK(points_error(npy("<f4", "(2, 3)", kSix)) == points + "\"<f4\"" + kAdvice);
+  CHECK(
+      header_error("{'descr': [('x', '<f8'), ('y', '<f8', [2])], 'fortran_order': False, 'shape': "
+                   "(1,), }") == points + "\"[('x', '<f8'), ('y', '<f8', [2])]\"" + kAdvice);
+  CHECK(simplices_error(npy("<f8", "(2, 3)", kSix)) ==
+        "f: expected simplices of type int32 or int64 ('<i4', '<i8'), found \"<f8\"; "
+        "numpy.save(file, simplices.astype('<i8')) writes what is read");
+  CHECK(simplices_error(npy<std::uint32_t>("<u4", "(1, 1)", {7})).find("\"<u4\"") !=
+        std::string::npos);
+  CHECK(points_error(npy("<f8", "(2, 3)", kSix, "True")) ==
+        "f: expected points row after row (C order), found Fortran order; numpy.save(file, "
+        "numpy.ascontiguousarray(points)) writes what is read");
+  CHECK(points_error(npy("<f8", "(6,)", kSix)) ==
+        "f: expected an array of shape (n, d), found shape (6,)");
+  CHECK(points_error(npy("<f8", "()", kSix)) ==
+        "f: expected an array of shape (n, d), found shape ()");
+  CHECK(simplices_error(npy<std::int32_t>("<i4", "(1, 1, 1)", {7})) ==
+        "f: expected an array of shape (m, d + 1), found shape (1, 1, 1)");
+  CHECK(points_error(npy<double>("<f8", "(6, 0)", {})) ==
+        "f: expected points of dimension 1 to 16, found shape (6, 0)");
+  CHECK(points_error(npy("<f8", "(1, 17)", std::vector<double>(17))) ==
+        "f: expected points of dimension 1 to 16, found shape (1, 17)");
+  CHECK(simplices_error(npy<std::int32_t>("<i4", "(6, 0)", {})) ==
+        "f: expected simplices of at least 1 vertex, found shape (6, 0)");
+}
+
+TEST_CASE("npy: as many numbers as the shape says, all finite") {
+  CHECK(points_error(npy("<f8", "(3, 3)", kSix)) ==
+        "f: expected 72 bytes of data, for shape (3, 3), found 48");
+  CHECK(points_error(npy("<f8", "(1, 3)", kSix)) ==
+        "f: expected 24 bytes of data, for shape (1, 3), found 48");
+  CHECK(points_error(npy("<f8", "(9223372036854775807, 3)", kSix)) ==
+        "f: expected more bytes than fit a file of data, for shape (9223372036854775807, 3), found "
+        "48");
+  CHECK(points_error(npy("<f8", "(2305843009213693952, 3)", kSix)).find("more bytes than") !=
+        std::string::npos);
+  std::vector<double> values = kSix;
+  values[4] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(points_error(npy("<f8", "(2, 3)", values)) ==
+        "f: expected finite coordinates, found NaN in row 1, column 1, counted from 0");
+  values[2] = -std::numeric_limits<double>::infinity();
+  CHECK(points_error(npy("<f8", "(2, 3)", values)) ==
+        "f: expected finite coordinates, found an infinity in row 0, column 2, counted from 0");
+}
+
+TEST_CASE("npy: what is no header of NumPy") {
+  const std::string npy_file = "f: expected an .npy file, which begins with \\x93NUMPY, found ";
+  CHECK(points_error("") == npy_file + "an empty file");
+  CHECK(points_error("4 3 0 0\n") == npy_file + "\"4 3 0 \"");
+  CHECK(points_error("\x93NUMPX12345") == npy_file + "\"\\x93NUMPX\"");
+  const std::string whole = npy("<f8", "(2, 3)", kSix);
+  CHECK(points_error(whole.substr(0, 9)) == "f: expected a header, found the end of the file");
+  CHECK(points_error(whole.substr(0, 50)) == "f: expected a header of 118 bytes, found 40");
+  std::string version = whole;
+  version[6] = 4;
+  CHECK(points_error(version) == "f: expected version 1, 2 or 3 of the format, found version 4.0");
+  CHECK(points_error(npy_with_header(std::string(70000, ' '), "", 2))
+            .starts_with("f: expected a header of at most 10000 bytes, found one of 7"));
+  const std::string header =
+      "f: expected a header of NumPy such as {'descr': '<f8', 'fortran_order': False, 'shape': "
+      "(4, 3)}, found ";
+  CHECK(header_error("") == header + "the end of the header");
+  CHECK(header_error("{'descr': '<f8', 'shape': (1, 2)}").starts_with(header));
+  CHECK(header_error("{'descr': '<f8', 'descr': '<f8', 'fortran_order': False, 'shape': (1, 2)}")
+            .starts_with(header + "\"'descr': '<f8', 'fortran_order': False"));
+  CHECK(header_error("{'descr': '<f8', 'fortran_order': 0, 'shape': (1, 2)}")
+            .starts_with(header + "\"0, 'shape': (1, 2)}"));
+  for (const std::string wrong :
+       {"{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2)} x",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1 2)}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1, -2)}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 99999999999999999999)}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2)",
+        "{'descr': '<f8, 'fortran_order': False, 'shape': (1, 2)}",
+        "{'descr': '<f8' 'fortran_order': False, 'shape': (1, 2)}",
+        "{'descr': [[, 'fortran_order': False, 'shape': (1, 2)}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), 'more': 1}"}) {
+    CAPTURE(wrong);
+    CHECK(header_error(wrong).starts_with(header));
+  }
+}
+
+TEST_CASE("npy: any bytes in header and data") {
+  CHECK(rc::check("mutations", [] {
+    std::string bytes = *rc::gen::arbitrary<bool>()
+                            ? npy("<f8", "(2, 3)", kSix)
+                            : npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 2, 3});
+    const int edits = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < edits && !bytes.empty(); ++i) {
+      // Most of them where the header says something.
+      const auto at = *rc::gen::inRange<std::size_t>(0, std::min<std::size_t>(bytes.size(), 90));
+      switch (*rc::gen::inRange(0, 4)) {
+        case 0:
+          bytes[at] = *rc::gen::arbitrary<char>();
+          break;
+        case 1:
+          bytes[at] = *rc::gen::elementOf(std::string("{}[]()',:0123456789<>fiL "));
+          break;
+        case 2:
+          bytes.resize(at);
+          break;
+        default:
+          bytes.insert(at, 1, *rc::gen::arbitrary<char>());
+      }
+    }
+    for (const std::string& message : {points_error(bytes), simplices_error(bytes)}) {
+      RC_ASSERT(message == "no error" || message.starts_with("f: expected "));
+      RC_ASSERT(message.find('\n') == std::string::npos && message.size() < 500U);
+    }
+  }));
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,76 @@
+// Whether the reader of plain files and the reader of all files say the same.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "oracle/formats/ele.hpp"
+#include "oracle/formats/neigh.hpp"
+#include "oracle/formats/node.hpp"
+#include "oracle/formats/plain_files.hpp"
+
+namespace circumspect::formats {
+
+// No answer, or the same as the other.
+enum class Answer { kNone, kSame, kOther };
+
+template <class Number>
+bool has_same_rows(const FlatRows<Number>& flat, const std::vector<std::vector<Rational>>& rows) {
+  if (flat.rows() != rows.size()) return false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() < flat.columns()) return false;
+    for (std::size_t j = 0; j < flat.columns(); ++j) {
+      if (exact_value(flat.row(i)[j]) != rows[i][j]) return false;
+    }
+  }
+  return true;
+}
+
+template <class Index>
+bool has_same_rows(const FlatRows<Index>& flat, const std::vector<std::vector<Vertex>>& rows,
+                   Vertex first_index) {
+  if (flat.rows() != rows.size()) return false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() != flat.columns()) return false;
+    for (std::size_t j = 0; j < flat.columns(); ++j) {
+      // -1 has no neighbour whatever the indices begin with.
+      const bool none = first_index != 0 && flat.row(i)[j] == -1 && rows[i][j] == -1;
+      if (!none && flat.row(i)[j] + first_index != rows[i][j]) return false;
+    }
+  }
+  return true;
+}
+
+inline Answer answer_to_node(const std::string& text, const PlainReading& reading = {}) {
+  const auto plain = read_plain_node(RandomAccess(std::string_view(text)), reading);
+  if (!plain) return Answer::kNone;
+  const auto file = read_node({"f", text}, NumberReading::kDouble);
+  if (!file || file->first_index != plain->first_index) return Answer::kOther;
+  const bool same = plain->coordinates.columns() == file->dimension &&
+                    has_same_rows(plain->coordinates, file->points) &&
+                    has_same_rows(plain->weights, file->attributes);
+  return same ? Answer::kSame : Answer::kOther;
+}
+
+inline Answer answer_to_ele(const std::string& text, Vertex first_point,
+                            const PlainReading& reading = {}) {
+  const auto plain = read_plain_ele(RandomAccess(std::string_view(text)), first_point, reading);
+  if (!plain) return Answer::kNone;
+  const auto file = read_ele({"f", text});
+  if (!file || file->first_index != plain->first_index) return Answer::kOther;
+  const bool same = plain->rows.columns() == file->vertices_per_simplex &&
+                    has_same_rows(plain->rows, file->simplices, first_point);
+  return same ? Answer::kSame : Answer::kOther;
+}
+
+inline Answer answer_to_neigh(const std::string& text, const PlainReading& reading = {}) {
+  const auto plain = read_plain_neigh(RandomAccess(std::string_view(text)), reading);
+  if (!plain) return Answer::kNone;
+  const auto file = read_neigh({"f", text});
+  if (!file || file->first_index != plain->first_index) return Answer::kOther;
+  const bool same = plain->rows.columns() == file->neighbors_per_simplex &&
+                    has_same_rows(plain->rows, file->neighbors, file->first_index);
+  return same ? Answer::kSame : Answer::kOther;
+}
+
+}  // namespace circumspect::formats

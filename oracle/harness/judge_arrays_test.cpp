@@ -1,0 +1,91 @@
+// What is judged in arrays, by whom, and what is refused. Against the checkers: corpus/arrays_test.cpp,
+// properties/arrays_property.cpp.
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <circumspect/check.hpp>
+#include <doctest/doctest.h>
+
+namespace circumspect {
+namespace {
+
+// A square and its centre.
+const std::vector<double> kSquare = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1};
+const std::vector<std::int32_t> kFan = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+const std::vector<std::int32_t> kNeighbors = {1, 3, -1, 2, 0, -1, 3, 1, -1, 0, 2, -1};
+
+MeshArrays<std::int32_t> fan() {
+  return {.dimension = 2, .coordinates = kSquare, .simplices = kFan, .neighbors = kNeighbors};
+}
+
+TEST_CASE("what holds is decided fast, with its facts") {
+  for (const unsigned threads : {0U, 1U, 2U}) {
+    const MeshJudgement judgement = judge("delaunay", fan(), {.threads = threads});
+    CHECK(judgement.holds);
+    CHECK(judgement.unique == true);
+    CHECK(judgement.canonical == true);
+    CHECK(judgement.report.empty());
+    CHECK(judgement.counts.fast);
+    CHECK(judgement.counts.filtered_signs > 0);
+  }
+  CHECK(judge("weighted-delaunay", fan()).unique == true);
+  const MeshJudgement triangulation = judge("triangulation", fan());
+  CHECK(triangulation.holds);
+  CHECK_FALSE(triangulation.unique.has_value());
+  const std::vector<std::int64_t> wide(kFan.begin(), kFan.end());
+  const MeshArrays<std::int64_t> mesh{2, kSquare, {}, wide, {}};
+  CHECK(judge("delaunay", mesh).counts.fast);
+}
+
+TEST_CASE("what does not hold comes with a witness, and why it was not decided fast") {
+  std::vector<std::int32_t> changed = kNeighbors;
+  std::swap(changed[0], changed[1]);
+  MeshArrays<std::int32_t> mesh = fan();
+  mesh.neighbors = changed;
+  const MeshJudgement judgement = judge("delaunay", mesh);
+  CHECK_FALSE(judgement.holds);
+  CHECK(judgement.rule == "complex.wrong-neighbor");
+  CHECK(judgement.report.find("neighbour listed") != std::string::npos);
+  CHECK_FALSE(judgement.counts.fast);
+  CHECK(judgement.counts.why_not_fast == "a neighbour that does not match");
+  mesh.neighbors = {};
+  CHECK(judge("delaunay", mesh).holds);
+}
+
+TEST_CASE("other dimensions, equal points and lattices of a few ulps are for the slow judge") {
+  const std::vector<double> line = {0, 3, 1};
+  const std::vector<std::int32_t> edges = {0, 2, 2, 1};
+  const MeshJudgement judgement = judge("delaunay", {1, line, {}, edges, {}});
+  CHECK(judgement.holds);
+  CHECK(judgement.unique == true);
+  CHECK_FALSE(judgement.counts.fast);
+  const std::vector<double> repeated = {0, 0, 1, 0, 0, 0, 0, 1};
+  const std::vector<std::int32_t> triangle = {2, 1, 3};
+  CHECK(judge("delaunay", {2, repeated, {}, triangle, {}}).holds);
+  const double ulp = std::numeric_limits<double>::epsilon();
+  const std::vector<double> tiny = {1, 1, 1 + ulp, 1, 1, 1 + ulp};
+  const std::vector<std::int32_t> one = {0, 1, 2};
+  CHECK(judge("delaunay", {2, tiny, {}, one, {}}).counts.why_not_fast == "no sample point");
+  CHECK(judge("delaunay", {2, tiny, {}, one, {}}).holds);
+}
+
+TEST_CASE("arrays whose lengths do not agree are refused, and numbers that are not finite") {
+  const auto refused = [](auto change) {
+    MeshArrays<std::int32_t> mesh = fan();
+    change(mesh);
+    CHECK_THROWS_AS(judge("delaunay", mesh), std::invalid_argument);
+  };
+  refused([](auto& mesh) { mesh.dimension = 0; });
+  refused([](auto& mesh) { mesh.coordinates = mesh.coordinates.first(9); });
+  refused([](auto& mesh) { mesh.simplices = mesh.simplices.first(11); });
+  refused([](auto& mesh) { mesh.weights = mesh.coordinates.first(4); });
+  refused([](auto& mesh) { mesh.neighbors = mesh.neighbors.first(9); });
+  std::vector<double> infinite = kSquare;
+  infinite[3] = std::numeric_limits<double>::infinity();
+  refused([&](auto& mesh) { mesh.coordinates = infinite; });
+  CHECK_THROWS_AS(judge("cdt", fan()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace circumspect
