@@ -56,8 +56,8 @@ Definition unused_point S L : Prop := exists p, In p S /\
   forall r : list (option (point d)), In r L -> ~ In (Some p) r.
 (** triangulation.hull-not-convex and triangulation.hull-not-closed: a hole in conv S. *)
 Definition uncovered S L : Prop := exists q, conv S q /\ forall s, listed L s -> ~ conv s q.
-(** delaunay.vertex-in-ball: in every open circumball of a simplex.  (Here and below the simplex is
-    a d-simplex, so it has exactly one.) *)
+(** delaunay.vertex-in-ball: in every open circumball of a simplex.  (Here and in
+    the next three rules the first simplex is a d-simplex: it has exactly one ball or plane.) *)
 Definition vertex_in_ball S L : Prop := exists s p, listed_simplex L s /\ In p S /\
   forall c r2, circumball s c r2 -> dist2 c p < r2.
 (** delaunay.facet-not-local: two simplices share d vertices, and a vertex of the second is in

@@ -207,7 +207,8 @@ Qed.
 Theorem every_point_set S : spans S -> exists T,
   delaunay_triangulation S T /\ canonical_triangulation S norm2 T /\
   forall U, canonical_triangulation S norm2 U ->
-    forall s, In s T -> exists r : simplex d, In r U /\ same s r.
+    (forall s, In s T -> exists r : simplex d, In r U /\ same s r) /\
+    (forall s, In s U -> exists r : simplex d, In r T /\ same s r).
 Proof.
   intros Sp. destruct (canonical_from_perturbed S norm2 Sp) as (e1 & P1 & K1).
   destruct (vertices_perturbed S) as (e2 & P2 & K2).
@@ -227,6 +228,8 @@ Proof.
   - intros s Hs. apply delaunay_witness_plane. destruct (C s Hs) as (t & <- & Ct).
     now apply canonical_witness_plane.
   - now split.
-  - intros U [FU CU]. apply (canonical_unique S norm2 T U F FU). intros r [Hr|Hr]; auto.
+  - intros U [FU CU]. split.
+    + apply (canonical_unique S norm2 T U F FU). intros r [Hr|Hr]; auto.
+    + apply (canonical_unique S norm2 U T FU F). intros r [Hr|Hr]; auto.
 Qed.
 End EveryPointSet.

@@ -12,7 +12,8 @@ Open Scope R_scope.
 Section Breaches.
 Context {d : nat}.
 
-(** [h] gives the heights of the points. *)
+(** [h] gives the heights of the points.  The numbers in the evidence say where the checker looked;
+    they are not part of the breach, which says that there is such a place. *)
 Definition breach (c : claim) (h : point d -> R) (S : list (point d))
     (L : list (list (option (point d)))) (e : evidence) : Prop :=
   match e with
@@ -76,7 +77,13 @@ Proof.
 Qed.
 End Breaches.
 
-(** ** The caller's points and simplices *)
+(** ** The caller's points and simplices
+
+    The theorems are about the set of the caller's points: two that are equal are one point, and
+    whoever lists one of them lists the other.  A list of points that has one twice is the input's
+    fault, not the mesh's; the program that writes refutations refuses it or merges them.  If equal
+    points were given different weights, then no function would give the weights, and
+    nothing would be claimed that could be true. *)
 
 Section Caller.
 Context {d : nat}.

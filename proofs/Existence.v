@@ -251,10 +251,6 @@ Proof.
         destruct (K u Hu) as (w & Hw & X). exists w. split; [now right|assumption].
 Qed.
 
-(** S is d-dimensional. *)
-Definition spans S : Prop :=
-  exists X, incl X S /\ length X = Datatypes.S d /\ affinely_independent X.
-
 (** Points with generic heights have a triangulation (perhaps of some of them) whose simplices
     have witness planes. *)
 Theorem existence_heights h S : spans S -> generic_heights h S ->

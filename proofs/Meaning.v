@@ -28,7 +28,8 @@ Definition unit_of : R := IZR (numerator c) / IZR (denominator c).
 Definition points_of_certificate : list (point d) :=
   map (fun e => place_of unit_of (position e)) (points c).
 
-(** The point with number [k], counted from 1. *)
+(** The point with number [k], counted from 1.  (A number that names no point would mean the origin;
+    accepted certificates have none.) *)
 Definition spot (k : positive) : point d :=
   nth (pred (Pos.to_nat k)) points_of_certificate origin.
 

@@ -3,10 +3,11 @@
     Lifted, a Delaunay triangulation is the underside of conv S^+, and no triangulation of the same
     points passes below it: so it interpolates |p|^2 best at every point (Prop. 4.5).  Over one
     simplex the error is r^2 - d(o,p)^2; its maximum is the squared radius of the min-containment
-    ball (Prop. 4.6); so the largest such ball is smallest for the Delaunay triangulation
-    (Prop. 4.7).  Heights are arbitrary in the first, hence weighted and anisotropic too. *)
+    ball (Prop. 4.6, with [Nearest.v]); so the largest such ball is smallest for the Delaunay
+    triangulation (Prop. 4.7).  Heights are arbitrary in the first, hence weighted and anisotropic
+    too. *)
 From Coq Require Import Reals Lra Psatz List.
-From Circumspect Require Import Definitions Vectors Affine Frame Faces.
+From Circumspect Require Import Definitions Vectors Affine Frame Faces Adjacency LiftingMap Nearest.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -14,9 +15,6 @@ Section Optimality.
 Context {d : nat}.
 Implicit Types (p q o c v : point d) (h : point d -> R) (S : list (point d)) (s t u : simplex d)
   (T U : list (simplex d)).
-
-(** The plane (a, b) passes through the lifted vertices of s: over s it is the interpolant T^+. *)
-Definition interpolates h s (a : point d) (b : R) : Prop := forall v, In v s -> plane a b v = h v.
 
 Lemma plane_minus a b a' b' p : plane a b p - plane a' b' p = plane (minus a a') (b - b') p.
 Proof. unfold plane. rewrite inner_minus. ring. Qed.
@@ -32,12 +30,11 @@ Proof.
   - assumption.
 Qed.
 
-(** Prop. 4.5: at every point of conv S a (weighted) Delaunay triangulation minimises the
-    interpolated height T^+(p), and with it the error T^+(p) - h(p), among all triangulations. *)
-Theorem proposition_4_5 h S T U : (forall t, In t T -> witness_plane h S t) -> fills S U ->
+(** At every point of conv S a (weighted) Delaunay triangulation minimises the interpolated height
+    T^+(p) among all triangulations. *)
+Lemma lowest h S T U : (forall t, In t T -> witness_plane h S t) -> fills S U ->
   forall t u p a b a' b', In t T -> In u U -> conv t p -> conv u p ->
-    interpolates h t a b -> interpolates h u a' b' ->
-    plane a b p - h p <= plane a' b' p - h p.
+    interpolates h t a b -> interpolates h u a' b' -> plane a b p <= plane a' b' p.
 Proof.
   intros W (_ & _ & _ & V & _) t u p a b a' b' Ht Hu Ct Cu It Iu.
   destruct (W t Ht) as (a0 & b0 & E & L).
@@ -49,18 +46,66 @@ Proof.
   lra.
 Qed.
 
+Theorem proposition_4_5_heights h S T U p e e' :
+  (forall t, In t T -> witness_plane h S t) -> fills S U ->
+  interpolation_error h T p e -> interpolation_error h U p e' -> e <= e'.
+Proof.
+  intros W F (t & a & b & Ht & C & V & ->) (u & a' & b' & Hu & C' & V' & ->).
+  pose proof (lowest h S T U W F t u p a b a' b' Ht Hu C C' V V'). lra.
+Qed.
+
+(** A triangulation has exactly one error at each point, since it agrees with itself on faces. *)
+Theorem one_error h S T p : fills S T -> conv S p -> exists! e, interpolation_error h T p e.
+Proof.
+  intros F C. assert (F' := F). destruct F' as (L & (_ & _ & M) & _ & _ & U). apply U in C.
+  assert (K : forall t, In t T -> faces_of T t).
+  { intros t Ht. split; [now apply L|]. split; [|exists t; split; [assumption|apply incl_refl]].
+    intros ->. destruct (L [] Ht). discriminate. }
+  destruct C as (t & Ht & C). destruct (fills_frame S T t F Ht) as (g & E).
+  destruct (witness_affine h g) as (a & b & W). exists (plane a b p - h p).
+  assert (I : interpolates h t a b).
+  { intros v Hv. rewrite <- W. rewrite <- E in Hv. apply in_vertices in Hv.
+    destruct Hv as (i & Hi & ->). now apply witness_vertex. }
+  split; [now exists t, a, b|]. intros e (u & a' & b' & Hu & C' & I' & ->).
+  destruct (M t u (K t Ht) (K u Hu)) as (f & Ft & Fu & Cf). specialize (Cf p C C').
+  assert (plane a b p <= plane a' b' p).
+  { apply (conv_le f); auto using affine_plane. intros v Hv. rewrite I, I' by auto. lra. }
+  assert (plane a' b' p <= plane a b p).
+  { apply (conv_le f); auto using affine_plane. intros v Hv. rewrite I, I' by auto. lra. }
+  lra.
+Qed.
+
 (** ** Balls *)
-
-Definition contains c (r2 : R) s : Prop := forall v, In v s -> dist2 c v <= r2.
-
-(** Definition 1.20: the smallest closed ball that contains s. *)
-Definition min_containment_ball s c (r2 : R) : Prop :=
-  contains c r2 s /\ forall c' r2', contains c' r2' s -> r2 <= r2' /\ (r2 = r2' -> c' = c).
 
 Lemma dist2_difference_affine c o : affine (fun p => dist2 c p - dist2 o p).
 Proof.
   exists (scale 2 (minus o c)), (norm2 c - norm2 o). intros p. rewrite !dist2_expand.
   unfold plane. rewrite inner_scale, inner_minus. ring.
+Qed.
+
+(** The paraboloid is convex: interpolation overestimates. *)
+Lemma error_nonnegative T p e : interpolation_error norm2 T p e -> 0 <= e.
+Proof.
+  intros (t & a & b & _ & C & V & ->). destruct (plane_ball a b) as (c & r2 & E).
+  assert (B : circumball t c r2) by (apply circumball_plane; intros; rewrite E; auto).
+  pose proof (ball_plane_power c r2 p) as P. rewrite E in P.
+  assert (H : 0 <= r2 - (dist2 c p - dist2 p p)).
+  { assert (A : affine (fun q => 1 * r2 + -1 * (dist2 c q - dist2 p q)))
+      by auto using affine_combine, affine_const, dist2_difference_affine.
+    apply Rle_trans with (1 * r2 + -1 * (dist2 c p - dist2 p p)); [|lra].
+    apply (affine_conv _ t _ A); [|assumption].
+    intros v Hv. rewrite (B v Hv). pose proof (norm2_nonneg (minus p v)). unfold dist2 in *. lra. }
+  assert (Z : dist2 p p = 0) by (unfold dist2; rewrite minus_self; apply inner_origin). lra.
+Qed.
+
+(** Prop. 4.5: of all triangulations of S the Delaunay triangulation has the least error at every
+    point of conv S. *)
+Theorem proposition_4_5 S T U p e e' : delaunay_triangulation S T -> triangulation S U ->
+  interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> 0 <= e <= e'.
+Proof.
+  intros [_ D] [F _] E E'. split; [exact (error_nonnegative T p e E)|].
+  apply (proposition_4_5_heights norm2 S T U p); auto.
+  intros t Ht. apply delaunay_witness_plane. auto.
 Qed.
 
 (** The mean of the squared distances from c to the vertices of a convex combination. *)
@@ -129,15 +174,14 @@ Proof.
     apply norm2_zero in Z. rewrite <- (minus_plus c' q), Z. apply origin_plus.
 Qed.
 
-(** Prop. 4.7: among all triangulations of S the Delaunay triangulation minimises the largest
-    min-containment ball: for each of its simplices t, with the ball of Prop. 4.6, every
-    triangulation U has a simplex that no smaller ball contains. *)
-Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
+(** The point q of a Delaunay simplex is in a simplex of U that no ball contains which is smaller
+    than the ball of Prop. 4.6. *)
+Lemma no_smaller_ball S T U : delaunay_triangulation S T -> fills S U ->
   forall t o r2 q, In t T -> circumball t o r2 -> (forall p, In p S -> ~ dist2 o p < r2) ->
-    conv t q -> (forall x, conv t x -> dist2 o q <= dist2 o x) ->
+    conv t q ->
     exists u, In u U /\ forall c r2', contains c r2' u -> r2 - dist2 o q <= r2'.
 Proof.
-  intros ((FT & _) & _) FU t o r2 q Ht O Empty Cq _.
+  intros ((FT & _) & _) FU t o r2 q Ht O Empty Cq.
   destruct FT as (_ & _ & _ & _ & UT). destruct FU as (_ & _ & _ & VU & UU).
   assert (CS : conv S q) by (apply UT; eauto).
   apply UU in CS. destruct CS as (u & Hu & Cu). exists u. split; [assumption|].
@@ -159,5 +203,35 @@ Proof.
     specialize (Empty v (VU u Hu v V)). lra. }
   rewrite H in K. pose proof (norm2_nonneg (minus c (combination l))) as D.
   fold (dist2 c (combination l)) in D. lra.
+Qed.
+
+(** Prop. 4.7: of all triangulations of S the Delaunay triangulation minimises the largest
+    min-containment ball: every triangulation has for each Delaunay simplex one whose
+    min-containment ball is no smaller. *)
+Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
+  forall t c r2, In t T -> min_containment_ball t c r2 ->
+    exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
+Proof.
+  intros D F t c r2 Ht [_ M]. assert (D' := D). destruct D' as [[FT _] DT].
+  destruct (DT t Ht) as (o & R2 & O & Empty).
+  destruct (fills_frame S T t FT Ht) as (g & E). destruct (nearest_point g o) as (q & Cq & Nq).
+  rewrite E in Cq, Nq. destruct (proposition_4_6 t o R2 q O Cq Nq) as [B _].
+  destruct (no_smaller_ball S T U D F t o R2 q Ht O Empty Cq) as (u & Hu & Min).
+  exists u. split; [assumption|]. intros c' r2' C'. specialize (Min c' r2' C').
+  destruct (M q (R2 - dist2 o q) B). lra.
+Qed.
+
+(** Every d-simplex has a min-containment ball, and only one. *)
+Theorem one_min_containment_ball S T t : fills S T -> In t T ->
+  exists c r2, min_containment_ball t c r2 /\
+    forall c' r2', min_containment_ball t c' r2' -> c' = c /\ r2' = r2.
+Proof.
+  intros F Ht. destruct (fills_frame S T t F Ht) as (g & E).
+  destruct (circumball_frame g) as (o & R2 & O & _).
+  destruct (nearest_point g o) as (q & Cq & Nq). rewrite E in O, Cq, Nq.
+  pose proof (proposition_4_6 t o R2 q O Cq Nq) as B. exists q, (R2 - dist2 o q).
+  split; [assumption|]. intros c' r2' [C' M']. destruct B as [B M].
+  destruct (M c' r2' C') as [L1 Eq], (M' q _ B) as [L2 _].
+  assert (R2 - dist2 o q = r2') by lra. auto.
 Qed.
 End Optimality.

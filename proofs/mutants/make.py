@@ -321,10 +321,10 @@ def refutations():
                 ("not-shown", fails, "rejected: the evidence does not show " + rule)):
             yield "%s--%s" % (rule, name), \
                 "\n".join(lines + ["because " + evidence, "end"]) + "\n", answer
-    row = " ".join(["1"] * 200000)
-    yield "large--simplex-of-200000-vertices", \
+    row = " ".join(["1"] * 1000000)
+    yield "large--simplex-of-1000000-vertices", \
         "circumspect-refutation 1 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 1\n0 0 0\n" \
-        "simplices 1\n200000 %s\nbecause 1\nend\n" % row, \
+        "simplices 1\n1000000 %s\nbecause 1\nend\n" % row, \
         "verified: not delaunay, simplex.wrong-dimension"
 
 

@@ -71,24 +71,27 @@ type content = { mesh : unit -> unit; verdict : unit -> string * int }
 let certificate (c : Reading.context) space claim claimed =
   let certificate, labels = Certificate_file.read c claimed in
   let sites = List.rev (List.rev_map (fun e -> e.position) certificate.points) in
-  let simplices = List.rev (List.rev_map (fun (e : simplex_entry) ->
-      List.map (fun v -> Some (number v)) e.corners) certificate.simplices) in
+  let corners (e : simplex_entry) = List.map (fun v -> Some (number v)) e.corners in
   let verdict () = match check space certificate with
     | Accepted ->
       (Printf.sprintf "verified: %s, %s" claim
-         (counts c.d (List.length sites) (List.length simplices)), 0)
+         (counts c.d (List.length sites) (List.length certificate.simplices)), 0)
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1) in
   let unit = (certificate.numerator, certificate.denominator) in
-  { mesh = (fun () -> Mesh_text.print unit c.weighted sites labels simplices); verdict }
+  let mesh () =
+    Mesh_text.print unit c.weighted sites labels (List.rev_map corners certificate.simplices) in
+  { mesh; verdict }
 
 let refutation (c : Reading.context) space claim claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
-  let simplices = List.rev (List.rev_map (List.map (Option.map number)) refutation.rows) in
+  let corners row = List.rev (List.rev_map (Option.map number) row) in
   let verdict () =
     if refute space refutation then (Printf.sprintf "verified: not %s, %s" claim rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
   let unit = (refutation.unit_numerator, refutation.unit_denominator) in
-  { mesh = (fun () -> Mesh_text.print unit c.weighted refutation.sites labels simplices); verdict }
+  let mesh () =
+    Mesh_text.print unit c.weighted refutation.sites labels (List.rev_map corners refutation.rows) in
+  { mesh; verdict }
 
 let content source =
   let first = "'circumspect-certificate 1 CLAIM D' or 'circumspect-refutation 1 CLAIM D RULE'" in

@@ -11,14 +11,15 @@ let point (p, q) weighted site label =
 
 (* `find` gives the label of a vertex; one that names no point has none. *)
 let simplex labels vertices =
-  List.map (fun v -> match v with
+  List.rev (List.rev_map (fun v -> match v with
       | Some n when n >= 1 && n <= Array.length labels -> Big.to_string labels.(n - 1)
-      | _ -> "?") vertices
+      | _ -> "?") vertices)
 
+(* The simplices come last first. *)
 let print unit weighted sites labels simplices =
   let line tokens = print_endline (String.concat " " tokens) in
   line [ "points"; string_of_int (List.length sites) ];
   List.iter2 (fun site label -> line (point unit weighted site label)) sites labels;
   line [ "simplices"; string_of_int (List.length simplices) ];
   let labels = Array.of_list labels in
-  List.iter (fun vertices -> line (simplex labels vertices)) simplices
+  List.iter (fun vertices -> line (simplex labels vertices)) (List.rev simplices)
