@@ -56,7 +56,8 @@ struct MeshJudgement : Judgement {
 // As judge(claim, points, simplices) of judgement.hpp, word for word, for the claims "triangulation",
 // "delaunay" and "weighted-delaunay" (Book: Definitions 2.1 and 4.1, Section 5.2).
 // Throws std::invalid_argument: an unknown claim; arrays whose lengths do not agree; numbers that are
-// not finite. Memory, while the claim holds: at most 32 bytes a simplex.
+// not finite. Memory, while the claim holds: about 31 bytes a simplex and 8 a boundary facet; with the
+// neighbours given, 1 a simplex and 8 a boundary facet.
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int32_t>& mesh,
                     const JudgeOptions& options = {});
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int64_t>& mesh,
