@@ -198,7 +198,8 @@ Proof.
   intros E. unfold check_simplex. rewrite (find_corners t s E).
   assert (0 < orientation pr (sites s))%Z as Pos.
   { pose proof (positive_listed not_flat c HL geo G t s E) as O.
-    rewrite (listed_spots c HL t s E), (computes_orientation _ _ Co) in O by apply (listed_sites c HL).
+    rewrite (listed_spots c HL t s E), (computes_orientation _ _ Co) in O by apply (listed_sites c
+      HL).
     pose proof (pow_lt r d (listed_unit c HL)). apply lt_IZR. nra. }
   unfold positive_simplex. apply Z.ltb_lt in Pos. rewrite Pos.
   rewrite dim_d, (honest_walls _ _ H t s E), Nat.eqb_refl, (outside_complete t s E). cbv zeta.
@@ -242,7 +243,8 @@ Proof.
   assert (0 < side pr (apex f) (sites s) (sample_of m) (sample_w m))%Z as Q.
   { destruct (side_sample _ s (apex f) E) as (q & Q & S); [apply Ft|].
     apply lt_IZR. change (sample_of m) with (sample c).
-    change (sample_w m) with (sample_denominator c). rewrite S. apply Rmult_lt_0_compat; [assumption|].
+    change (sample_w m) with (sample_denominator c). rewrite S.
+    apply Rmult_lt_0_compat; [assumption|].
     exact (facet_sample positive_d c H geo G _ _ Ft). }
   apply Z.ltb_lt in Q. rewrite Q, dim_d, (honest_ridges _ _ H g f Ef), Nat.eqb_refl.
   apply accept_each_index. intros a q Er. now apply ridge_complete.
@@ -258,15 +260,6 @@ Qed.
 End Completeness.
 
 (** ** The theorem *)
-
-(** What a certificate claims. *)
-Definition claim_holds (d : nat) (c : certificate) : Prop :=
-  let P := points_of_certificate d c in let T := simplices_of_certificate d c in
-  match claimed c with
-  | Triangulation => triangulation P T
-  | Delaunay => delaunay_triangulation P T
-  | WeightedDelaunay => exists w, weights_given d c w /\ weighted_delaunay_triangulation w P T
-  end.
 
 Theorem honest_accepted {d : nat} {orient : list (point d) -> R} {pr : predicates} c :
   oriented orient -> computes orient pr ->
@@ -299,10 +292,6 @@ Proof.
       apply (proj1 (witness_plane_witness (fun p => norm2 p - w p) (points_of_certificate d c)
         (geo t)) (Wd _ (Vs t Ht)) p Hp).
 Qed.
-
-(** Honest, for the plane and for space. *)
-Definition honest_certificate (D : plane_or_space) (c : certificate) : Prop :=
-  match D with Plane => honest orient2 c | Space => honest orient3 c end.
 
 Theorem check_complete D c : honest_certificate D c -> claim_holds (dimension_of D) c ->
   check D c = Accepted.

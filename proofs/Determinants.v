@@ -58,13 +58,15 @@ Proof.
   clear A B C V L. rewrite !inner_3 in *.
   set (p := vertex t 0) in *. set (q := vertex t 1) in *. set (r := vertex t 2) in *.
   set (s := vertex t 3) in *. clearbody p q r s.
-  set (f (u v : point 3) := abscissa u * (abscissa v - abscissa s) + ordinate u * (ordinate v - ordinate s) +
+  set (f (u v : point 3) := abscissa u * (abscissa v - abscissa s) + ordinate u * (ordinate v -
+    ordinate s) +
     height u * (height v - height s)).
   assert (E : determinant (abscissa a) (ordinate a) (height a) (abscissa b) (ordinate b) (height b)
       (abscissa c) (ordinate c) (height c) * orient3 [p; q; r; s] =
     determinant (f a p) (f a q) (f a r) (f b p) (f b q) (f b r) (f c p) (f c q) (f c r)).
   { unfold f. cbn [orient3]. unfold determinant. ring. }
-  assert (G : forall u v x, abscissa u * abscissa v + ordinate u * ordinate v + height u * height v -
+  assert (G : forall u v x, abscissa u * abscissa v + ordinate u * ordinate v + height u * height v
+    -
      (abscissa u * abscissa s + ordinate u * ordinate s + height u * height s) = x -> f u v = x).
   { intros u v x <-. unfold f. ring. }
   apply G in A0, A1, A2, B0, B1, B2, C0, C1, C2. cbn in A0, A1, A2, B0, B1, B2, C0, C1, C2.

@@ -6,7 +6,7 @@
     overlap, that their union is convex, or that they are Delaunay; those are the claim's business.
     [Completeness.v] proves that an honest certificate is accepted if its claim is true. *)
 From Coq Require Import Reals List ZArith Sorting.Sorted.
-From Circumspect Require Import Checker Numbering Definitions Meaning.
+From Circumspect Require Import Checker Numbering Definitions Meaning Orientation.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -19,7 +19,7 @@ Definition strictly_inside s q : Prop := conv s q /\ forall f, incl f s -> conv 
 
 (** A hyperplane through the vertices of [s] but number [i] has that vertex strictly on one side,
     and the point strictly on the other. *)
-Definition beyond s (i : nat) q : Prop := exists a b v,
+Definition beyond_facet s (i : nat) q : Prop := exists a b v,
   nth_error s i = Some v /\ 0 < plane a b v /\
   (forall k w, k <> i -> nth_error s k = Some w -> plane a b w = 0) /\ plane a b q < 0.
 End Simplices.
@@ -84,7 +84,30 @@ Record honest : Prop := {
   honest_sample : exists s, simplex_at (sample_simplex c) s /\
     strictly_inside (map spot (corners s)) sample_point;
   honest_away : forall t s, simplex_at t s -> t <> sample_simplex c ->
-    (exists i, beyond (map spot (corners s)) i sample_point) ->
-    exists i, away s = Some i /\ beyond (map spot (corners s)) i sample_point
+    (exists i, beyond_facet (map spot (corners s)) i sample_point) ->
+    exists i, away s = Some i /\ beyond_facet (map spot (corners s)) i sample_point
 }.
 End Certificate.
+
+(** ** For the plane and for space *)
+
+Definition well_listed_certificate (D : plane_or_space) (c : certificate) : Prop :=
+  match D with Plane => well_listed orient2 c | Space => well_listed orient3 c end.
+Definition honest_certificate (D : plane_or_space) (c : certificate) : Prop :=
+  match D with Plane => honest orient2 c | Space => honest orient3 c end.
+
+(** What a certificate claims. *)
+Definition claim_holds (d : nat) (c : certificate) : Prop :=
+  let P := points_of_certificate d c in let T := simplices_of_certificate d c in
+  match claimed c with
+  | Triangulation => triangulation P T
+  | Delaunay => delaunay_triangulation P T
+  | WeightedDelaunay => exists w, weights_given d c w /\ weighted_delaunay_triangulation w P T
+  end.
+
+(** The same claim about the same points and simplices in the same order, whatever else the two
+    certificates say. *)
+Definition same_input (c c' : certificate) : Prop :=
+  claimed c' = claimed c /\ numerator c' = numerator c /\ denominator c' = denominator c /\
+  map position (points c') = map position (points c) /\
+  map corners (simplices c') = map corners (simplices c).

@@ -6,7 +6,8 @@
 From Coq Require Import Reals Lra Psatz List Arith Lia ZArith.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
-From Circumspect Require Import Cone Orientation Integers Incidence Honest Permutations ListedMesh HonestMesh.
+From Circumspect Require Import Cone Orientation Integers Incidence Honest Permutations ListedMesh.
+From Circumspect Require Import HonestMesh.
 From Circumspect Require Import Ridges.
 Import ListNotations.
 Open Scope R_scope.
@@ -77,7 +78,8 @@ Lemma entry_facet h f : hull_at h f -> exists s, simplex_at (Checker.carrier f) 
 Proof.
   intros E. destruct (honest_hull _ _ H h f E) as (s & Es & W). exists s.
   split; [assumption|]. split; [assumption|].
-  destruct (on_hull_outer Co positive_d c H geo G (Checker.carrier f) s (apex f) h Es W) as (Hi & O).
+  destruct (on_hull_outer Co positive_d c H geo G (Checker.carrier f) s (apex f) h Es W) as (Hi &
+    O).
   split; [now apply (in_tets c _ s Es)|]. now split.
 Qed.
 Lemma entry_once h f g f' : hull_at h f -> hull_at g f' -> Checker.carrier f = Checker.carrier f' ->
@@ -101,7 +103,8 @@ Proof.
   destruct (entry_facet h f Ef) as (s2 & Es2 & _ & Ft). replace s2 with s in * by congruence.
   destruct (entry_facet g f' Ef') as (s3 & Es3 & _ & Fu). replace s3 with s' in * by congruence.
   clear s2 s3 Es2 Es3. pose proof Ft as (_ & Hi & _). pose proof Fu as (_ & Hj & _).
-  pose proof (corners_length c geo G _ s Es) as L. pose proof (corners_length c geo G _ s' Es') as L'.
+  pose proof (corners_length c geo G _ s Es) as L.
+  pose proof (corners_length c geo G _ s' Es') as L'.
   assert (Ha : (a < d)%nat).
   { rewrite <- (honest_ridges _ _ H h f Ef). apply nth_error_Some. congruence. }
   assert (Hb : (b < d)%nat).
@@ -119,7 +122,8 @@ Proof.
     (described_in _ _ G) facet_supporting o cone facet_sample facet_cone);
     auto using skip_le.
   - intros [Ec Ea]. apply N. now apply (entry_once h f g f').
-  - pose proof (described_frame _ _ G _ s Es) as LK. pose proof (described_frame _ _ G _ s' Es') as LL.
+  - pose proof (described_frame _ _ G _ s Es) as LK.
+    pose proof (described_frame _ _ G _ s' Es') as LL.
     split; intros p;
       rewrite (ridge_of_cone _ _ _ _ a o p LK Hi Ha (facet_cone _ _ Ft)),
         (ridge_of_cone _ _ _ _ b o p LL Hj Hb (facet_cone _ _ Fu)), <- !remove_map, !in_map_iff;
@@ -134,14 +138,16 @@ Proof.
     as (f2 & s2 & Ef2 & Es2 & Ha & Hb & S & O).
   replace f2 with f' in * by congruence. replace s2 with s' in * by congruence.
   clear f2 s2 Ef2 Es2.
-  destruct (entry_facet h f Ef) as (_ & _ & _ & Ft). destruct (entry_facet g f' Ef') as (_ & _ & _ & Fu).
+  destruct (entry_facet h f Ef) as (_ & _ & _ & Ft).
+  destruct (entry_facet g f' Ef') as (_ & _ & _ & Fu).
   pose proof Ft as (_ & Hi & _). pose proof Fu as (_ & Hj & _).
   apply (opposite_matched_ridge Or spot (corners s) (corners s') (geo (Checker.carrier f))
     (geo (Checker.carrier f')) (apex f) (apex f')
     (described_frame _ _ G _ s Es) (described_frame _ _ G _ s' Es')
     (positive_listed not_flat c HL geo G _ s Es) (positive_listed not_flat c HL geo G _ s' Es')
     (corners_NoDup c geo G _ s Es) (corners_NoDup c geo G _ s' Es') Hi Hj a b
-    (cone (Checker.carrier f) (apex f)) (cone (Checker.carrier f') (apex f')) o); auto using facet_sample, facet_cone.
+    (cone (Checker.carrier f) (apex f)) (cone (Checker.carrier f') (apex f')) o); auto using
+      facet_sample, facet_cone.
   destruct O as (_ & Hl & _ & _ & Neg).
   rewrite (cone_vertex _ _ _ _ (facet_cone _ _ Fu)) in Neg; auto using skip_ne.
 Qed.

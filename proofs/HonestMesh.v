@@ -52,7 +52,8 @@ Proof.
   apply in_numbers in Hu. destruct Hu as (s' & E'). pose proof O as (_ & Hj & _ & _ & Neg).
   apply (proj2 (honest_on_hull _ _ H t s i h E W) u s' j E').
   - intros <-. rewrite bary_vertex in Neg by assumption. destruct (Nat.eq_dec i j); lra.
-  - apply (shared_facets Co positive_d c HL geo G t s i u s' j); auto. apply opposite_facets in O. tauto.
+  - apply (shared_facets Co positive_d c HL geo G t s i u s' j); auto. apply opposite_facets in O.
+    tauto.
 Qed.
 Lemma neighbour_back t s i u s' j : simplex_at t s -> simplex_at u s' ->
   nth_error (walls s) i = Some (Neighbour u j) -> nth_error (walls s') j = Some (Neighbour t i).

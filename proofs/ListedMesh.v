@@ -77,7 +77,8 @@ Lemma listed_distinct : NoDup P.
 Proof.
   assert (N : NoDup (map (fun e => coordinates (position e)) (points c))).
   { pose proof points_accepted as A. unfold check_points in A.
-    destruct (points c) as [|e l]; [constructor|]. destruct (shaped pr (position e)); [|discriminate].
+    destruct (points c) as [|e l]; [constructor|].
+    destruct (shaped pr (position e)); [|discriminate].
     apply (increase_spec (computes_dimension _ _ Co)) in A. destruct A as [A N].
     cbn. constructor; [|assumption]. intros I. apply in_map_iff in I. destruct I as (e' & E & I).
     rewrite Forall_forall in A. destruct (A e' I) as [_ B].
@@ -130,7 +131,8 @@ Lemma description : exists geo, described geo.
 Proof.
   destruct (fills_framed P (simplices_of_certificate d c) F some) as (g & [V A D I C]).
   set (L := length (simplices_of_certificate d c)) in *.
-  assert (EL : L = length (Checker.simplices c)) by (unfold L, simplices_of_certificate; apply map_length).
+  assert (EL : L = length (Checker.simplices c)) by (unfold L, simplices_of_certificate; apply
+    map_length).
   assert (Q : forall t, In t tets -> In (pred (Pos.to_nat t)) (seq 0 L)).
   { intros t Ht. apply in_numbers in Ht. destruct Ht as (s & E). apply in_seq. rewrite EL.
     split; [lia|]. apply nth_error_Some. unfold numbered in E. congruence. }
@@ -160,7 +162,8 @@ Hypothesis G : described geo.
 Lemma in_tets t s : simplex_at t s -> In t tets.
 Proof. intros E. apply in_numbers. eauto. Qed.
 Lemma corners_length t s : simplex_at t s -> length (corners s) = S d.
-Proof. intros E. pose proof (proj1 (described_frame _ G t s E)) as L. now rewrite map_length in L. Qed.
+Proof. intros E. pose proof (proj1 (described_frame _ G t s E)) as L. now rewrite map_length in L.
+Qed.
 Lemma corners_NoDup t s : simplex_at t s -> NoDup (corners s).
 Proof.
   intros E. apply NoDup_map_inv with (f := spot).
@@ -278,7 +281,7 @@ Proof.
     (described_in _ G) (described_covering _ G)); assumption.
 Qed.
 Lemma beyond_bary t s i q : simplex_at t s ->
-  (beyond (map spot (corners s)) i q <-> (i <= d)%nat /\ bary (geo t) i q < 0).
+  (beyond_facet (map spot (corners s)) i q <-> (i <= d)%nat /\ bary (geo t) i q < 0).
 Proof.
   intros E. pose proof (described_frame _ G t s E) as (L & V). split.
   - intros (a & b & v & Ev & Pv & Z & N).

@@ -4,7 +4,8 @@
     of [Definitions.v], and the following.
     - Certificates and refutations are the records of [Checker.v] and [Refutation.v], written down
       as [CERTIFICATE.md] says. What points, simplices and weights they are about is said by
-      [Meaning.v] and [Evidence.v]; what a [breach] is, by [Breach.v] and [Evidence.v].
+      [Meaning.v] and [Evidence.v]; what a [breach] is, by [Breach.v] and [Evidence.v]; what an
+      honest certificate is, by [Honest.v].
     - [frame] ([Frame.v]): a d-simplex, as its vertices and its barycentric coordinates.
     - [above h t p] ([Perturbation.v]): how far the lifted point p is above the witness plane of t;
       [perturbed S h e]: the heights h, point number i of S lowered by e^i; [coefficients S h t p]:
@@ -13,9 +14,10 @@
     - [canonical_triangulation S h T] ([EveryPointSet.v]): T fills conv S, and its simplices have
       all other points above their witness planes by the symbolic sign. *)
 From Coq Require Import Reals List.
+From Circumspect Require Import Honest.
 From Circumspect Require Import Checker Refutation Meaning Breach Evidence Definitions.
 From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
-  Existence Optimality Hull Soundness RefutationSound.
+  Existence Optimality Hull Soundness RefutationSound Completeness EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -33,6 +35,26 @@ Theorem verified D c : check D c = Accepted ->
       forall w, weights_given (dimension_of D) c w -> weighted_delaunay_triangulation w S T
   end.
 Proof. apply Soundness.check_sound. Qed.
+
+(** No correct mesh is rejected. An honest certificate, whose pointers point at what they should
+    and whose sample point is inside its simplex, is accepted if and only if its claim is true: no
+    test of a sign fails on a true claim. *)
+Theorem verified_complete D c : honest_certificate D c ->
+  (check D c = Accepted <-> claim_holds (dimension_of D) c).
+Proof.
+  intros H. split; [|now apply Completeness.check_complete].
+  intros A. apply verified in A. destruct A as (_ & A). unfold claim_holds. cbv zeta.
+  destruct (claimed c); [exact A|exact A|]. destruct A as ((w & W) & A). exists w. auto.
+Qed.
+
+(** And there is such a certificate. If the points of [c], at least one, are in order and its
+    simplices list them with an orientation that is not negative, and what [c] claims of them is
+    true, then some certificate of the same claim, points and simplices is honest, hence accepted.
+    (That the program that writes certificates finds it is not proved.) *)
+Theorem certificate_exists D c : well_listed_certificate D c -> points c <> [] ->
+  claim_holds (dimension_of D) c ->
+  exists c', same_input c c' /\ honest_certificate D c' /\ check D c' = Accepted.
+Proof. apply EveryTriangulation.certificate_exists. Qed.
 
 (** An accepted refutation: the claim is false, by a breach of the kind that the evidence names.
     The claims are about d-simplices, and S is meant to span R^d (the program that writes

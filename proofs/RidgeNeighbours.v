@@ -24,7 +24,7 @@ Variables (o : point d) (cone : A -> nat -> frame d).
 Hypothesis interior : forall t i, hull_facet t i -> 0 < bary (geo t) i o.
 Hypothesis cones : forall t i, hull_facet t i -> cone_of (geo t) i o (cone t i).
 
-Lemma positive : (1 <= d)%nat.
+Lemma one_dimension : (1 <= d)%nat.
 Proof. lia. Qed.
 Lemma vertex_in_V t i : In t tets -> (i <= d)%nat -> In (vertex (geo t) i) V.
 Proof. intros Ht Hi. apply (in_V t Ht), in_vertices. eauto. Qed.
@@ -96,7 +96,7 @@ Qed.
 Lemma covered p : tets <> [] -> (forall t i, hull_facet t i -> 0 <= bary (geo t) i p) ->
   exists u, In u tets /\ inside_closed (geo u) p.
 Proof.
-  intros NE I. apply (mesh_covers (complex_matched tets geo positive agreeing different)
+  intros NE I. apply (mesh_covers (complex_matched tets geo one_dimension agreeing different)
     vertex_in_V support p NE). intros t i Ht Hi O. apply I. now split.
 Qed.
 
@@ -231,7 +231,8 @@ Proof.
       { apply (inside_pos c); [now apply bary_affine|assumption|]. intros l Hl.
         destruct (Nat.eq_dec l i) as [->|Nl].
         - rewrite (cone_apex (geo t) c i o Hi C). lra.
-        - rewrite (cone_vertex (geo t) c i o C l Hl Nl). apply support; [assumption|assumption|apply Fu|now apply vertex_in_V]. }
+        - rewrite (cone_vertex (geo t) c i o C l Hl Nl).
+          apply support; [assumption|assumption|apply Fu|now apply vertex_in_V]. }
       apply Rmult_le_reg_r with (bary (geo u) j o); [assumption|]. lra.
     - destruct (Rle_dec 0 (bary c' n z)) as [|X]; [assumption|exfalso].
       assert (0 < f ((u, j), n) y).

@@ -25,7 +25,8 @@ Proof.
   intros Hi Hk N I P. unfold progress.
   pose proof (bary_sum c y) as E. unfold sum in E.
   assert (0 < sum_over (seq 0 (S d)) (fun l => if Nat.eq_dec l i then 0 else bary c l y)) as Q.
-  { apply sum_pos with k; [|now apply in_seq_d|destruct (Nat.eq_dec k i); [contradiction|assumption]].
+  { apply sum_pos with k; [|now apply in_seq_d|destruct (Nat.eq_dec k i);
+      [contradiction|assumption]].
     intros l Hl. apply in_seq_d in Hl. destruct (Nat.eq_dec l i); [lra|auto]. }
   rewrite (sum_ext _ (fun l => bary c l y) (fun l => (if Nat.eq_dec l i then 0 else bary c l y) +
     (if Nat.eq_dec l i then bary c i y else 0))), sum_plus in E.
@@ -56,7 +57,8 @@ Lemma radial_coordinate k y : bary t i o <> 0 -> (k <= d)%nat -> k <> i -> 0 < p
 Proof.
   intros B Hk N P. pose proof (cone_bary t c i o Hi C k (radial c i o y) Hk N) as E.
   assert (Z : bary c i (radial c i o y) = 0).
-  { pose proof (cone_height t c i o Hi C (radial c i o y)) as X. rewrite on_facet in X by assumption.
+  { pose proof (cone_height t c i o Hi C (radial c i o y)) as X.
+    rewrite on_facet in X by assumption.
     symmetry in X. apply Rmult_integral in X. destruct X; [assumption|contradiction]. }
   rewrite Z in E. unfold radial in E at 1. rewrite affine_mix in E by now apply bary_affine.
   rewrite cone_at_origin in E by assumption. lra.
@@ -155,7 +157,8 @@ Lemma cones_agree t i u j y k : hull_facet t i -> hull_facet u j ->
 Proof.
   intros Ft Fu It Iu Pt Pu Hk N P. pose proof Fu as (Hu & Hj & _). pose proof Ft as (Ht & Hi & _).
   assert (Bu := interior u j Fu). assert (Bt := interior t i Ft).
-  pose proof (radial_shared t i u j y Ft Fu It Iu Pt Pu) as E. set (x := radial (cone t i) i o y) in *.
+  pose proof (radial_shared t i u j y Ft Fu It Iu Pt Pu) as E.
+  set (x := radial (cone t i) i o y) in *.
   assert (Xt : inside_closed (geo t) x).
   { apply (radial_closed (geo t) (cone t i) i o Hi (cones t i Ft)); auto. lra. }
   assert (Xu : inside_closed (geo u) x).
