@@ -8,6 +8,7 @@
 # The name of a test file says when it runs:
 #     *_slow_test.cpp, *_slow_property.cpp   label `slow`: not under the sanitizers
 #     *_soak_test.cpp, *_soak_property.cpp   label `soak`: only by `make soak`
+# The sanitizers' build does not compile either.
 
 function(circumspect_layer name folder)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
@@ -109,6 +110,10 @@ endfunction()
 # makes one executable, and registers each source file as one test; does nothing without sources.
 function(circumspect_test target)
   cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINKS;DEFINES" ${ARGN})
+  # What the sanitizers are not to run they need not compile.
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    list(FILTER ARG_SOURCES EXCLUDE REGEX "_(slow|soak)_[a-z]+\\.cpp$")
+  endif()
   if(NOT CIRCUMSPECT_BUILD_TESTS OR NOT ARG_SOURCES)
     return()
   endif()
