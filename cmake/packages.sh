@@ -29,7 +29,6 @@ doctest-dev           runs the tests
 libtet1.5-dev         TetGen as a function, put to the test
 libqhull-dev          Qhull as a function, put to the test
 topcom                a second opinion on the number of triangulations, in tests only
-python3               runs tidy/tidy.py
 pkg-config            tests the installed circumspect.pc
 clang-format-14       checks the layout of the sources
 clang                 compiles the fuzz targets
@@ -42,6 +41,7 @@ coq                   checks the proofs and extracts the certificate checker
 ocaml-nox             compiles it
 libzarith-ocaml-dev   its integers
 gappa                 proves the error bounds of the floating-point filters
+python3               makes the mutants of certificates; in tests, runs tidy/tidy.py
 END
       ;;
     bench) ;;
