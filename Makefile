@@ -20,7 +20,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo proofs test test-style test-proofs test-release test-sanitize soak soak-fuzz \
+.PHONY: build demo proofs test test-style test-proofs test-release test-sanitize soak soak-fuzz tsan \
         bench format clean deps deps-demo deps-proofs deps-test deps-bench
 
 deps: ; @cmake/packages.sh demo proofs test bench
@@ -83,6 +83,12 @@ soak-fuzz: deps-test
 	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/%.cpp,%,$(FUZZ_TARGETS))
 	@SEED=$$RANDOM fuzz/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
+
+# What runs on several threads, under ThreadSanitizer.
+tsan: deps-test
+	@$(CONFIGURE) --preset tsan -DCIRCUMSPECT_BUILD_TESTS=ON
+	@cmake --build --preset tsan -j $(JOBS)
+	@ctest --preset tsan
 
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }

@@ -25,6 +25,7 @@
 
 #include "bench/check_files.hpp"
 #include "bench/check_points.hpp"
+#include "bench/goals.hpp"
 #include "bench/processor_time.hpp"
 
 namespace circumspect::bench {
@@ -127,14 +128,21 @@ Cost cost_of(const std::string& claim, const MeshArrays<std::int32_t>& mesh) {
 }
 
 // What -C or -CC costs TetGen: it reads the files, and builds its mesh of them, with and without it.
-double tetgen_seconds(const std::string& stem, const std::string& check) {
+struct TetgenTime {
+  double seconds = 0;  // 0 if there is nothing to compare with
+  std::string why_not = {};
+};
+
+TetgenTime tetgen_time(const std::string& stem, const std::string& check) {
   double least[2] = {1e9, 1e9};
   for (int i = 0; i < 6; ++i) {
-    const RunTime time = run({"tetgen", "-rNEFQ" + (i % 2 == 0 ? "" : check), stem + ".ele"});
-    if (!time.succeeded) return 0;
+    const std::string options = "-rNEFQ" + (i % 2 == 0 ? "" : check);
+    const RunTime time = run({"tetgen", options, stem + ".ele"});
+    if (!time.succeeded) return {.why_not = "`" + options + "` fails"};
     least[i % 2] = std::min(least[i % 2], time.processor);
   }
-  return least[1] - least[0];
+  if (least[1] <= least[0]) return {.why_not = "no difference"};
+  return {.seconds = least[1] - least[0]};
 }
 
 // Empty if there is nothing to compare with.
@@ -149,35 +157,47 @@ std::string times(double theirs, double ours) {
 // What other programs need, in seconds; 0 if they were not asked.
 struct Others {
   double building = 0;
+  double building_on_wall = 0;
   double is_valid = 0;
-  double tetgen = 0;
+  TetgenTime tetgen = {};
 };
 
-// Returns whether the mesh was found right, and by the fast judge.
-bool print_row(const std::string& name, const std::string& claim, const Arrays& arrays,
-               const Others& others) {
+// A row of the table. Throws if the mesh is not found right, by the fast judge.
+Measured print_row(const std::string& name, const std::string& claim, const Arrays& arrays,
+                   const Others& others) {
   const MeshArrays<std::int32_t> bare{.coordinates = arrays.coordinates,
                                       .simplices = arrays.simplices};
   MeshArrays<std::int32_t> given = bare;
   given.neighbors = arrays.neighbors;
   const auto count = static_cast<double>(arrays.simplices.size() / 4);
   const MeshJudgement judgement = judge(claim, given);
+  if (!judgement.holds || !judgement.counts.fast) {
+    throw std::runtime_error(name + ": " + judgement.counts.why_not_fast + judgement.report);
+  }
   const Cost with = cost_of(claim, given);
   const Cost without = cost_of(claim, bare);
   fmt::print("| {} | {:.0f} | {} | {} | {} | {} | {} | {} | {} | ", name, count,
              in_nanoseconds(with.seconds, count), in_nanoseconds(without.seconds, count),
              in_nanoseconds(others.building, count), in_nanoseconds(others.is_valid, count),
-             times(others.is_valid, with.seconds), in_nanoseconds(others.tetgen, count),
-             times(others.tetgen, with.seconds));
+             times(others.is_valid, with.seconds),
+             others.tetgen.why_not + in_nanoseconds(others.tetgen.seconds, count),
+             times(others.tetgen.seconds, with.seconds));
   fmt::print("{:.1f} | {:.1f} | {:.2f} | {:.2f} | {:.0f} |\n", with.bytes / count,
              without.bytes / count, with.speedup, without.speedup,
              static_cast<double>(judgement.counts.exact_signs) / count * 1000);
   std::fflush(stdout);
-  return judgement.holds && judgement.counts.fast;
+  const double to_nanoseconds = 1e9 / count;
+  return {.name = name,
+          .given = with.seconds * to_nanoseconds,
+          .only = without.seconds * to_nanoseconds,
+          .is_valid = others.is_valid * to_nanoseconds,
+          .given_speedup = with.speedup,
+          .only_speedup = without.speedup,
+          .bytes = std::max(with.bytes, without.bytes) / count};
 }
 
-// From files to verdict, by the clock on the wall.
-void time_files(const std::string& stem, double building) {
+// From files to verdict, by the clock on the wall: the least of three.
+RunTime time_files(const std::string& stem) {
   const std::string program =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "circumspect";
   RunTime least{.wall = 1e9};
@@ -185,75 +205,98 @@ void time_files(const std::string& stem, double building) {
     const RunTime time = run({program, "check", stem + ".ele"});
     if (time.succeeded && time.wall < least.wall) least = time;
   }
-  if (!least.succeeded) return;
-  fmt::print(
-      "\n`.node` and `.ele` text to verdict, random 10^6, `circumspect check`, {} threads: {:.2f} "
-      "s "
-      "on the wall, {:.2f} s of processor time; CGAL builds it, one thread, in {:.2f} s.\n",
-      std::thread::hardware_concurrency(), least.wall, least.processor, building);
+  return least.succeeded ? least : RunTime{};
 }
 
-// `large`: only our own time and CGAL's.
-bool time_one(const std::string& name, const std::vector<double>& coordinates,
-              const std::string& folder, bool large = false) {
-  Arrays arrays;
-  Others others;
-  double building = 0;
-  {
+class Table {
+ public:
+  // Prints rows whose names contain `wanted`.
+  explicit Table(std::string wanted) : wanted_(std::move(wanted)) {
+    fmt::print("\nJudging meshes in arrays: nanoseconds a tetrahedron, one thread\n\n");
+    fmt::print(
+        "| points | tetrahedra | neighbours given | points and simplices only | CGAL builds it | "
+        "CGAL `is_valid` | times ours | `tetgen -rCC` less `tetgen -r` | times ours | bytes, given "
+        "| bytes, only | two threads faster, given | only | exact signs in 1000 |\n| --- |");
+    for (int i = 0; i < 13; ++i) fmt::print(" ---: |");
+    fmt::print("\n");
+  }
+
+  // `large`: CGAL once, and no files. `files`: from files to verdict, too.
+  enum class Extent { kUsual, kLarge, kFiles };
+  void add(const std::string& name, const std::vector<double>& coordinates,
+           Extent extent = Extent::kUsual) {
+    if (name.find(wanted_) == std::string::npos) return;
+    Others others;
+    const Arrays arrays = built(coordinates, extent == Extent::kLarge, others);
+    const std::string stem = folder_.name() + "/mesh";
+    if (extent != Extent::kLarge) {
+      write_mesh(stem, arrays);
+      others.tetgen = tetgen_time(stem, "CC");
+    }
+    meshes_.push_back(print_row(name, "delaunay", arrays, others));
+    if (extent != Extent::kFiles) return;
+    text_ = time_files(stem);
+    built_in_ = others.building_on_wall;
+    meshes_.back().text_to_verdict = text_.wall;
+  }
+
+  void add_constrained(const std::string& name) {
+    if (name.find(wanted_) == std::string::npos) return;
+    const Arrays arrays = constrained_mesh(folder_.name(), 100);
+    if (arrays.simplices.empty()) return;
+    write_mesh(folder_.name() + "/mesh", arrays);
+    print_row(name, "triangulation", arrays,
+              {.tetgen = tetgen_time(folder_.name() + "/mesh", "C")});
+  }
+
+  void finish() const {
+    print_goals(meshes_);
+    if (!text_.succeeded) return;
+    fmt::print(
+        "\n`.node` and `.ele` text to verdict, random 10^6, `circumspect check`, {} threads: "
+        "{:.2f} s on the wall, {:.2f} s of processor time; CGAL builds it, one thread, in {:.2f} "
+        "s.\n",
+        std::thread::hardware_concurrency(), text_.wall, text_.processor, built_in_);
+  }
+
+ private:
+  // CGAL's mesh, and how long it takes CGAL to build and check it.
+  static Arrays built(const std::vector<double>& coordinates, bool large, Others& others) {
     Cgal cgal;
     const Points points = points_of(coordinates);
-    others.building = seconds(
-        [&] { building = wall_seconds([&] { cgal.insert(points.begin(), points.end()); }); });
-    arrays = arrays_of(coordinates, cgal);
+    others.building = seconds([&] {
+      others.building_on_wall = wall_seconds([&] { cgal.insert(points.begin(), points.end()); });
+    });
+    Arrays arrays = arrays_of(coordinates, cgal);
     const auto check = [&] { cgal.is_valid(); };
     others.is_valid = large ? seconds(check) : least_seconds(check);
+    return arrays;
   }
-  const std::string stem = folder + "/mesh";
-  if (!large) {
-    write_mesh(stem, arrays);
-    others.tetgen = tetgen_seconds(stem, "CC");
-  }
-  const bool right = print_row(name, "delaunay", arrays, others);
-  if (name == "random 10^6") time_files(stem, building);
-  return right;
-}
 
-bool time_constrained_mesh(const std::string& folder) {
-  const Arrays arrays = constrained_mesh(folder, 100);
-  if (arrays.simplices.empty()) return true;
-  write_mesh(folder + "/mesh", arrays);
-  return print_row("CDT, claim `triangulation`", "triangulation", arrays,
-                   {.tetgen = tetgen_seconds(folder + "/mesh", "C")});
-}
+  std::string wanted_;
+  Folder folder_;
+  std::vector<Measured> meshes_;
+  RunTime text_;
+  double built_in_ = 0;
+};
 
 }  // namespace
 
-int time_checking(const std::string& wanted) {
+void time_checking(const std::string& wanted, const std::string& row) {
   const bool large = wanted == "check-large";
-  if (!large && std::string("check").find(wanted) == std::string::npos) return 0;
-  fmt::print("\nJudging meshes in arrays: nanoseconds a tetrahedron, one thread\n\n");
-  fmt::print(
-      "| points | tetrahedra | neighbours given | points and simplices only | CGAL builds it | "
-      "CGAL `is_valid` | times ours | `tetgen -rCC` less `tetgen -r` | times ours | bytes, given | "
-      "bytes, only | two threads faster, given | only | exact signs in 1000 |\n| --- |");
-  for (int i = 0; i < 13; ++i) fmt::print(" ---: |");
-  fmt::print("\n");
-  const Folder folder;
-  int wrong = 0;
-  const auto time = [&](const std::string& name, const std::vector<double>& coordinates) {
-    wrong += time_one(name, coordinates, folder.name()) ? 0 : 1;
-  };
-  time("random 10^4", random_points(10000));
-  time("random 10^5", random_points(100000));
-  time("grid 46^3", grid_points(46));
-  time("sphere 10^5", sphere_points(100000));
-  time("100 clusters of 1000", clustered_points(100, 1000));
-  time("10^5 near a line", points_near_line(100000));
-  time("1000 near two skew lines", points_near_two_lines(1000));
-  wrong += time_constrained_mesh(folder.name()) ? 0 : 1;
-  time("random 10^6", random_points(1000000));
-  if (large) wrong += time_one("random 10^7", random_points(10000000), folder.name(), true) ? 0 : 1;
-  return wrong;
+  if (!large && std::string("check").find(wanted) == std::string::npos) return;
+  Table table(row);
+  table.add("random 10^4", random_points(10000));
+  table.add("random 10^5", random_points(100000));
+  table.add("grid 46^3", grid_points(46));
+  table.add("sphere 10^5", sphere_points(100000));
+  table.add("100 clusters of 1000", clustered_points(100, 1000));
+  table.add("10^5 near a line", points_near_line(100000));
+  table.add("1000 near two skew lines", points_near_two_lines(1000));
+  table.add_constrained("CDT, claim `triangulation`");
+  table.add("random 10^6", random_points(1000000), Table::Extent::kFiles);
+  if (large) table.add("random 10^7", random_points(10000000), Table::Extent::kLarge);
+  table.finish();
 }
 
 }  // namespace circumspect::bench

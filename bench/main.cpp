@@ -1,9 +1,15 @@
 // Prints the tables of bench/README.md. With arguments, only the algorithms whose name contains the
-// first one. After --, the program of campaigns, and before it the name of its mesh:
+// first one; of the table of `check` only the rows whose name contains the second:
+//
+//     circumspect_bench check sphere
+//
+// After --, the program of campaigns, and before it the name of its mesh:
 //
 //     circumspect_bench campaign x.1.ele -- tetgen -JQ {points}
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -96,7 +102,7 @@ void count_changes_on_grids() {
 }  // namespace
 }  // namespace circumspect::bench
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   const std::vector<std::string> words(arguments + 1, arguments + count);
   const auto dashes = std::find(words.begin(), words.end(), "--");
   const std::string wanted = dashes != words.begin() ? words.front() : "";
@@ -107,8 +113,11 @@ int main(int count, char** arguments) {
   too_slow += circumspect::bench::time_constrained(wanted);
   too_slow += circumspect::bench::time_judging(wanted);
   too_slow += circumspect::bench::time_campaigns(wanted, program);
-  too_slow += circumspect::bench::time_checking(wanted);
+  circumspect::bench::time_checking(wanted, dashes - words.begin() > 1 ? words[1] : "");
   if (wanted.empty()) circumspect::bench::count_changes_on_grids();
   if (too_slow > 0) fmt::print("\n{} algorithms took longer than they may\n", too_slow);
   return too_slow == 0 ? 0 : 1;
+} catch (const std::exception& fault) {
+  fmt::print(stderr, "{}\n", fault.what());
+  return 1;
 }

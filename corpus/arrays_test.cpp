@@ -8,7 +8,7 @@
 namespace circumspect::corpus {
 
 TEST_CASE("arrays are judged as files are, and by the fast judge wherever they hold") {
-  std::size_t fast = 0, rejected = 0, tiny = 0;
+  std::size_t fast = 0, rejected = 0;
   for (const Row& row : expected_rows()) {
     const Mesh mesh = mesh_of(row);
     const auto arrays = harness::arrays_of(mesh);
@@ -17,15 +17,11 @@ TEST_CASE("arrays are judged as files are, and by the fast judge wherever they h
     const MeshJudgement judgement = judge(std::string(name(row.claim)), arrays->view());
     CHECK(harness::difference_from_slow(row.claim, mesh, judgement) == "");
     const bool is_handled = arrays->dimension == 2 || arrays->dimension == 3;
-    // No double is in the interior of a simplex where all points are a few ulps apart.
-    const bool is_tiny = judgement.counts.why_not_fast == "no sample point";
-    if (is_handled && judgement.holds && !is_tiny) CHECK(judgement.counts.fast);
-    tiny += judgement.holds && is_tiny ? 1 : 0;
+    if (is_handled && judgement.holds) CHECK(judgement.counts.fast);
     fast += judgement.counts.fast ? 1 : 0;
     rejected += judgement.holds ? 0 : 1;
   }
   CHECK(fast > 100);
-  CHECK(tiny < 5);
   CHECK(rejected > 100);
 }
 

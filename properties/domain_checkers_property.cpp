@@ -1,5 +1,6 @@
 // The two ways to judge a claim about a domain are one: by lemma and by definition, on CDTs, on other
-// triangulations, on finer ones and on broken meshes. Book: Definitions 4.4 to 4.7, Lemma 4.10.
+// triangulations, on finer ones and on broken meshes; and what the fast judge knows of a mesh changes no word
+// of the verdict. Book: Definitions 4.4 to 4.7, Lemma 4.10.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -7,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include "oracle/check/domain/judge_domain.hpp"
+#include "oracle/check/flat/judge_domain_quickly.hpp"
+#include "oracle/check/flat/witness_text_test.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "properties/generators/complexes.hpp"
 #include "properties/generators/run.hpp"
@@ -32,13 +35,19 @@ using generators::ComplexCase;
 constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
                              Claim::kSteinerCdt, Claim::kConformingDelaunay};
 
+// How often the fast judge knew something of a mesh that it was asked about.
+std::size_t known_volumes = 0;
+
 // The common answers of both ways.
 std::map<Claim, bool> judged(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
   const Domain domain{complex};
   std::map<Claim, bool> answers;
   for (const Claim claim : kClaims) {
-    const bool by_lemma =
-        check::judge_domain(claim, mesh, domain, {.by = check::By::kLemma}).holds();
+    const Verdict verdict = check::judge_domain(claim, mesh, domain, {.by = check::By::kLemma});
+    const Verdict quick = check::judge_domain_quickly(claim, mesh, domain, {}, 1);
+    RC_ASSERT(check::text_of(quick, mesh) == check::text_of(verdict, mesh));
+    known_volumes += check::known_volume(claim, mesh, domain, {}, 1) ? 1U : 0U;
+    const bool by_lemma = verdict.holds();
     const bool by_definition =
         check::judge_domain(claim, mesh, domain, {.by = check::By::kDefinition}).holds();
     RC_LOG() << name(claim) << " by lemma: " << by_lemma << ", by definition: " << by_definition
@@ -111,6 +120,7 @@ TEST_CASE("C2 CDTs pass by lemma and by definition; all but some faces or simpli
     ++broken;
   }));
   CHECK(occurs(broken));
+  CHECK(occurs(known_volumes, 100));
 }
 
 TEST_CASE("C1 lemma and definition agree on altered CDTs") {

@@ -17,6 +17,7 @@
 
 #include "oracle/campaign/folders.hpp"
 #include "oracle/campaign/judge_mesh.hpp"
+#include "oracle/campaign/replace_all.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::campaign {
@@ -105,13 +106,6 @@ std::string for_terminals(std::string text) {
     if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) c = '?';
   }
   return text;
-}
-
-void replace_all(std::string& text, const std::string& part, const std::string& by) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at)) {
-    text.replace(at, part.size(), by);
-    at += by.size();
-  }
 }
 
 }  // namespace

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "oracle/campaign/replace_all.hpp"
+
 namespace circumspect::campaign {
-namespace {
-
-void replace_all(std::string& text, const std::string& part, const std::string& by) {
-  for (std::size_t at = text.find(part); at != std::string::npos;
-       at = text.find(part, at + by.size())) {
-    text.replace(at, part.size(), by);
-  }
-}
-
-}  // namespace
 
 std::vector<std::string> filled_in(const Subject& subject, const Paths& paths) {
   std::vector<std::string> arguments = subject.command;

@@ -1,6 +1,9 @@
 // Judging a mesh: the claims and the two ways to judge each.
 #pragma once
 
+#include <vector>
+
+#include "oracle/check/delaunay.hpp"
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
 
@@ -32,5 +35,13 @@ Verdict weighted_delaunay(const Mesh& mesh, const Options& options = {});
 
 // Requires: not a claim about a domain (see domain/judge_domain.hpp).
 Verdict judge(Claim claim, const Mesh& mesh, const Options& options = {});
+
+// The verdict that one of the two claims about balls does not hold, where somebody else has found that the
+// mesh is a triangulation of its points, and which facets are not locally Delaunay: what judge() says, of
+// these facets alone, in whatever order they come. `mesh` may be a part of that mesh, if the simplices of
+// the facets are in it, and the numbering of points and simplices is in the same order. Throws
+// std::logic_error if one of the facets is locally Delaunay. Requires: at least one facet, each once.
+Verdict not_locally_delaunay(Claim claim, const Mesh& mesh, std::vector<SharedFacet> facets,
+                             const Options& options = {});
 
 }  // namespace circumspect::check

@@ -1,7 +1,6 @@
 #include "oracle/check/delaunay.hpp"
 
 #include "oracle/check/ball_witness.hpp"
-#include "reference/complex/facets.hpp"
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/orientation.hpp"
 
@@ -26,11 +25,12 @@ std::optional<Vertex> submerged_vertex(const PointSet& points, const Simplex& si
   return only;
 }
 
-void add_facet(const Mesh& mesh, const Simplex& simplex, const Simplex& facet, Vertex apex,
-               Verdict& verdict) {
+void add_facet(const Mesh& mesh, const SharedFacet& shared, Verdict& verdict) {
+  const Simplex& simplex = mesh.simplices[shared.simplex];
+  const Vertex apex = shared.apex;
   const auto submerged = submerged_vertex(mesh.points, simplex, apex);
   if (!submerged) {
-    add_in_ball(mesh, Rule::kFacetNotLocal, simplex, facet, apex, verdict);
+    add_in_ball(mesh, Rule::kFacetNotLocal, simplex, shared.facet, apex, verdict);
     return;
   }
   Simplex around = simplex;
@@ -46,14 +46,21 @@ void add_facet(const Mesh& mesh, const Simplex& simplex, const Simplex& facet, V
 
 }  // namespace
 
-void judge_facets_locally_delaunay(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity) {
-  for_each_facet(facet_uses(mesh.simplices), [&](std::span<const FacetUse> group) {
+int judge_facet_locally_delaunay(const Mesh& mesh, const SharedFacet& shared, Verdict& verdict) {
+  const Simplex& simplex = mesh.simplices[shared.simplex];
+  const int side = in_ball(mesh.points.configuration(), simplex, shared.apex);
+  if (side > 0) add_facet(mesh, shared, verdict);
+  return side;
+}
+
+void judge_facets_locally_delaunay(const Mesh& mesh, const std::vector<FacetUse>& uses,
+                                   Verdict& verdict, Ambiguity& ambiguity) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
     if (group.size() != 2) return;
-    const Simplex& simplex = mesh.simplices[group[0].simplex];
     const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
-    const int side = in_ball(mesh.points.configuration(), simplex, apex);
-    ambiguity.see(mesh.points, simplex, apex, side);
-    if (side > 0) add_facet(mesh, simplex, group[0].facet, apex, verdict);
+    const SharedFacet shared{group[0].facet, group[0].simplex, apex};
+    const int side = judge_facet_locally_delaunay(mesh, shared, verdict);
+    ambiguity.see(mesh.points, mesh.simplices[shared.simplex], apex, side);
   });
 }
 

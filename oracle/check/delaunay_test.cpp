@@ -2,6 +2,8 @@
 // `unique` and `canonical`.
 #include "oracle/check/delaunay.hpp"
 
+#include <stdexcept>
+
 #include <doctest/doctest.h>
 
 #include "oracle/check/check.hpp"
@@ -122,6 +124,41 @@ TEST_CASE("facts: canonical means every cell, not the last one looked at") {
   check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 5}, {1, 4, 5}}}, false, true);
   check_facts({points, {{0, 1, 3}, {1, 3, 4}, {1, 2, 5}, {1, 4, 5}}}, false, false);
   check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 4}, {2, 4, 5}}}, false, false);
+}
+
+// Against judge() on large meshes: flat/judge_flat_test.cpp.
+TEST_CASE("facets that somebody found not to be locally Delaunay are asked again, in their order") {
+  // The kite twice, and what is between.
+  const PointSet points({{-2, 0},
+                         {2, 0},
+                         {0, 1},
+                         {0, Rational(-1, 2)},
+                         {-2, 10},
+                         {2, 10},
+                         {0, 9},
+                         {0, Rational(21, 2)}});
+  const Mesh mesh{
+      points,
+      {{4, 5, 6}, {0, 1, 2}, {3, 1, 0}, {0, 2, 4}, {2, 4, 6}, {2, 5, 6}, {1, 2, 5}, {4, 5, 7}}};
+  const SharedFacet below{{0, 1}, 1, 3};
+  const SharedFacet above{{4, 5}, 0, 7};
+  const Verdict first = not_locally_delaunay(Claim::kDelaunay, mesh, {below});
+  REQUIRE(first.violations().size() == 1);
+  CHECK(first.violations()[0].witness.face == Simplex{0, 1});
+  CHECK(first.violations()[0].witness.vertices == std::vector<Vertex>{3});
+  CHECK_FALSE(first.unique.has_value());
+  const Verdict of_mesh = delaunay(mesh);
+  const Verdict both =
+      not_locally_delaunay(Claim::kDelaunay, mesh, {above, below}, {.max_violations = 1});
+  REQUIRE(both.violations().size() == 1);
+  CHECK(both.violations()[0].witness.face == Simplex{0, 1});
+  CHECK(both.tallies().at(Rule::kFacetNotLocal).count == 2);
+  CHECK(of_mesh.tallies().at(Rule::kFacetNotLocal).count == 2);
+  CHECK(both.tallies().at(Rule::kFacetNotLocal).worst_margin ==
+        of_mesh.tallies().at(Rule::kFacetNotLocal).worst_margin);
+  CHECK(both.points == 8);
+  const SharedFacet good{{0, 2}, 1, 4};
+  CHECK_THROWS_AS(not_locally_delaunay(Claim::kDelaunay, mesh, {below, good}), std::logic_error);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "oracle/check/neighbors.hpp"
 
-#include "reference/complex/facets.hpp"
-
 namespace circumspect::check {
 namespace {
 
@@ -22,8 +20,8 @@ void judge_link(const Mesh& mesh, const FacetUse& use, Vertex across, Verdict& v
 
 }  // namespace
 
-void judge_neighbors(const Mesh& mesh, Verdict& verdict) {
-  for_each_facet(facet_uses(mesh.simplices), [&](std::span<const FacetUse> group) {
+void judge_neighbors(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
     const bool shared = group.size() == 2;
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;

@@ -4,7 +4,6 @@
 
 #include "oracle/check/ball_witness.hpp"
 #include "oracle/check/simplices.hpp"
-#include "reference/complex/facets.hpp"
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/orientation.hpp"
 
@@ -14,11 +13,12 @@ namespace {
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 // For each vertex of each simplex the simplex across the opposite facet.
-std::vector<std::vector<std::size_t>> neighbors_of(const std::vector<Simplex>& simplices) {
+std::vector<std::vector<std::size_t>> neighbors_of(const std::vector<Simplex>& simplices,
+                                                   const std::vector<FacetUse>& uses) {
   std::vector<std::vector<std::size_t>> across;
   across.reserve(simplices.size());
   for (const Simplex& simplex : simplices) across.emplace_back(simplex.size(), kNone);
-  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
     if (group.size() != 2) return;
     across[group[0].simplex][group[0].opposite] = group[1].simplex;
     across[group[1].simplex][group[1].opposite] = group[0].simplex;
@@ -58,10 +58,11 @@ std::size_t locate(const Mesh& mesh, const std::vector<std::vector<std::size_t>>
 
 }  // namespace
 
-void judge_submerged_points(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity) {
+void judge_submerged_points(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict,
+                            Ambiguity& ambiguity) {
   const std::vector<Vertex> unused = unused_points(mesh);
   if (unused.empty() || mesh.simplices.empty()) return;
-  const auto across = neighbors_of(mesh.simplices);
+  const auto across = neighbors_of(mesh.simplices, uses);
   std::size_t place = 0;
   for (const Vertex q : unused) {
     const std::size_t found = locate(mesh, across, place, q);

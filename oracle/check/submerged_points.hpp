@@ -2,16 +2,20 @@
 // Section 5.2 (weighted Delaunay triangulations).
 #pragma once
 
+#include <vector>
+
 #include "oracle/check/ambiguity.hpp"
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
+#include "reference/complex/facets.hpp"
 
 namespace circumspect::check {
 
 // Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
 // outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
 // that simplex (else weighted.point-below-plane). Requires: the mesh is a triangulation of its
-// vertices.
-void judge_submerged_points(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
+// vertices, and `uses` are those of its facets.
+void judge_submerged_points(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict,
+                            Ambiguity& ambiguity);
 
 }  // namespace circumspect::check

@@ -14,8 +14,8 @@ namespace circumspect::check {
 // Condition 1 of oracle/check/README.md alone. `uses` are those of the mesh.
 bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
 
-// Conditions 1–3 of oracle/check/README.md: linear but for sorting.
-bool judge_complex_by_lemma(const Mesh& mesh, Verdict& verdict);
+// Conditions 1–3 of oracle/check/README.md: linear but for sorting. `uses` are those of the mesh.
+bool judge_complex_by_lemma(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
 
 // Every two simplices meet in a common face or not at all; and a facet of only one simplex has no
 // point beyond it, so that the union is the whole hull.

@@ -147,9 +147,8 @@ bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, V
   return matched;
 }
 
-bool judge_complex_by_lemma(const Mesh& mesh, Verdict& verdict) {
+bool judge_complex_by_lemma(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
   if (mesh.simplices.empty()) return true;
-  const std::vector<FacetUse> uses = facet_uses(mesh.simplices);
   if (!judge_facet_matching(mesh, uses, verdict)) return false;
   const std::vector<BoundaryFacet> boundary = boundary_facets(mesh, uses);
   if (judge_ridges(mesh, boundary, verdict)) judge_sample_point(mesh, boundary, verdict);

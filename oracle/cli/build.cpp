@@ -15,6 +15,7 @@
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/report/wording.hpp"
@@ -66,8 +67,8 @@ std::string facts(const BuildOptions& options, const Mesh& mesh,
   return unique ? " unique canonical" : " not-unique canonical";
 }
 
-Triangulation construct(const BuildOptions& options, const PointSet& points,
-                        delaunay::Statistics& statistics) {
+Triangulation construct_triangulation(const BuildOptions& options, const PointSet& points,
+                                      delaunay::Statistics& statistics) {
   if (options.what == "lexicographic") return delaunay::lexicographic(points);
   return constructions().at(options.algorithm)(points, {options.bowyer_watson, &statistics});
 }
@@ -102,7 +103,7 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   }
   const Mesh& mesh = loaded->mesh;
   delaunay::Statistics statistics;
-  const Triangulation triangulation = construct(options, mesh.points, statistics);
+  const Triangulation triangulation = construct_triangulation(options, mesh.points, statistics);
   if (!write_files(options, mesh, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
@@ -164,7 +165,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
   command
       .add_option("--algorithm", options.algorithm,
                   "All give the same set of simplices (default: bowyer-watson)")
-      ->check(CLI::IsMember(names).description(""))
+      ->check(one_of_words(names))
       ->option_text(construction_names());
   const std::map<std::string, InsertionOrder> orders = {
       {"as-given", InsertionOrder::kAsGiven},
@@ -186,6 +187,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
       ->transform(one_of(locations))
       ->option_text("linear-scan|conflict-graph|walking");
   command.add_option("--seed", options.bowyer_watson.seed, "Of the random orders (default: 0)")
+      ->check(whole_number())
       ->option_text("N");
   command.add_flag("--statistics", options.statistics,
                    "Say what Bowyer-Watson created, deleted, filed, walked and tested");

@@ -8,6 +8,7 @@
 #include "oracle/cli/input.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/optimality/all_triangulations.hpp"
@@ -113,6 +114,7 @@ void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code) {
   command
       ->add_option("--max-points", options->max_points,
                    "Refuse larger sets (default 9; 0: none is too large)")
+      ->check(whole_number())
       ->option_text("N");
   command->add_flag("--some-points", options->some_points,
                     "Also those that leave out points, as flips of weighted triangulations do");

@@ -15,6 +15,7 @@
 #include "oracle/cli/mesh_output.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -209,7 +210,7 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
     command
         ->add_option("--steiner-points", options->most_steiner_points,
                      "Give up, with exit code 4, when more are needed (default 10000)")
-        ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+        ->check(whole_number())
         ->option_text("N");
   }
   add_domain_kind_option(*command, options->domain_kind);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/report/json.hpp"
@@ -96,7 +97,7 @@ void add_build_subdivision(CLI::App& build, ExitCode& exit_code) {
   command
       ->add_option("--algorithm", options->algorithm,
                    "All give the same complex (default: lifted-hull)")
-      ->check(CLI::IsMember(names).description(""))
+      ->check(one_of_words(names))
       ->option_text("by-definition|gift-wrapping-cells|lifted-hull");
   command->add_flag("--weighted", options->input.weighted,
                     "With weights: the first attribute of a .node file, or the key of JSON");

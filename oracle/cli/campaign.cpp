@@ -180,13 +180,13 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->delimiter(',')
       ->option_text("NAME,...");
   command->add_option("--max-points", options->max_points, "Of an input (default: 20)")
-      ->check(CLI::Range(1, 1'000'000).description(""))
+      ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   command
       ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
       ->option_text("FOLDER");
   command->add_option("--jobs", options->jobs, "Programs at a time (default: one a processor)")
-      ->check(CLI::Range(1, 256).description(""))
+      ->check(whole_number(1, 256))
       ->option_text("N");
   command
       ->add_option("--output", options->folder,

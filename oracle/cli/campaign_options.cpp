@@ -63,7 +63,7 @@ void add_files(CLI::App& command, SubjectOptions& options) {
   command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
   command
       .add_option("--first-index", options.first_index, "The index of the first point (default: 0)")
-      ->check(CLI::IsMember({0, 1}).description(""))
+      ->check(whole_number(0, 1))
       ->option_text("0|1");
 }
 
@@ -72,13 +72,14 @@ void add_claims(CLI::App& command, SubjectOptions& options) {
                    "What its meshes are to be (default: delaunay; of domains: steiner-cdt)");
   add_domain_kind_option(command, options.domain_kind);
   command.add_option("--dimension", options.dimension, "Of the points (default: 3)")
-      ->check(CLI::Range(1, 8).description(""))
+      ->check(whole_number(1, 8))
       ->option_text("D");
   command.add_flag("--full-dimension", options.full_dimension,
                    "Skip points that lie in a hyperplane, or are too few not to");
   command
       .add_option("--refusal-exit-code", options.refusal_codes,
                   "This exit code says that the program does not take the input, and may")
+      ->check(whole_number(0, 255))
       ->option_text("N ...");
   command
       .add_option("--refusal-text", options.refusal_texts,
@@ -193,7 +194,7 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
   add_bytes(command, "--limit-output", options.output,
             "What it may write, each file and all together (default: 64M)");
   command.add_option("--limit-processes", options.processes, "At a time (default: 256)")
-      ->check(CLI::Range(1, 1'000'000).description(""))
+      ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   add_duration(command, "--minimize-time", options.minimise_seconds,
                "How long an input is made smaller (default: 120s)");

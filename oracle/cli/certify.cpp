@@ -8,9 +8,11 @@
 #include "oracle/check/check.hpp"
 #include "oracle/cli/certificate_output.hpp"
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/judge_file.hpp"
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/threads_option.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 
@@ -23,17 +25,19 @@ struct CertifyOptions {
   Claim claim = Claim::kDelaunay;
   InputOptions input;
   OutputOptions output;
+  std::uint64_t threads = 0;  // 0: as many as the machine has
 };
 
 void certify(const CertifyOptions& options, Output& output) {
-  const auto loaded = load_mesh(options.mesh, options.input);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "mesh", options.mesh, loaded.error());
+  const JudgeFileOptions judging{{}, options.input, true, thread_count(options.threads)};
+  const auto judged = judge_file(options.mesh, options.claim, judging);
+  if (!judged) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, judged.error());
     return;
   }
-  for (const std::string& note : loaded->notes) output.text("note: " + note + "\n");
-  const Mesh& mesh = loaded->mesh;
-  const Verdict verdict = check::judge(options.claim, mesh);
+  for (const std::string& note : judged->notes) output.text("note: " + note + "\n");
+  const Mesh& mesh = judged->mesh;
+  const Verdict& verdict = judged->verdict;
   if (!write_certificate(options.certificate, options.mesh, mesh, verdict, output)) return;
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
   output.text(report::verdict_line(verdict, mesh, options.mesh) + "\n");
@@ -90,6 +94,7 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       ->option_text("triangulation|delaunay|weighted-delaunay");
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
+  add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);

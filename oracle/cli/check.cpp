@@ -8,14 +8,15 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "oracle/check/domain/judge_domain.hpp"
-#include "oracle/check/flat/judge_flat.hpp"
+#include "oracle/check/flat/judge_domain_quickly.hpp"
 #include "oracle/cli/certificate_output.hpp"
 #include "oracle/cli/domain_input.hpp"
 #include "oracle/cli/input.hpp"
+#include "oracle/cli/judge_file.hpp"
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/threads_option.hpp"
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -32,6 +33,7 @@ struct CheckOptions {
   check::Options check;
   InputOptions input;
   OutputOptions output;
+  std::uint64_t threads = 0;  // 0: as many as the machine has
 };
 
 // The same points, in whatever order?
@@ -44,19 +46,12 @@ bool has_same_points(const PointSet& a, const PointSet& b) {
   return of_a == of_b;
 }
 
-// What is claimed where nobody says it: with a domain, a CDT, which is a Steiner CDT if the mesh has
-// other vertices than the domain.
-Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain* domain) {
+// What is claimed where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
+// the domain.
+Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
   if (options.claim) return *options.claim;
-  if (domain == nullptr) return Claim::kDelaunay;
-  const bool same = has_same_points(mesh.points, domain->domain.complex.points);
+  const bool same = has_same_points(mesh.points, domain.domain.complex.points);
   return same ? Claim::kCdt : Claim::kSteinerCdt;
-}
-
-Verdict judge(Claim claim, const Mesh& mesh, const LoadedDomain* domain,
-              const check::Options& options) {
-  if (domain == nullptr) return check::judge(claim, mesh, options);
-  return check::judge_domain(claim, mesh, domain->domain, options);
 }
 
 // Which part of the plane or of space the mesh is held against.
@@ -68,48 +63,10 @@ std::string domain_line(const LoadedDomain& domain) {
   return fmt::format("domain: {} {}, {}\n", domain.name, word(complex.kind), filled);
 }
 
-// Judges a mesh where it lies in flat arrays. False if that gives no verdict: whatever is to be said of
-// the mesh then is said by those who look at exact numbers.
-bool check_flat(const std::string& path, const CheckOptions& options, Output& output) {
-  if (options.certificate || options.check.by != check::By::kLemma) return false;
-  const auto mesh = formats::read_flat_mesh(
-      {path, options.input.points, options.input.coordinates, options.input.neighbors});
-  if (!mesh) return false;
-  const Claim claim = options.claim.value_or(Claim::kDelaunay);
-  const auto verdict = check::judge_flat(claim, *mesh, options.check);
-  if (!verdict) return false;
-  output.exit_with(ExitCode::kHolds);
-  const Mesh not_needed{PointSet({}), {}};  // what holds names no part of the mesh
-  if (output.wants_text()) output.text(report::verdict_line(*verdict, not_needed, path) + "\n");
-  if (output.wants_json()) {
-    output.json(report::verdict(*verdict, not_needed, path, options.check.by));
-  }
-  return true;
-}
-
-void check_one(const std::string& path, const CheckOptions& options, const LoadedDomain* domain,
-               Output& output) {
-  if (domain == nullptr && check_flat(path, options, output)) return;
-  const auto dimension =
-      domain == nullptr ? std::optional<std::size_t>() : domain->domain.complex.ambient_dimension();
-  const auto loaded = load_mesh(path, options.input, dimension);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
-    return;
-  }
-  for (const std::string& note : loaded->notes) output.text("note: " + note + "\n");
-  const Mesh& mesh = loaded->mesh;
-  if (domain != nullptr && !mesh.points.empty() &&
-      mesh.points.ambient_dimension() != domain->domain.complex.ambient_dimension()) {
-    output.error(
-        ExitCode::kInputFault, "mesh", path,
-        fmt::format("{}: expected points of dimension {}, as those of {}, found dimension {}", path,
-                    domain->domain.complex.ambient_dimension(), domain->name,
-                    mesh.points.ambient_dimension()));
-    return;
-  }
-  const Claim claim = claim_of(options, mesh, domain);
-  const Verdict verdict = judge(claim, mesh, domain, options.check);
+// Says what a mesh was found to be. `mesh` is what the witnesses of the verdict name.
+void report_verdict(const std::string& path, const Verdict& verdict, const Mesh& mesh,
+                    const std::vector<std::string>& notes, const CheckOptions& options,
+                    const LoadedDomain* domain, Output& output) {
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
   const Domain* about = domain == nullptr ? nullptr : &domain->domain;
   if (output.wants_text()) {
@@ -123,12 +80,49 @@ void check_one(const std::string& path, const CheckOptions& options, const Loade
       result["domain"] = domain->name;
       result["domain_kind"] = word(domain->domain.complex.kind);
       result["notes"] = domain->file.notes;
-      for (const std::string& note : loaded->notes) result["notes"].push_back(note);
+      for (const std::string& note : notes) result["notes"].push_back(note);
     }
     if (options.certificate) result["certificate"] = *options.certificate;
     output.json(std::move(result));
   }
-  if (options.certificate) write_certificate(*options.certificate, path, mesh, verdict, output);
+}
+
+void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
+  const JudgeFileOptions judging{options.check, options.input, options.certificate.has_value(),
+                                 thread_count(options.threads)};
+  const auto judged = judge_file(path, options.claim.value_or(Claim::kDelaunay), judging);
+  if (!judged) {
+    output.error(ExitCode::kInputFault, "mesh", path, judged.error());
+    return;
+  }
+  for (const std::string& note : judged->notes) output.text("note: " + note + "\n");
+  report_verdict(path, judged->verdict, judged->mesh, judged->notes, options, nullptr, output);
+  if (options.certificate) {
+    write_certificate(*options.certificate, path, judged->mesh, judged->verdict, output);
+  }
+}
+
+void check_with_domain(const std::string& path, const CheckOptions& options,
+                       const LoadedDomain& domain, Output& output) {
+  const std::size_t dimension = domain.domain.complex.ambient_dimension();
+  const auto loaded = load_mesh(path, options.input, dimension);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
+    return;
+  }
+  for (const std::string& note : loaded->notes) output.text("note: " + note + "\n");
+  const Mesh& mesh = loaded->mesh;
+  if (!mesh.points.empty() && mesh.points.ambient_dimension() != dimension) {
+    output.error(
+        ExitCode::kInputFault, "mesh", path,
+        fmt::format("{}: expected points of dimension {}, as those of {}, found dimension {}", path,
+                    dimension, domain.name, mesh.points.ambient_dimension()));
+    return;
+  }
+  const Claim claim = claim_of(options, mesh, domain);
+  const Verdict verdict = check::judge_domain_quickly(claim, mesh, domain.domain, options.check,
+                                                      thread_count(options.threads));
+  report_verdict(path, verdict, mesh, loaded->notes, options, &domain, output);
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
@@ -139,7 +133,7 @@ void check_against_domain(const CheckOptions& options, Output& output) {
     return;
   }
   for (const std::string& note : domain->file.notes) output.text("note: " + note + "\n");
-  for (const std::string& mesh : options.meshes) check_one(mesh, options, &*domain, output);
+  for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, *domain, output);
 }
 
 // What a claim needs and did not get, or got and does not need; empty if all is well.
@@ -179,7 +173,7 @@ ExitCode run(CheckOptions& options) {
   if (options.domain) {
     check_against_domain(options, output);
   } else {
-    for (const std::string& mesh : options.meshes) check_one(mesh, options, nullptr, output);
+    for (const std::string& mesh : options.meshes) check_alone(mesh, options, output);
   }
   return output.finish();
 }
@@ -237,6 +231,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "How many witnesses are kept (default 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
+  add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);

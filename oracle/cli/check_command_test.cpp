@@ -62,6 +62,8 @@ TEST_CASE("check: exit code 2 for what is no command line") {
                                              {"check", "--duplicates", "keep", meshes.good},
                                              {"check", "--max-errors", "many", meshes.good},
                                              {"check", "--max-errors", "-1", meshes.good},
+                                             {"check", "--threads", "0", meshes.good},
+                                             {"check", "--threads", "many", meshes.good},
                                              {"check", "--frobnicate", meshes.good}}) {
     const Run result = run(arguments);
     CHECK(result.exit_code == 2);
@@ -79,6 +81,10 @@ TEST_CASE("check: what is no word or number of an option is answered with those 
   CHECK(said("--by", "foo") == "--by: expected definition|lemma, found foo" + more);
   CHECK(said("--max-errors", "-1") ==
         "--max-errors: expected a whole number from 0 to 2^64 - 1, found -1" + more);
+  CHECK(said("--threads", "0") ==
+        "--threads: expected a whole number from 1 to 2^64 - 1, found 0" + more);
+  CHECK(said("--threads", "foo") ==
+        "--threads: expected a whole number from 1 to 2^64 - 1, found foo" + more);
   CHECK(said("--claim", "foo") ==
         "--claim: expected cdt|conforming-delaunay|delaunay|plc-triangulation|steiner-cdt|"
         "steiner-triangulation|triangulation|weighted-delaunay, found foo" +
@@ -185,6 +191,32 @@ TEST_CASE("check: a mesh on standard input, and points elsewhere") {
   CHECK(run({"check", meshes.good, "--points", "-"}, kSquare).exit_code == 0);
   const std::string elsewhere = meshes.folder.write("else.node", kKite);
   CHECK(run({"check", meshes.bad, "--points", elsewhere}).exit_code == 1);
+}
+
+TEST_CASE("check: --threads, of any number, does not change the answer") {
+  const Meshes meshes;
+  const Run one = run({"check", meshes.good, meshes.bad, "--threads", "1"});
+  CHECK(one.exit_code == 1);
+  for (const std::string threads : {"2", "7", "18446744073709551615"}) {
+    const Run result = run({"check", meshes.good, meshes.bad, "--threads", threads});
+    CHECK(result.exit_code == 1);
+    CHECK(result.out == one.out);
+    CHECK(result.err.empty());
+  }
+}
+
+TEST_CASE("check: a list of simplices on standard input, where the points are known") {
+  const Meshes meshes;
+  const std::string points = meshes.folder.path("bad.node");
+  const Run result = run({"check", "-", "--points", points}, contents(meshes.bad));
+  const Run of_file = run({"check", meshes.bad});
+  CHECK(result.exit_code == 1);
+  CHECK(result.out.substr(0, result.out.rfind("fails:")) ==
+        of_file.out.substr(0, of_file.out.rfind("fails:")));
+  CHECK(has(result.out, "fails: delaunay - delaunay.facet-not-local 1 face 0 1 vertex 3\n"));
+  const Run fault = run({"check", "-", "--points", points}, "2 3 0\n0 0 1 x\n");
+  CHECK(fault.exit_code == 3);
+  CHECK(begins_with(fault.err, "circumspect: <stdin>:2: expected "));
 }
 
 TEST_CASE("check: --oriented demands one orientation") {

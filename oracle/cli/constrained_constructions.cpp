@@ -4,8 +4,8 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "oracle/cli/labels.hpp"
 #include "reference/complex/flat.hpp"
 #include "reference/constrained/carve.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
@@ -18,12 +18,6 @@ namespace circumspect::cli {
 namespace {
 
 using constrained::PlcTriangulation;
-
-std::string labels(const Domain& domain, const Simplex& simplex) {
-  std::vector<Vertex> own;
-  for (const Vertex v : simplex) own.push_back(domain.label(v));
-  return fmt::format("{}", fmt::join(own, " "));
-}
 
 std::string in_words(const constrained::NoCdt& no_cdt, const Domain& domain) {
   using constrained::WhyNoCdt;

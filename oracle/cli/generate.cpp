@@ -9,6 +9,7 @@
 
 #include "oracle/campaign/domain_text.hpp"
 #include "oracle/cli/generate_list.hpp"
+#include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
@@ -178,34 +179,31 @@ ExitCode run(const GenerateOptions& options) {
 
 // What is to be drawn.
 void add_drawing_options(CLI::App& command, GenerateOptions& options) {
-  const auto from_to = [](double first, double last) {
-    return CLI::Validator(CLI::Range(first, last)).description("");
-  };
   command.add_option("--seed", options.seed, "The same seed gives the same bytes (default: 0)")
       ->check(whole_number())
       ->option_text("N");
   command
       .add_option("--count", options.count,
                   "How many inputs, of the seeds N, N+1, ... (default: 1)")
-      ->check(from_to(1, 1e9))
+      ->check(whole_number(1, 1'000'000'000))
       ->option_text("K");
   command
       .add_option(
           "--points", options.points,
           "How many points; equal ones count once; domains have about as many (default: 12)")
-      ->check(from_to(1, 1e6))
+      ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   command.add_flag("--fewer", options.fewer, "Any number of points up to that, as campaigns draw");
   command
       .add_option("--dimension", options.dimension,
                   "Of the points (default: 3; domains: their own)")
-      ->check(from_to(1, static_cast<double>(formats::kLargestDimension)))
+      ->check(whole_number(1, formats::kLargestDimension))
       ->option_text("D");
   command
       .add_option_function<std::string>(
           "--coordinates", [&options](const std::string& word) { options.exact = word == "exact"; },
           "Rounded to doubles (default), or exact: fractions where they are no doubles")
-      ->check(CLI::IsMember({"double", "exact"}).description(""))
+      ->check(one_of_words({"double", "exact"}))
       ->option_text("double|exact");
 }
 

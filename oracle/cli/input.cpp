@@ -133,7 +133,7 @@ tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& optio
 // Gives the mesh the neighbours that were read, counted from 0. Returns what is wrong with them, or
 // an empty string.
 std::string attach_neighbors(Mesh& mesh, const std::string& path,
-                             const std::optional<formats::NeighborFile>& file) {
+                             std::optional<formats::NeighborFile> file) {
   if (!file) return fmt::format("{}: expected a .neigh file beside it, found none", path);
   const std::size_t size = mesh.simplices.empty() ? 0 : mesh.simplices.front().size();
   if (file->neighbors.size() != mesh.simplices.size() ||
@@ -143,7 +143,7 @@ std::string attach_neighbors(Mesh& mesh, const std::string& path,
         "lines of {} neighbours",
         path, mesh.simplices.size(), size, file->neighbors.size(), file->neighbors_per_simplex);
   }
-  mesh.neighbors = Neighbors{file->neighbors, file->first_index};
+  mesh.neighbors = Neighbors{std::move(file->neighbors), file->first_index};
   return "";
 }
 
@@ -176,17 +176,22 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
   auto raw = formats::read_mesh({path, options.points, options.coordinates, options.neighbors,
                                  options.faces, domain_dimension});
   if (!raw) return tl::unexpected(raw.error().to_string());
-  raw->points.first_index = raw->first_index;
-  std::vector<Simplex> faces = proper_faces(std::move(raw->faces), raw->points.dimension);
-  auto mesh = assemble({raw->points_name, std::move(raw->points), std::move(raw->weights),
-                        std::move(raw->simplices.simplices), std::move(faces)},
+  return mesh_of(path, std::move(*raw), options);
+}
+
+tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::RawMesh raw,
+                                              const InputOptions& options) {
+  raw.points.first_index = raw.first_index;
+  std::vector<Simplex> faces = proper_faces(std::move(raw.faces), raw.points.dimension);
+  auto mesh = assemble({raw.points_name, std::move(raw.points), std::move(raw.weights),
+                        std::move(raw.simplices.simplices), std::move(faces)},
                        options);
   if (!mesh) return tl::unexpected(mesh.error());
   if (options.neighbors) {
-    const std::string fault = attach_neighbors(*mesh, path, raw->neighbors);
+    const std::string fault = attach_neighbors(*mesh, path, std::move(raw.neighbors));
     if (!fault.empty()) return tl::unexpected(fault);
   }
-  return LoadedMesh{path, std::move(*mesh), std::move(raw->notes)};
+  return LoadedMesh{path, std::move(*mesh), std::move(raw.notes)};
 }
 
 tl::expected<LoadedMesh, std::string> load_points(const std::string& path,

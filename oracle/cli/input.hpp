@@ -44,6 +44,10 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options,
                                                 std::optional<std::size_t> domain_dimension = {});
 
+// The same for a mesh that has been read.
+tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::RawMesh raw,
+                                              const InputOptions& options);
+
 // Errors besides those of the formats: duplicates, unless they are merged (weighted: into the one with
 // the largest weight, since all others are submerged below it); weights asked for and not there;
 // neighbours asked for and not there, or of another mesh.

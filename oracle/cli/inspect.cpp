@@ -10,6 +10,7 @@
 #include "oracle/cli/inspect_simplex.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
@@ -72,7 +73,7 @@ Ball common_ball(const PointSet& points, const Simplex& cospherical) {
   return circumball(points, basis);
 }
 
-std::string_view word(Genericity::Answer answer) {
+std::string_view answer_word(Genericity::Answer answer) {
   switch (answer) {
     case Genericity::Answer::kGeneric:
       return "generic";
@@ -128,7 +129,8 @@ std::string text(const Facts& facts) {
   return out + fmt::format("inspected: {} {} points {} duplicates dimension {} of {} {} {}\n",
                            facts.input.name, facts.points_read, facts.duplicates.size(),
                            mesh.points.dimension(), mesh.points.ambient_dimension(),
-                           word(genericity.answer), genericity.unique ? "unique" : "not-unique");
+                           answer_word(genericity.answer),
+                           genericity.unique ? "unique" : "not-unique");
 }
 
 report::Json json(const Facts& facts) {
@@ -142,7 +144,7 @@ report::Json json(const Facts& facts) {
                          {"duplicates", repeated},
                          {"ambient_dimension", mesh.points.ambient_dimension()},
                          {"dimension", mesh.points.dimension()},
-                         {"generic", word(facts.genericity.answer)},
+                         {"generic", answer_word(facts.genericity.answer)},
                          {"unique", facts.genericity.unique}};
   report::Json counts = report::Json::array();
   for (const SimplexCount& count : facts.counts) {
@@ -237,7 +239,7 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--subsets", options->subsets,
                    "Look at no more than N subsets for genericity (default 200000; 0: all)")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(whole_number())
       ->option_text("N");
   command
       ->add_option("--simplex", options->simplices,

@@ -6,18 +6,14 @@
 
 #include "oracle/cli/breach_text.hpp"
 #include "oracle/cli/domain_facts.hpp"
+#include "oracle/cli/labels.hpp"
 #include "oracle/cli/refutation_files.hpp"
+#include "oracle/cli/whole_number.hpp"
 
 namespace circumspect::cli {
 namespace {
 
 using constrained::SegmentProtection;
-
-std::string labels(const Domain& domain, const Simplex& simplex) {
-  std::vector<Vertex> own;
-  for (const Vertex v : simplex) own.push_back(domain.label(v));
-  return fmt::format("{}", fmt::join(own, " "));
-}
 
 std::string_view status_word(const SegmentProtection& protection) {
   switch (protection.status.delaunayhood) {
@@ -196,13 +192,13 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
   command
       .add_option("--max-errors", options.max_errors,
                   "How many breaches of a domain are reported (default 20; 0: all)")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(whole_number())
       ->option_text("N");
   command
       .add_option("--search-vertices", options.limits.vertices,
                   "Search for any CDT, where there is no canonical one, in domains of at most N "
                   "vertices (default 60)")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(whole_number())
       ->option_text("N");
   command
       .add_option("--refutations", options.refutations,
@@ -212,7 +208,7 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
   command
       .add_option("--search-conflicts", options.limits.conflicts,
                   "Give the search up after N conflicts (default 1000000; 0: never)")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(whole_number())
       ->option_text("N");
 }
 

@@ -49,7 +49,7 @@ tl::expected<Simplex, std::string> read_simplex(const Mesh& mesh, std::string te
   return simplex;
 }
 
-std::string_view word(delaunay::Delaunayhood delaunayhood) {
+std::string_view in_a_word(delaunay::Delaunayhood delaunayhood) {
   switch (delaunayhood) {
     case delaunay::Delaunayhood::kNotDelaunay:
       return "not-delaunay";
@@ -83,10 +83,10 @@ tl::expected<SimplexAnswer, std::string> inspect_simplex(const Mesh& mesh,
   const delaunay::SimplexDelaunayhood answer = delaunay::delaunayhood(mesh.points, *simplex);
   SimplexAnswer said;
   said.text =
-      fmt::format("simplex {}: {}", report::labels(mesh, *simplex), word(answer.delaunayhood));
+      fmt::format("simplex {}: {}", report::labels(mesh, *simplex), in_a_word(answer.delaunayhood));
   report::Json labels = report::Json::array();
   for (const Vertex v : *simplex) labels.push_back(mesh.label(v));
-  said.json = {{"simplex", labels}, {"answer", word(answer.delaunayhood)}};
+  said.json = {{"simplex", labels}, {"answer", in_a_word(answer.delaunayhood)}};
   if (answer.ball) {
     said.text += ball_text(*answer.ball);
     said.json["ball"] = report::ball(*answer.ball);

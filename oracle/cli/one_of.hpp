@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -29,6 +30,19 @@ CLI::Validator one_of(const std::map<std::string, Enum>& words) {
     return "expected " + expected + ", found " + text;
   };
   return CLI::Validator(read, "");
+}
+
+// For CLI::Option::check: takes one of the words as it stands.
+inline CLI::Validator one_of_words(const std::vector<std::string>& words) {
+  const auto fault = [words](std::string& text) -> std::string {
+    std::string expected;
+    for (const std::string& word : words) {
+      if (text == word) return "";
+      expected += (expected.empty() ? "" : "|") + word;
+    }
+    return "expected " + expected + ", found " + text;
+  };
+  return CLI::Validator(fault, "");
 }
 
 // Adds --claim with all claims that there are.

@@ -9,6 +9,7 @@
 
 #include "oracle/fast/dyadic.hpp"
 #include "oracle/fast/fixed_width.hpp"
+#include "oracle/fast/grid_unit.hpp"
 #include "oracle/fast/polynomials.hpp"
 #include "reference/exact/number.hpp"
 
@@ -78,9 +79,8 @@ constexpr std::size_t site_of_row(std::size_t i) {
 
 // ── Differences in one limb ──────────────────────────────────────────────────────────────────────
 
-// Of a difference in a Fixed<1>, and of one of weights. Heights are then at most 4 · 2^124, and the
-// polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
-constexpr int kLimbBits = 62;
+// Of a difference of weights, where one of coordinates is in a Fixed<1>. Heights are then at most 4
+// · 2^124, and the polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
 constexpr int kWeightBits = 2 * kLimbBits;
 
 // value / 2^unit, if that is an integer of less than kWeightBits bits, so that differences have no more.
@@ -138,31 +138,18 @@ void reduce(Grid<kDimension, kCount>& grid, bool weighted) {
   grid.bits = width(widest >> shift);
 }
 
-// The differences as integers of at most 62 bits in the unit that gives the largest coordinate 61;
-// false if a coordinate or weight is no multiple of the unit, or the unit hard to name.
+// The differences as integers in a GridUnit; false if there is none, or a coordinate or weight is
+// no multiple of it.
 template <std::size_t kDimension, std::size_t kCount>
 bool differences(const Sites<kDimension, kCount>& sites, bool weighted,
                  Grid<kDimension, kCount>& grid) {
   double largest = 0;
-  for (const auto* site : sites) {
-    for (const double x : site->at) largest = std::max(largest, std::fabs(x));
-  }
-  const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52) - 1023;
-  if (exponent < -900 || exponent > 900) return false;
-  const int unit_exponent = exponent - (kLimbBits - 2);
-  const auto power = [](int e) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
-  };
-  const double unit = power(unit_exponent), in_units = power(-unit_exponent);
+  for (const auto* site : sites) largest = std::max(largest, largest_coordinate(*site));
+  const std::optional<GridUnit> unit = GridUnit::of(largest);
+  if (!unit) return false;
   std::array<std::array<std::int64_t, kDimension>, kCount> whole;
   bool exact = true;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t axis = 0; axis < kDimension; ++axis) {
-      const double x = sites[i]->at[axis];
-      whole[i][axis] = static_cast<std::int64_t>(x * in_units);
-      exact &= static_cast<double>(whole[i][axis]) * unit == x;
-    }
-  }
+  for (std::size_t i = 0; i < kCount; ++i) exact &= unit->divide(*sites[i], whole[i]);
   if (!exact) return false;
   for (std::size_t i = 0; i + 1 < kCount; ++i) {
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
@@ -170,9 +157,9 @@ bool differences(const Sites<kDimension, kCount>& sites, bool weighted,
     }
   }
   if (!weighted) return true;
-  const std::optional<Int128> base = weight_in(sites[kDimension]->weight, 2 * unit_exponent);
+  const std::optional<Int128> base = weight_in(sites[kDimension]->weight, 2 * unit->exponent);
   for (std::size_t i = 0; i + 1 < kCount && base; ++i) {
-    const auto weight = weight_in(sites[site_of_row<kDimension>(i)]->weight, 2 * unit_exponent);
+    const auto weight = weight_in(sites[site_of_row<kDimension>(i)]->weight, 2 * unit->exponent);
     if (!weight) return false;
     grid.rows.weight[i] = *weight - *base;
   }
@@ -198,10 +185,6 @@ Rows<kDimension, kCount, T, H> as(const Rows<kDimension, kCount, std::int64_t, I
   }
   return result;
 }
-
-// Widths of differences for which a Narrow of the polynomial's degree does not overflow.
-template <std::size_t kDimension, std::size_t kCount>
-constexpr int kNarrowBits = kDimension == 3 && kCount == 5 ? 23 : 30;
 
 template <std::size_t kDimension, std::size_t kCount>
 std::optional<int> sign_on_grid(const Sites<kDimension, kCount>& sites, bool weighted,

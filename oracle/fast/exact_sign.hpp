@@ -28,4 +28,20 @@ extern template int exact_sign(const Sites<2, 4>&, bool, Stages&);
 extern template int exact_sign(const Sites<3, 4>&, bool, Stages&);
 extern template int exact_sign(const Sites<3, 5>&, bool, Stages&);
 
+// The same for a row of sites.
+template <std::size_t kDimension>
+int exact_orientation(const SiteRow<kDimension>& row, Stages& stages) {
+  Sites<kDimension, kDimension + 1> sites;
+  for (std::size_t i = 0; i <= kDimension; ++i) sites[i] = &row[i];
+  return exact_sign<kDimension, kDimension + 1>(sites, false, stages);
+}
+template <std::size_t kDimension>
+int exact_ball_sign(const SiteRow<kDimension>& row, const Site<kDimension>& query, bool weighted,
+                    Stages& stages) {
+  Sites<kDimension, kDimension + 2> sites;
+  for (std::size_t i = 0; i <= kDimension; ++i) sites[i] = &row[i];
+  sites[kDimension + 1] = &query;
+  return exact_sign<kDimension, kDimension + 2>(sites, weighted, stages);
+}
+
 }  // namespace circumspect::fast

@@ -14,8 +14,13 @@ template <std::size_t kVertices>
 using Row = std::array<std::int32_t, kVertices>;
 
 template <std::size_t kVertices>
-Across across_rows(const Row<kVertices>& first, std::size_t apex, const Row<kVertices>& second) {
-  return across<kVertices, std::int32_t>(std::span(first), apex, std::span(second));
+Fit<std::int32_t> fit_of_rows(const Row<kVertices>& first, std::size_t apex,
+                              const Row<kVertices>& second) {
+  Row<kVertices> ordered{first[apex]};
+  for (std::size_t i = 0; i + 1 < kVertices; ++i) {
+    ordered[i + 1] = first[kFacetPlaces<kVertices>[apex][i]];
+  }
+  return fit_of(ordered, second);
 }
 
 // Every order of the second row, for each apex of the first.
@@ -33,19 +38,20 @@ void check_all_orders() {
         second[i] = first[static_cast<std::size_t>(places[i])];
         for (std::size_t k = i + 1; k < kVertices; ++k) odd ^= places[i] > places[k];
       }
-      CHECK_FALSE(across_rows(first, apex, second).matches);  // the same simplex
+      CHECK(fit_of_rows(first, apex, second).matches == 0);  // the same simplex
       const auto own = std::find(second.begin(), second.end(), first[apex]);
       *own = 99;
-      const Across found = across_rows(first, apex, second);
-      CHECK(found.matches);
-      CHECK(found.place == static_cast<std::size_t>(own - second.begin()));
-      CHECK(found.odd == odd);
+      const Fit<std::int32_t> found = fit_of_rows(first, apex, second);
+      CHECK(found.matches == -1);
+      CHECK(found.place == own - second.begin());
+      CHECK(found.apex == 99);
+      CHECK(found.odd == (odd ? -1 : 0));
       for (std::int32_t& v : second) {
         if (v == 99) continue;
         const std::int32_t right = v;
         for (const std::int32_t wrong : {98, 99, first[apex], first[(apex + 1) % kVertices]}) {
           v = wrong;
-          if (wrong != right) CHECK_FALSE(across_rows(first, apex, second).matches);
+          if (wrong != right) CHECK(fit_of_rows(first, apex, second).matches == 0);
         }
         v = right;
       }

@@ -30,18 +30,31 @@ std::vector<std::int32_t> matched_by_dictionary(const MeshView<kDimension, Index
   return links;
 }
 
+template <std::size_t kVertices, typename Index>
+void shuffle(std::vector<Index>& simplices) {
+  std::mt19937_64 random(3);
+  for (std::size_t s = simplices.size() / kVertices; s > 1; --s) {
+    const std::size_t other = random() % s;
+    std::swap_ranges(&simplices[(s - 1) * kVertices], &simplices[0] + s * kVertices,
+                     &simplices[other * kVertices]);
+  }
+}
+
 std::vector<std::int32_t> listed(const OwnedLinks& links) {
   return {links.view().begin(), links.view().end()};
 }
 
 template <std::size_t kDimension, typename Index>
-void check_grid(std::size_t side) {
+void check_grid(std::size_t side, bool in_order = true) {
   auto mesh = grid_mesh<kDimension, Index>(side);
+  if (!in_order) shuffle<kDimension + 1>(mesh.simplices);
   const auto expected = matched_by_dictionary(mesh.view());
   for (const unsigned threads : {1U, 2U, 5U}) {
-    const auto links = matched_facets(mesh.view(), threads);
-    REQUIRE(links.has_value());
-    CHECK(listed(*links) == expected);
+    for (const Proposal proposal : {Proposal::kLikely, Proposal::kComplete}) {
+      const auto links = matched_facets(mesh.view(), threads, proposal);
+      REQUIRE(links.has_value());
+      CHECK(listed(*links) == expected);
+    }
   }
 }
 
@@ -56,6 +69,12 @@ TEST_CASE("facets of grids are matched, by one thread or several") {
   check_grid<3, std::int32_t>(22);
 }
 
+TEST_CASE("facets of grids are matched where those who share them stand far apart") {
+  check_grid<2, std::int32_t>(150, false);
+  check_grid<3, std::int32_t>(22, false);
+  check_grid<3, std::int64_t>(12, false);
+}
+
 TEST_CASE("a vertex of all simplices makes no pile of all facets") {
   constexpr std::int32_t kRing = 40000;
   MeshInArrays<2> fan;
@@ -63,9 +82,12 @@ TEST_CASE("a vertex of all simplices makes no pile of all facets") {
     fan.simplices.insert(fan.simplices.end(), {v, 0, v % kRing + 1});
   }
   fan.coordinates.assign((kRing + 1) * 2, 0);
-  const auto links = matched_facets(fan.view(), 1);
-  REQUIRE(links.has_value());
-  CHECK(listed(*links) == matched_by_dictionary(fan.view()));
+  shuffle<3>(fan.simplices);
+  for (const Proposal proposal : {Proposal::kLikely, Proposal::kComplete}) {
+    const auto links = matched_facets(fan.view(), 1, proposal);
+    REQUIRE(links.has_value());
+    CHECK(listed(*links) == matched_by_dictionary(fan.view()));
+  }
 }
 
 TEST_CASE("a facet of three simplices, and an index that names no point, are seen") {
@@ -73,6 +95,16 @@ TEST_CASE("a facet of three simplices, and an index that names no point, are see
   mesh.coordinates.assign(10, 0);
   mesh.simplices = {0, 1, 2, 1, 0, 3, 0, 4, 1};
   CHECK(matched_facets(mesh.view(), 1).error() == Undecided::kFacetOverused);
+  MeshInArrays<2> book;  // all pages at one spine
+  for (std::int32_t v = 2; v < 50000; ++v) {
+    book.simplices.insert(book.simplices.end(), {0, 1, v});
+  }
+  book.coordinates.assign(100000, 0);
+  CHECK(matched_facets(book.view(), 1).error() == Undecided::kFacetOverused);
+  auto grid = grid_mesh<3>(22);
+  const std::vector<std::int32_t> first(grid.simplices.begin(), grid.simplices.begin() + 4);
+  grid.simplices.insert(grid.simplices.end(), first.begin(), first.end());
+  CHECK(matched_facets(grid.view(), 2, Proposal::kComplete).error() == Undecided::kFacetOverused);
   mesh.simplices = {0, 1, 2, 1, 0, 3, 0, 4, 2};
   CHECK(listed(matched_facets(mesh.view(), 1).value()) ==
         std::vector<std::int32_t>{-1, 2, 1, -1, -1, 0, -1, 0, -1});

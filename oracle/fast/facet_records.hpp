@@ -5,8 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-
-#include "oracle/fast/mesh_view.hpp"
+#include <span>
 
 namespace circumspect::fast {
 
@@ -20,8 +19,8 @@ inline std::uint64_t mixed_vertex(std::uint64_t v) {
   return v ^ (v >> 29);
 }
 
-// A record holds, from the top, a hash of the facet's vertices and which facet of which simplex it is:
-// simplex · (d + 1) + place of the vertex opposite.
+// A record holds, from the top, the low bits of a hash of the facet's vertices and which facet of which
+// simplex it is: simplex · (d + 1) + place of the vertex opposite.
 class RecordLayout {
  public:
   // Requires: fewer than 2^62 facets. The number with all bits set is no facet.
@@ -30,44 +29,26 @@ class RecordLayout {
   std::uint64_t record(std::uint64_t hash, std::uint64_t facet) const {
     return hash << bits_ | facet;
   }
+  std::uint64_t hash(std::uint64_t record) const { return record >> bits_; }
   std::uint64_t facet(std::uint64_t record) const { return record & no_facet(); }
   std::uint64_t no_facet() const { return (std::uint64_t{1} << bits_) - 1; }
-  bool same_hash(std::uint64_t a, std::uint64_t b) const { return ((a ^ b) >> bits_) == 0; }
+  bool same_hash(std::uint64_t a, std::uint64_t b) const { return hash(a ^ b) == 0; }
 
  private:
   int bits_;
 };
 
-// Into which pile a facet goes: by its least vertex, so that simplices near each other in memory meet in
-// one pile, if their vertices are near each other; or, where some vertex has too many facets, by hash.
-struct Piles {
-  std::size_t count = 1;  // a power of two
-  bool by_hash = false;
-  int shift = 0;  // of the vertex or the hash
-
-  std::size_t of(std::uint64_t least, std::uint64_t hash) const {
-    return static_cast<std::size_t>((by_hash ? hash : least) >> shift);
-  }
-};
-
-// Calls visit(least vertex, hash, place of the vertex opposite) for each facet of a row.
+// Calls visit(hash, place of the vertex opposite) for each facet of a row.
 template <std::size_t kVertices, typename Index, typename Visit>
-void for_each_facet_of(std::span<const Index, kVertices> row, const Visit& visit) {
+[[gnu::always_inline]] inline void for_each_facet_of(std::span<const Index, kVertices> row,
+                                                     const Visit& visit) {
   std::array<std::uint64_t, kVertices> mixed;
   std::uint64_t sum = 0;
-  Index least = row[0] < row[1] ? row[0] : row[1];
-  Index second = row[0] < row[1] ? row[1] : row[0];
   for (std::size_t i = 0; i < kVertices; ++i) {
     mixed[i] = mixed_vertex(static_cast<std::uint64_t>(row[i]));
     sum += mixed[i];
-    if (i < 2) continue;
-    second = row[i] < least ? least : row[i] < second ? row[i] : second;
-    least = row[i] < least ? row[i] : least;
   }
-  for (std::size_t i = 0; i < kVertices; ++i) {
-    const Index least_left = row[i] == least ? second : least;
-    visit(static_cast<std::uint64_t>(least_left), sum - mixed[i], i);
-  }
+  for (std::size_t i = 0; i < kVertices; ++i) visit(sum - mixed[i], i);
 }
 
 }  // namespace circumspect::fast

@@ -1,7 +1,6 @@
 // The first stage: polynomials with doubles, and when their signs are certain.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "oracle/fast/arithmetic.hpp"
@@ -22,11 +21,15 @@ struct Scale3 {
   double x, y, z, weight = 0;
 };
 
-inline Scale2 larger(const Scale2& a, const Scale2& b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.weight, b.weight)};
+// All that follows is inlined always, and has no branch, so that loops over many simplices become
+// vector instructions (block.cpp).
+[[gnu::always_inline]] inline double larger(double a, double b) { return a < b ? b : a; }
+[[gnu::always_inline]] inline double smaller(double a, double b) { return b < a ? b : a; }
+[[gnu::always_inline]] inline Scale2 larger(const Scale2& a, const Scale2& b) {
+  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.weight, b.weight)};
 }
-inline Scale3 larger(const Scale3& a, const Scale3& b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z), std::max(a.weight, b.weight)};
+[[gnu::always_inline]] inline Scale3 larger(const Scale3& a, const Scale3& b) {
+  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.weight, b.weight)};
 }
 
 // A site as seen from the simplex's last vertex, and the size of what is in it. As operations:
@@ -41,7 +44,7 @@ struct FilterRow3 {
 };
 
 template <bool kWeighted>
-FilterRow2 row_from(const Site<2>& origin, const Site<2>& site) {
+[[gnu::always_inline]] inline FilterRow2 row_from(const Site<2>& origin, const Site<2>& site) {
   const double x = site.at[0] - origin.at[0], y = site.at[1] - origin.at[1];
   const double w = height(x, y);
   if constexpr (!kWeighted) return {{x, y, w}, {std::fabs(x), std::fabs(y)}};
@@ -49,7 +52,7 @@ FilterRow2 row_from(const Site<2>& origin, const Site<2>& site) {
   return {{x, y, w - weight}, {std::fabs(x), std::fabs(y), std::fabs(weight)}};
 }
 template <bool kWeighted>
-FilterRow3 row_from(const Site<3>& origin, const Site<3>& site) {
+[[gnu::always_inline]] inline FilterRow3 row_from(const Site<3>& origin, const Site<3>& site) {
   const double x = site.at[0] - origin.at[0], y = site.at[1] - origin.at[1],
                z = site.at[2] - origin.at[2];
   const double w = height(x, y, z);
@@ -62,43 +65,54 @@ FilterRow3 row_from(const Site<3>& origin, const Site<3>& site) {
 // of the largest entries of its columns, `smallest` and `largest` those of the columns of coordinates.
 // A column of zeros makes the polynomial zero. Differences that overflowed fail the second test, and
 // NaN (from infinities) the comparisons. If `exact`, nothing was rounded.
-inline int certain_sign(double value, double bound, double columns, double smallest, double largest,
-                        double largest_height, bool exact) {
-  if (!(smallest >= kSmallestScale && largest <= kLargestScale &&
-        largest_height <= kLargestHeight)) {
-    return smallest == 0 ? 0 : kUncertain;
-  }
+template <typename Sign>
+[[gnu::always_inline]] inline Sign certain_sign(double value, double bound, double columns,
+                                                double smallest, double largest,
+                                                double largest_height, bool exact) {
   const double error = columns * (bound * kRoundedBound);
-  if (value > error) return 1;
-  if (value < -error) return -1;
-  return exact ? (value > 0) - (value < 0) : kUncertain;
+  const bool in_range = (smallest >= kSmallestScale) & (largest <= kLargestScale) &
+                        (largest_height <= kLargestHeight);
+  const bool certain = exact | (value > error) | (value < -error);
+  const Sign sign = static_cast<Sign>(value > 0) - static_cast<Sign>(value < 0);
+  const Sign uncertain = kUncertain, zero = 0;
+  const Sign computed = certain ? sign : uncertain;
+  const Sign of_zeros = smallest == 0 ? zero : uncertain;
+  return in_range ? computed : of_zeros;
 }
 
-inline int certain_sign(double value, double bound, const Scale2& scale, Lattice lattice) {
-  const double largest = std::max(scale.x, scale.y);
-  return certain_sign(value, bound, scale.x * scale.y, std::min(scale.x, scale.y), largest, 0,
-                      lattice.keeps_exact(largest));
+template <typename Sign>
+[[gnu::always_inline]] inline Sign certain_sign(double value, double bound, const Scale2& scale,
+                                                Lattice lattice) {
+  const double largest = larger(scale.x, scale.y);
+  return certain_sign<Sign>(value, bound, scale.x * scale.y, smaller(scale.x, scale.y), largest, 0,
+                            lattice.keeps_exact(largest));
 }
-inline int certain_sign(double value, double bound, const Scale3& scale, Lattice lattice) {
-  const double largest = std::max({scale.x, scale.y, scale.z});
-  return certain_sign(value, bound, scale.x * scale.y * scale.z,
-                      std::min({scale.x, scale.y, scale.z}), largest, 0,
-                      lattice.keeps_exact(largest));
+template <typename Sign>
+[[gnu::always_inline]] inline Sign certain_sign(double value, double bound, const Scale3& scale,
+                                                Lattice lattice) {
+  const double largest = larger(larger(scale.x, scale.y), scale.z);
+  return certain_sign<Sign>(value, bound, scale.x * scale.y * scale.z,
+                            smaller(smaller(scale.x, scale.y), scale.z), largest, 0,
+                            lattice.keeps_exact(largest));
 }
 
 // With a column of heights: paraboloid and weights, whichever is larger.
-inline int certain_lifted_sign(double value, double bound, const Scale2& scale, Lattice lattice) {
-  const double largest = std::max(scale.x, scale.y);
-  const double heights = std::max(largest * largest, scale.weight);
-  return certain_sign(value, bound, scale.x * scale.y * heights, std::min(scale.x, scale.y),
-                      largest, heights, lattice.keeps_exact(largest, scale.weight));
+template <typename Sign>
+[[gnu::always_inline]] inline Sign certain_lifted_sign(double value, double bound,
+                                                       const Scale2& scale, Lattice lattice) {
+  const double largest = larger(scale.x, scale.y);
+  const double heights = larger(largest * largest, scale.weight);
+  return certain_sign<Sign>(value, bound, scale.x * scale.y * heights, smaller(scale.x, scale.y),
+                            largest, heights, lattice.keeps_exact(largest, scale.weight));
 }
-inline int certain_lifted_sign(double value, double bound, const Scale3& scale, Lattice lattice) {
-  const double largest = std::max({scale.x, scale.y, scale.z});
-  const double heights = std::max(largest * largest, scale.weight);
-  return certain_sign(value, bound, scale.x * scale.y * scale.z * heights,
-                      std::min({scale.x, scale.y, scale.z}), largest, heights,
-                      lattice.keeps_exact(largest, scale.weight));
+template <typename Sign>
+[[gnu::always_inline]] inline Sign certain_lifted_sign(double value, double bound,
+                                                       const Scale3& scale, Lattice lattice) {
+  const double largest = larger(larger(scale.x, scale.y), scale.z);
+  const double heights = larger(largest * largest, scale.weight);
+  return certain_sign<Sign>(value, bound, scale.x * scale.y * scale.z * heights,
+                            smaller(smaller(scale.x, scale.y), scale.z), largest, heights,
+                            lattice.keeps_exact(largest, scale.weight));
 }
 
 }  // namespace circumspect::fast

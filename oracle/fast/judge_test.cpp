@@ -15,12 +15,13 @@
 namespace circumspect::fast {
 namespace {
 
-// Why nothing is decided; empty if the mesh holds.
+// Why it is not decided that the mesh holds; empty if it does.
 template <std::size_t kDimension, typename Index>
 std::string undecided(const MeshInArrays<kDimension, Index>& mesh,
                       Question question = Question::kDelaunay, unsigned threads = 1) {
   const auto facts = judge(mesh.view(), question, threads);
-  return facts ? "" : std::string(description(facts.error()));
+  if (facts && facts->holds()) return "";
+  return std::string(description(facts ? Undecided::kFacetNotLocal : facts.error()));
 }
 
 template <std::size_t kDimension, typename Index>
@@ -40,7 +41,7 @@ void check_grid(bool mirrored) {
       CHECK(facts->oriented == !mirrored);
       CHECK_FALSE(facts->unique);
       CHECK(facts->stages.filtered > 0);
-      CHECK(facts->stages.narrow > 0);
+      CHECK(facts->stages.exact() == 0);  // all points are on a lattice
       CHECK(judge(mesh.view(), Question::kWeightedDelaunay, threads).has_value());
       const auto triangulation = judge(mesh.view(), Question::kTriangulation, threads);
       REQUIRE(triangulation.has_value());
@@ -56,6 +57,21 @@ TEST_CASE("grids are Delaunay triangulations, however their simplices are orient
     check_grid<3, std::int32_t>(mirrored);
     check_grid<3, std::int64_t>(mirrored);
   }
+}
+
+TEST_CASE("neighbours may be narrower than indices") {
+  auto mesh = grid_mesh<3, std::int64_t>(6);
+  list_neighbors(mesh);
+  std::vector<std::int32_t> narrow(mesh.neighbors.begin(), mesh.neighbors.end());
+  mesh.neighbors.clear();
+  const auto judged = [&] {
+    return judge(mesh.view(), Links<std::int32_t>(narrow), Question::kDelaunay, 2);
+  };
+  REQUIRE(judged().has_value());
+  CHECK(judged()->holds());
+  std::swap(narrow[0], narrow[2]);
+  REQUIRE_FALSE(judged().has_value());
+  CHECK(judged().error() == Undecided::kUnmatchedNeighbor);
 }
 
 TEST_CASE("of a square's two triangulations, one is canonical") {
@@ -90,7 +106,7 @@ TEST_CASE("what is not a triangulation is left undecided") {
   CHECK(with([](auto& m) { m.coordinates[9] = -1; }) == description(Undecided::kSameSide));
   CHECK(with([](auto& m) {
           m.simplices.insert(m.simplices.end(), {1, 4, 3});
-        }) == description(Undecided::kFacetOverused));
+        }) == description(Undecided::kFlatSimplex));
   CHECK(with([](auto& m) { m.simplices.resize(9); }) == description(Undecided::kBeyondHullFacet));
   CHECK(with([](auto& m) {
           m.coordinates.insert(m.coordinates.end(), {1, 2});

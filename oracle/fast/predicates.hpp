@@ -9,7 +9,7 @@
 //  F3 the arithmetic is as oracle/fast/arithmetic.hpp says; `arithmetic_is_as_proved` tests it.
 //  F4 each call adds one to exactly one of the stages.
 //  F5 a filter's bound is the one that a script in proofs/filters proves for its operations
-//     (gappa_scripts_test.cpp).
+//     (gappa_scripts_test.cpp), which are the same for many simplices side by side (block_test.cpp).
 //  F6 a lattice that all points lie on changes no sign.
 #pragma once
 
@@ -17,16 +17,18 @@
 #include <cstddef>
 
 #include "oracle/fast/exact_sign.hpp"
-#include "oracle/fast/filter.hpp"
+#include "oracle/fast/simplex_filter.hpp"
 #include "oracle/fast/site.hpp"
 
 namespace circumspect::fast {
 
-// Positive for counterclockwise triangles.
-int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages);
+// Positive for counterclockwise triangles. `lattice` is one that all points lie on, if that is
+// known.
+int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages,
+                Lattice lattice = {});
 // Positive for the book's positively oriented tetrahedra (reference/predicates/orientation.hpp).
 int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& d,
-                Stages& stages);
+                Stages& stages, Lattice lattice = {});
 
 // A simplex whose ball, or witness plane if weighted, is asked for several queries: what depends on the
 // simplex alone is computed once, and gives its orientation on the way.
@@ -46,10 +48,9 @@ class Ball<2, kWeighted> {
   int contains(const Site<2>& query, Stages& stages) const;
 
  private:
-  std::array<Site<2>, 3> vertices_;
+  SiteRow<2> vertices_;
   Lattice lattice_;
-  Scale2 scale_;
-  TriangleCofactors<double, double> cofactors_;
+  SimplexFilter<2> filter_;
 };
 
 template <bool kWeighted>
@@ -63,29 +64,31 @@ class Ball<3, kWeighted> {
   int contains(const Site<3>& query, Stages& stages) const;
 
  private:
-  std::array<Site<3>, 4> vertices_;
+  SiteRow<3> vertices_;
   Lattice lattice_;
-  Scale3 scale_;
-  TetrahedronCofactors<double, double, double> cofactors_;
+  SimplexFilter<3> filter_;
 };
 
 // ── Inline, for loops over all tetrahedra ────────────────────────────────────────────────────────
 
-inline int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages) {
+inline int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages,
+                       Lattice lattice) {
   const FilterRow2 from_a = row_from<false>(c, a), from_b = row_from<false>(c, b);
   const double value = minor(from_a.row.x, from_a.row.y, from_b.row.x, from_b.row.y);
-  const int sign = certain_sign(value, kOrientation2, larger(from_a.scale, from_b.scale), {});
+  const int sign =
+      certain_sign<int>(value, kOrientation2, larger(from_a.scale, from_b.scale), lattice);
   if (sign == kUncertain) return exact_sign<2, 3>({&a, &b, &c}, false, stages);
   ++stages.filtered;
   return sign;
 }
 
 inline int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& d,
-                       Stages& stages) {
+                       Stages& stages, Lattice lattice) {
   const FilterRow3 from_a = row_from<false>(d, a), from_b = row_from<false>(d, b),
                    from_c = row_from<false>(d, c);
-  const int sign = certain_sign(volume(from_a.row, from_b.row, from_c.row), kOrientation3,
-                                larger(larger(from_a.scale, from_b.scale), from_c.scale), {});
+  const int sign =
+      certain_sign<int>(volume(from_a.row, from_b.row, from_c.row), kOrientation3,
+                        larger(larger(from_a.scale, from_b.scale), from_c.scale), lattice);
   if (sign == kUncertain) return exact_sign<3, 4>({&a, &b, &c, &d}, false, stages);
   ++stages.filtered;
   return sign;
@@ -93,15 +96,11 @@ inline int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, con
 
 template <bool kWeighted>
 Ball<2, kWeighted>::Ball(const Site<2>& a, const Site<2>& b, const Site<2>& c, Lattice lattice)
-    : vertices_{a, b, c}, lattice_(lattice) {
-  const FilterRow2 from_a = row_from<kWeighted>(c, a), from_b = row_from<kWeighted>(c, b);
-  scale_ = larger(from_a.scale, from_b.scale);
-  cofactors_ = cofactors(from_a.row, from_b.row);
-}
+    : vertices_{a, b, c}, lattice_(lattice), filter_(simplex_filter<kWeighted>(a, b, c)) {}
 
 template <bool kWeighted>
 int Ball<2, kWeighted>::orientation(Stages& stages) const {
-  const int sign = certain_sign(cofactors_.xy, kOrientation2, scale_, lattice_);
+  const int sign = filtered_orientation<int>(filter_, lattice_);
   if (sign == kUncertain) {
     return exact_sign<2, 3>({&vertices_[0], &vertices_[1], &vertices_[2]}, false, stages);
   }
@@ -111,10 +110,7 @@ int Ball<2, kWeighted>::orientation(Stages& stages) const {
 
 template <bool kWeighted>
 int Ball<2, kWeighted>::contains(const Site<2>& query, Stages& stages) const {
-  const FilterRow2 from = row_from<kWeighted>(vertices_[2], query);
-  const int sign = certain_lifted_sign(in_circle(cofactors_, from.row),
-                                       kWeighted ? kInCircleWeighted : kInCircle,
-                                       larger(scale_, from.scale), lattice_);
+  const int sign = filtered_ball<kWeighted, int>(filter_, vertices_[2], query, lattice_);
   if (sign == kUncertain) {
     return exact_sign<2, 4>({&vertices_[0], &vertices_[1], &vertices_[2], &query}, kWeighted,
                             stages);
@@ -126,16 +122,11 @@ int Ball<2, kWeighted>::contains(const Site<2>& query, Stages& stages) const {
 template <bool kWeighted>
 Ball<3, kWeighted>::Ball(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& d,
                          Lattice lattice)
-    : vertices_{a, b, c, d}, lattice_(lattice) {
-  const FilterRow3 from_a = row_from<kWeighted>(d, a), from_b = row_from<kWeighted>(d, b),
-                   from_c = row_from<kWeighted>(d, c);
-  scale_ = larger(larger(from_a.scale, from_b.scale), from_c.scale);
-  cofactors_ = cofactors(from_a.row, from_b.row, from_c.row);
-}
+    : vertices_{a, b, c, d}, lattice_(lattice), filter_(simplex_filter<kWeighted>(a, b, c, d)) {}
 
 template <bool kWeighted>
 int Ball<3, kWeighted>::orientation(Stages& stages) const {
-  const int sign = certain_sign(cofactors_.xyz, kOrientation3, scale_, lattice_);
+  const int sign = filtered_orientation<int>(filter_, lattice_);
   if (sign == kUncertain) {
     return exact_sign<3, 4>({&vertices_[0], &vertices_[1], &vertices_[2], &vertices_[3]}, false,
                             stages);
@@ -146,10 +137,7 @@ int Ball<3, kWeighted>::orientation(Stages& stages) const {
 
 template <bool kWeighted>
 int Ball<3, kWeighted>::contains(const Site<3>& query, Stages& stages) const {
-  const FilterRow3 from = row_from<kWeighted>(vertices_[3], query);
-  const int sign = certain_lifted_sign(in_sphere(cofactors_, from.row),
-                                       kWeighted ? kInSphereWeighted : kInSphere,
-                                       larger(scale_, from.scale), lattice_);
+  const int sign = filtered_ball<kWeighted, int>(filter_, vertices_[3], query, lattice_);
   if (sign == kUncertain) {
     return exact_sign<3, 5>({&vertices_[0], &vertices_[1], &vertices_[2], &vertices_[3], &query},
                             kWeighted, stages);

@@ -22,6 +22,7 @@ void hold_to_reference(const std::array<Site<2>, 4>& t, Stages& stages) {
   REQUIRE(exact_sign<2, 3>({&t[0], &t[1], &t[2]}, kWeighted, stages) == oriented);
   REQUIRE(exact_sign<2, 4>({&t[0], &t[1], &t[2], &t[3]}, kWeighted, stages) == inside);
   const Lattice lattice = lattice_of<2>(t, kWeighted);
+  REQUIRE(orientation(t[0], t[1], t[2], stages, lattice) == oriented);
   REQUIRE(Ball<2, kWeighted>(t[0], t[1], t[2], lattice).orientation(stages) == oriented);
   REQUIRE(Ball<2, kWeighted>(t[0], t[1], t[2], lattice).contains(t[3], stages) == inside);
 }
@@ -38,6 +39,7 @@ void hold_to_reference(const std::array<Site<3>, 5>& t, Stages& stages) {
   REQUIRE(exact_sign<3, 4>({&t[0], &t[1], &t[2], &t[3]}, kWeighted, stages) == oriented);
   REQUIRE(exact_sign<3, 5>({&t[0], &t[1], &t[2], &t[3], &t[4]}, kWeighted, stages) == inside);
   const Lattice lattice = lattice_of<3>(t, kWeighted);
+  REQUIRE(orientation(t[0], t[1], t[2], t[3], stages, lattice) == oriented);
   REQUIRE(Ball<3, kWeighted>(t[0], t[1], t[2], t[3], lattice).orientation(stages) == oriented);
   REQUIRE(Ball<3, kWeighted>(t[0], t[1], t[2], t[3], lattice).contains(t[4], stages) == inside);
 }

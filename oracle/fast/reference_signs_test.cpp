@@ -6,6 +6,7 @@
 
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/perturbation.hpp"
 
 namespace circumspect::fast {
 
@@ -49,9 +50,16 @@ int ReferenceSigns::ball(const Vertices& vertices) const {
   return 0;
 }
 
+int ReferenceSigns::perturbed_ball(const Vertices& vertices) const {
+  const Vertices simplex(vertices.begin(), vertices.end() - 1);
+  return perturbed_in_ball(exact_->points, exact_->axes, simplex, vertices.back());
+}
+
 namespace {
 
-TEST_CASE("reference signs: swapping two of the vertices negates the ball's, degenerate or not") {
+TEST_CASE(
+    "reference signs: swapping two of the vertices negates the ball's, "
+    "degenerate or not") {
   const ReferenceSigns signs({{0, 0}, {1, 0}, {2, 0}, {0, 3}, {3, 0}}, {});
   CHECK(signs.orientation({0, 1, 3}) == 1);
   CHECK(signs.ball({0, 1, 3, 2}) == -1);

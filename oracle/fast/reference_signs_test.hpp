@@ -24,6 +24,8 @@ class ReferenceSigns {
   // antisymmetric, and so defined by another simplex of these if the first is degenerate; zero if all
   // are.
   int ball(const Vertices& vertices) const;
+  // For a simplex and a query that is none of its vertices. Requires: not degenerate.
+  int perturbed_ball(const Vertices& vertices) const;
 
  private:
   struct Exact;

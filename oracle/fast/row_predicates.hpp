@@ -1,7 +1,6 @@
 // The predicates for rows of sites, whatever the dimension.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <tuple>
@@ -11,43 +10,47 @@
 namespace circumspect::fast {
 
 template <std::size_t kDimension>
-using SiteRow = std::array<Site<kDimension>, kDimension + 1>;
-
-template <std::size_t kDimension>
-int orientation(const SiteRow<kDimension>& row, Stages& stages) {
-  return std::apply([&](const auto&... sites) { return fast::orientation(sites..., stages); }, row);
+int orientation(const SiteRow<kDimension>& row, Stages& stages, Lattice lattice = {}) {
+  return std::apply(
+      [&](const auto&... sites) { return fast::orientation(sites..., stages, lattice); }, row);
 }
 
 // The orientation of the row with another site in place of one of its own.
 template <std::size_t kDimension>
 int orientation_with(SiteRow<kDimension> row, std::size_t place, const Site<kDimension>& site,
-                     Stages& stages) {
+                     Stages& stages, Lattice lattice = {}) {
   row[place] = site;
-  return orientation<kDimension>(row, stages);
+  return orientation<kDimension>(row, stages, lattice);
 }
 
 template <std::size_t kDimension, bool kWeighted>
-Ball<kDimension, kWeighted> ball_of(const SiteRow<kDimension>& row) {
-  return std::apply([](const auto&... sites) { return Ball<kDimension, kWeighted>(sites...); },
-                    row);
+Ball<kDimension, kWeighted> ball_of(const SiteRow<kDimension>& row, Lattice lattice = {}) {
+  return std::apply(
+      [&](const auto&... sites) { return Ball<kDimension, kWeighted>(sites..., lattice); }, row);
 }
 
-// in_ball under the canonical perturbation (reference/predicates/perturbation.hpp), where in_ball is
-// zero: the point that comes first in lexicographic order decides, unless its coefficient is zero.
-// `own` is the orientation of the simplex. Requires: different points. Book: Section 5.6.
+// in_ball under the canonical perturbation (reference/predicates/perturbation.hpp), where in_ball
+// is zero: the point that comes first in lexicographic order decides, unless its coefficient is
+// zero. `own` is the orientation of the simplex. Requires: different points. Book: Section 5.6.
+// `crossed`: a vertex such that the query is strictly beyond the facet opposite, if that is known.
 template <std::size_t kDimension>
 int perturbed_sign_of_zero(const SiteRow<kDimension>& simplex, int own,
-                           const Site<kDimension>& query, Stages& stages) {
-  std::array<std::size_t, kDimension + 1> places;
-  for (std::size_t i = 0; i <= kDimension; ++i) places[i] = i;
-  std::sort(places.begin(), places.end(),
-            [&](std::size_t a, std::size_t b) { return simplex[a].at < simplex[b].at; });
-  for (const std::size_t place : places) {
-    if (query.at < simplex[place].at) return 1;
-    const int barycentric = orientation_with<kDimension>(simplex, place, query, stages) * own;
+                           const Site<kDimension>& query, Stages& stages, Lattice lattice = {},
+                           std::size_t crossed = kDimension + 1) {
+  std::array<bool, kDimension + 1> has_no_say{};
+  while (true) {
+    std::size_t first = kDimension + 1;
+    for (std::size_t i = 0; i <= kDimension; ++i) {
+      if (has_no_say[i]) continue;
+      if (simplex[i].at < (first > kDimension ? query : simplex[first]).at) first = i;
+    }
+    // The coefficient of the vertex opposite a facet that the query is beyond is negative.
+    if (first > kDimension || first == crossed) return 1;
+    const int barycentric =
+        orientation_with<kDimension>(simplex, first, query, stages, lattice) * own;
     if (barycentric != 0) return -barycentric;
+    has_no_say[first] = true;
   }
-  return 1;
 }
 
 }  // namespace circumspect::fast

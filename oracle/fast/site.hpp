@@ -15,6 +15,10 @@ struct Site {
   double weight = 0;
 };
 
+// The vertices of a simplex.
+template <std::size_t kDimension>
+using SiteRow = std::array<Site<kDimension>, kDimension + 1>;
+
 // How often each stage decided a sign. Whoever calls the predicates owns it: one a thread.
 struct Stages {
   std::uint64_t filtered = 0;   // by doubles: beyond the proved bound, or without rounding

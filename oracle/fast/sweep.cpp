@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
+#include "oracle/fast/block.hpp"
+#include "oracle/fast/exact_ball.hpp"
 #include "oracle/fast/facet_across.hpp"
 #include "oracle/fast/row_predicates.hpp"
 
 namespace circumspect::fast {
 namespace {
-
-// Simplices that are looked at together: what one phase asks the caches for is there in the next.
-constexpr std::size_t kBlock = 32;
 
 void prefetch(const void* from, std::size_t bytes) {
   const char* const begin = static_cast<const char*>(from);
@@ -22,17 +22,30 @@ template <std::size_t kDimension, bool kWeighted, typename Index, typename Link>
 class BlockSweep {
  public:
   BlockSweep(const SweepTask<kDimension, Index, Link>& task, Swept& swept)
-      : task_(task), mesh_(task.mesh), swept_(swept) {
-    balls_.reserve(kBlock);
+      : task_(task),
+        mesh_(task.mesh),
+        swept_(swept),
+        kernels_(task.kernels != nullptr ? *task.kernels : block_kernels<kDimension>().front()) {
+    block_.low.fill(std::numeric_limits<double>::infinity());  // apart from every box
+    block_.high = block_.low;
+    if (task.sample != nullptr) {
+      block_.low = task.sample->low.at;
+      block_.high = task.sample->high.at;
+    }
   }
 
+  // Rows are read, and what they name is asked for, a block ahead.
   void run(std::size_t first, std::size_t last) {
-    first_ = first;
-    count_ = last - first;
-    look_at_rows();
-    if (swept_.goes_on()) look_across();
-    if (swept_.goes_on()) look_at_simplices();
-    if (swept_.goes_on() && task_.balls) look_at_balls();
+    read(rows_[0], first, last);
+    for (std::size_t turn = 0; swept_.goes_on(); ++turn) {
+      Rows& now = rows_[turn % 2];
+      const std::size_t next = now.first + kBlock;
+      if (next < last) read(rows_[(turn + 1) % 2], next, last);
+      if (swept_.goes_on()) look_across(now);
+      if (swept_.goes_on()) look_at_simplices(now);
+      if (swept_.goes_on() && task_.balls) look_at_balls(now);
+      if (next >= last) return;
+    }
   }
 
  private:
@@ -40,10 +53,20 @@ class BlockSweep {
 
   // A facet of one of the simplices, with what is across it.
   struct Facet {
-    std::uint32_t in_block;  // which simplex
-    std::uint32_t place;     // of its apex
-    std::size_t beyond;      // the simplex across
-    Index apex = 0;          // of that
+    std::uint32_t lane;   // of the simplex in the block
+    std::uint32_t place;  // of its apex
+    std::size_t beyond;   // the simplex across
+  };
+
+  // Consecutive simplices, and their facets that are shared with later ones.
+  struct Rows {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    RowBlock<kVertices, Index> lanes;
+    std::array<Facet, kBlock * kVertices + 1> facets;  // one more, which is written and not kept
+    std::size_t facet_count = 0;
+
+    std::span<const Facet> looked_at() const { return std::span(facets).first(facet_count); }
   };
 
   void give_up(Undecided reason) {
@@ -57,123 +80,186 @@ class BlockSweep {
   }
 
   // Indices name something; what they name is on its way.
-  void look_at_rows() {
-    facet_count_ = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const std::size_t s = first_ + i;
-      for (const Index v : mesh_.row(s)) {
-        if (!mesh_.names_point(v)) return give_up(Undecided::kUnknownVertex);
+  void read(Rows& rows, std::size_t first, std::size_t last) {
+    rows.first = first;
+    rows.count = std::min(kBlock, last - first);
+    bool names_points = true;
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      const auto row = mesh_.row(first + lane);
+      for (std::size_t i = 0; i < kVertices; ++i) {
+        rows.lanes.rows[i][lane] = row[i];
+        names_points &= mesh_.names_point(row[i]);
+      }
+    }
+    if (!names_points) return give_up(Undecided::kUnknownVertex);
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      for (const Index v : mesh_.row(first + lane)) {
         prefetch_site(v);
         task_.used.mark(static_cast<std::size_t>(v));
       }
-      list_facets(i);
     }
+    list_facets(rows);
   }
 
-  void list_facets(std::size_t i) {
-    const std::size_t s = first_ + i;
-    const Link* const links = task_.links.data() + s * kVertices;
-    const std::size_t before = facet_count_;
-    std::size_t boundary = 0;
-    for (std::size_t place = 0; place < kVertices; ++place) {
-      const auto beyond = static_cast<std::int64_t>(links[place]);
-      if (beyond < 0) {
-        if (beyond != -1) return give_up(Undecided::kUnmatchedNeighbor);
-        swept_.boundary.push_back(s * kVertices + place);
-        ++boundary;
-        continue;
+  void list_facets(Rows& rows) {
+    const auto size = static_cast<std::int64_t>(mesh_.size());
+    bool leads_somewhere = true;
+    std::uint32_t boundary = 0;
+    std::size_t shared = 0;
+    rows.facet_count = 0;
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      const std::size_t s = rows.first + lane;
+      const Link* const links = task_.links.data() + s * kVertices;
+      for (std::size_t place = 0; place < kVertices; ++place) {
+        const auto beyond = static_cast<std::int64_t>(links[place]);
+        leads_somewhere &= (beyond >= -1) & (beyond < size);
+        boundary |= static_cast<std::uint32_t>(beyond < 0) << lane;
+        shared += static_cast<std::size_t>(beyond >= 0);
+        // Which of the two comes first is a coin toss: no branch.
+        rows.facets[rows.facet_count] = {static_cast<std::uint32_t>(lane),
+                                         static_cast<std::uint32_t>(place),
+                                         static_cast<std::size_t>(beyond)};
+        rows.facet_count += static_cast<std::size_t>(beyond > static_cast<std::int64_t>(s));
       }
-      const auto t = static_cast<std::size_t>(beyond);
-      if (t >= mesh_.size()) return give_up(Undecided::kUnmatchedNeighbor);
-      facets_[facet_count_] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(place), t};
-      // Which of the two comes first is a coin toss: no branch.
-      facet_count_ += static_cast<std::size_t>(t > s);
-      __builtin_prefetch(mesh_.simplices.data() + t * kVertices);
-      __builtin_prefetch(task_.links.data() + t * kVertices);
     }
-    const std::size_t up = facet_count_ - before;
-    swept_.up += up;
-    swept_.down += kVertices - boundary - up;
+    if (!leads_somewhere) return give_up(Undecided::kUnmatchedNeighbor);
+    swept_.up += rows.facet_count;
+    swept_.down += shared - rows.facet_count;
+    task_.boundary.set(rows.first / kBlock, boundary);
+    for (const Facet& facet : rows.looked_at()) {
+      __builtin_prefetch(mesh_.simplices.data() + facet.beyond * kVertices);
+      __builtin_prefetch(task_.links.data() + facet.beyond * kVertices);
+    }
   }
 
   // The simplices across share the facet, are linked back, and lie on its other side.
-  void look_across() {
-    for (std::size_t i = 0; i < facet_count_; ++i) {
-      Facet& facet = facets_[i];
-      const std::size_t s = first_ + facet.in_block;
+  void look_across(Rows& rows) {
+    auto& lanes = rows.lanes;
+    for (const Facet& facet : rows.looked_at()) {
       const auto row = mesh_.row(facet.beyond);
-      const Across found = across<kVertices, Index>(mesh_.row(s), facet.place, row);
-      if (!found.matches) return give_up(Undecided::kUnmatchedNeighbor);
-      const Link back = task_.links[facet.beyond * kVertices + found.place];
-      if (back < 0 || static_cast<std::size_t>(back) != s) {
+      for (std::size_t i = 0; i < kVertices; ++i) {
+        lanes.beyond[facet.place][i][facet.lane] = row[i];
+      }
+    }
+    kernels_.fit(lanes);
+    for (const Facet& facet : rows.looked_at()) {
+      const Index fit = lanes.fits[facet.place][facet.lane];
+      if (fit < 0) return give_up(Undecided::kUnmatchedNeighbor);
+      constexpr Index kOdd = RowBlock<kVertices, Index>::kOdd;
+      const auto place = static_cast<std::size_t>(fit % kOdd);
+      const std::size_t s = rows.first + facet.lane;
+      const Link back = task_.links[facet.beyond * kVertices + place];
+      if (static_cast<std::int64_t>(back) != static_cast<std::int64_t>(s)) {
         return give_up(Undecided::kUnmatchedNeighbor);
       }
       const int product = task_.orientations.are_equal()
                               ? 1
                               : task_.orientations.of(s) * task_.orientations.of(facet.beyond);
-      if ((product > 0) != found.odd) {
+      if ((product > 0) != (fit >= kOdd)) {
         // Unless the one of them is oriented as expected and the other is not.
         if (!task_.orientations.are_equal()) return give_up(Undecided::kSameSide);
         swept_.mixed = true;
         return;
       }
-      facet.apex = row[found.place];
-      if (!mesh_.names_point(facet.apex)) return give_up(Undecided::kUnknownVertex);
-      prefetch_site(facet.apex);
+      const Index apex = lanes.apex[facet.place][facet.lane];
+      if (!mesh_.names_point(apex)) return give_up(Undecided::kUnknownVertex);
+      prefetch_site(apex);
     }
   }
 
-  void look_at_simplices() {
-    balls_.clear();
-    for (std::size_t i = 0; i < count_; ++i) {
-      const std::size_t s = first_ + i;
-      SiteRow<kDimension> row;
-      for (std::size_t place = 0; place < kVertices; ++place) {
-        row[place] = mesh_.template site<kWeighted>(mesh_.row(s)[place]);
+  [[gnu::always_inline]] void load(SiteLanes<kDimension>& sites, std::size_t lane, Index v) const {
+    const double* const at = mesh_.coordinates.data() + static_cast<std::size_t>(v) * kDimension;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) sites.at[axis][lane] = at[axis];
+    if constexpr (kWeighted) sites.weight[lane] = mesh_.weights[static_cast<std::size_t>(v)];
+  }
+
+  void look_at_simplices(const Rows& rows) {
+    for (std::size_t lane = 0; lane < rows.count; ++lane) {
+      for (std::size_t i = 0; i < kVertices; ++i) {
+        load(block_.vertices[i], lane, rows.lanes.rows[i][lane]);
       }
-      balls_.push_back(ball_of<kDimension, kWeighted>(row));
-      const int own = balls_.back().orientation(swept_.stages);
-      if (own != task_.orientations.of(s)) {
-        if (own == 0) return give_up(Undecided::kFlatSimplex);
-        swept_.mixed = true;
-        return;
-      }
-      if (covers<kDimension>(row, own, task_.sample.site, swept_.stages) &&
-          s != task_.sample.simplex) {
-        return give_up(Undecided::kCoveredTwice);
-      }
+      block_.own[lane] = task_.orientations.of(rows.first + lane);
+    }
+    kernels_.simplices(block_, kWeighted, task_.lattice);
+    if (block_.as_expected) {
+      swept_.stages.filtered += rows.count;
+      return;
+    }
+    for (std::size_t lane = 0; lane < rows.count && swept_.goes_on(); ++lane) {
+      look_at_simplex(lane, rows.first + lane);
     }
   }
 
-  void look_at_balls() {
-    for (std::size_t i = 0; i < facet_count_; ++i) {
-      const Facet& facet = facets_[i];
-      const Site<kDimension> apex = mesh_.template site<kWeighted>(facet.apex);
-      const int own = task_.orientations.of(first_ + facet.in_block);
-      const int side = balls_[facet.in_block].contains(apex, swept_.stages) * own;
+  void look_at_simplex(std::size_t lane, std::size_t s) {
+    auto own = static_cast<int>(block_.orientation[lane]);
+    if (own == kUncertain) {
+      own = exact_orientation(block_.row(lane), swept_.stages);
+    } else {
+      ++swept_.stages.filtered;
+    }
+    if (own != block_.own[lane]) {
+      if (own == 0) return give_up(Undecided::kFlatSimplex);
+      swept_.mixed = true;
+      return;
+    }
+    if (block_.apart[lane] == 0 && s != task_.sample->simplex &&
+        covers<kDimension>(block_.row(lane), own, *task_.sample, swept_.stages)) {
+      give_up(Undecided::kCoveredTwice);
+    }
+  }
+
+  void look_at_balls(const Rows& rows) {
+    for (const Facet& facet : rows.looked_at()) {
+      load(block_.apexes[facet.place], facet.lane, rows.lanes.apex[facet.place][facet.lane]);
+    }
+    kernels_.balls(block_, kWeighted, task_.lattice);
+    std::optional<ExactBall<kDimension>> ball;
+    std::size_t lane_of_ball = kBlock;
+    for (const Facet& facet : rows.looked_at()) {
+      const auto own = static_cast<int>(block_.own[facet.lane]);
+      auto side = static_cast<int>(block_.inside[facet.place][facet.lane]);
+      if (side == kUncertain) {
+        const Site<kDimension> apex = block_.apexes[facet.place].site(facet.lane);
+        if constexpr (kWeighted) {
+          side = exact_ball_sign(block_.row(facet.lane), apex, true, swept_.stages);
+        } else {
+          if (facet.lane != lane_of_ball) ball.emplace(block_.row(facet.lane));
+          lane_of_ball = facet.lane;
+          side = ball->contains(apex, swept_.stages);
+        }
+      } else {
+        ++swept_.stages.filtered;
+      }
+      side *= own;
       if (side < 0) continue;
-      if (side > 0) return give_up(Undecided::kFacetNotLocal);
-      swept_.unique = false;
-      if (swept_.canonical) swept_.canonical = is_canonical(facet, apex, own);
+      const std::uint64_t name = (rows.first + facet.lane) * kVertices + facet.place;
+      if (side > 0) {
+        swept_.not_local.push_back(name);
+      } else {
+        look_at_tie(facet, name, own);
+      }
     }
   }
 
-  bool is_canonical(const Facet& facet, const Site<kDimension>& apex, int own) {
-    SiteRow<kDimension> row;
-    for (std::size_t place = 0; place < kVertices; ++place) {
-      row[place] = mesh_.template site<false>(mesh_.row(first_ + facet.in_block)[place]);
+  void look_at_tie(const Facet& facet, std::uint64_t name, int own) {
+    swept_.unique = false;
+    if (task_.ties) swept_.ties.push_back(name);
+    if (!swept_.canonical && !task_.ties) return;
+    const Site<kDimension> apex = block_.apexes[facet.place].site(facet.lane);
+    if (perturbed_sign_of_zero<kDimension>(block_.row(facet.lane), own, apex, swept_.stages,
+                                           task_.lattice, facet.place) < 0) {
+      return;
     }
-    return perturbed_sign_of_zero<kDimension>(row, own, apex, swept_.stages) < 0;
+    swept_.canonical = false;
+    if (task_.ties) swept_.not_canonical.push_back(name);
   }
 
   const SweepTask<kDimension, Index, Link>& task_;
   const MeshView<kDimension, Index>& mesh_;
   Swept& swept_;
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
-  std::array<Facet, kBlock * kVertices + 1> facets_;  // one more, which is written and not kept
-  std::size_t facet_count_ = 0;
-  std::vector<Ball<kDimension, kWeighted>> balls_;
+  const BlockKernels<kDimension>& kernels_;
+  std::array<Rows, 2> rows_;
+  SimplexBlock<kDimension> block_;
 };
 
 template <bool kWeighted, std::size_t kDimension, typename Index, typename Link>
@@ -181,9 +267,7 @@ Swept swept_in_blocks(const SweepTask<kDimension, Index, Link>& task, std::size_
                       std::size_t last) {
   Swept swept;
   BlockSweep<kDimension, kWeighted, Index, Link> blocks(task, swept);
-  for (std::size_t block = first; block < last && swept.goes_on(); block += kBlock) {
-    blocks.run(block, std::min(block + kBlock, last));
-  }
+  blocks.run(first, last);
   return swept;
 }
 
@@ -197,6 +281,12 @@ void Swept::append(const Swept& later) {
   up += later.up;
   down += later.down;
   stages = sum(stages, later.stages);
+  const auto append_to = [](std::vector<std::uint64_t>& facets, const auto& more) {
+    facets.insert(facets.end(), more.begin(), more.end());
+  };
+  append_to(not_local, later.not_local);
+  append_to(ties, later.ties);
+  append_to(not_canonical, later.not_canonical);
 }
 
 template <std::size_t kDimension, typename Index, typename Link>

@@ -6,6 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/fast/block.hpp"
+#include "oracle/fast/boundary_simplices.hpp"
+#include "oracle/fast/lattice.hpp"
 #include "oracle/fast/mesh_view.hpp"
 #include "oracle/fast/orientations.hpp"
 #include "oracle/fast/sample_point.hpp"
@@ -19,11 +22,15 @@ template <std::size_t kDimension, typename Index, typename Link>
 struct SweepTask {
   const MeshView<kDimension, Index>& mesh;
   Links<Link> links;
-  const Orientations& orientations;  // if equal for all: that of one simplex
-  const SamplePoint<kDimension>& sample;
-  bool balls;     // are facets to be locally Delaunay?
-  bool weighted;  // in the weighted sense? Requires weights.
+  const Orientations& orientations;       // if equal for all: that of one simplex
+  const SamplePoint<kDimension>* sample;  // none: simplices may cover what they like
+  bool balls;                             // are facets to be locally Delaunay?
+  bool weighted;                          // in the weighted sense? Requires weights.
+  bool ties;                              // are those to be listed whose apex is on the sphere?
+  Lattice lattice;  // one that all points lie on, and their weights if those count
   UsedPoints& used;
+  BoundarySimplices& boundary;
+  const BlockKernels<kDimension>* kernels = nullptr;  // none: the widest of this machine
 };
 
 inline Stages sum(const Stages& a, const Stages& b) {
@@ -39,16 +46,21 @@ struct Swept {
   bool canonical = true;   // every facet is locally Delaunay under the canonical perturbation
   std::uint64_t up = 0;    // links to a later simplex, each verified from both ends
   std::uint64_t down = 0;  // links to an earlier one: all verified iff there are as many in all
-  std::vector<std::uint64_t> boundary = {};  // simplex · (d + 1) + place of the apex
+  // Facets, each as simplex · (d + 1) + place of the apex, in ascending order; of those of two
+  // simplices, as the one that comes first has them.
+  std::vector<std::uint64_t> not_local = {};  // the other apex is strictly inside the ball
+  std::vector<std::uint64_t> ties = {};       // it is on the sphere; listed if asked for
+  std::vector<std::uint64_t> not_canonical =
+      {};  // those of them that the perturbation makes not local
   Stages stages = {};
 
   bool goes_on() const { return !undecided && !mixed; }
-  // What was found in the simplices that follow; their boundary facets stay where they are.
+  // What was found in the simplices that follow.
   void append(const Swept& later);
 };
 
-// Sweeps simplices `first` to `last` − 1; ends at the first thing that is wrong. Facets of two of them
-// are tested from the side of the one that comes first.
+// Sweeps simplices `first` to `last` − 1, where `first` is a multiple of kBlock; ends at the first
+// thing that is wrong. Facets of two of them are tested from the side of the one that comes first.
 template <std::size_t kDimension, typename Index, typename Link>
 Swept sweep(const SweepTask<kDimension, Index, Link>& task, std::size_t first, std::size_t last);
 

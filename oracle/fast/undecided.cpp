@@ -22,8 +22,6 @@ std::string_view description(Undecided reason) {
       return "two simplices on the same side of a facet";
     case Undecided::kFacetNotLocal:
       return "a facet that is not locally Delaunay";
-    case Undecided::kNoSamplePoint:
-      return "no sample point";
     case Undecided::kCoveredTwice:
       return "a sample point that is covered twice";
     case Undecided::kBeyondHullFacet:

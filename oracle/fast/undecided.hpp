@@ -17,7 +17,6 @@ enum class Undecided {
   kUnmatchedNeighbor,  // a link that leads nowhere, or is not returned, or to another facet
   kSameSide,           // two simplices on the same side of a facet
   kFacetNotLocal,      // a facet that is not locally Delaunay
-  kNoSamplePoint,      // no simplex has a double for an interior point that serves
   kCoveredTwice,       // the sample point is in a second simplex
   kBeyondHullFacet,    // it is not strictly on the inner side of a boundary facet
   kHullNotConvex,      // a reflex angle at a ridge of the boundary

@@ -65,46 +65,46 @@ Result<DomainFile> domain_of_medit(const Source& source, NumberReading reading) 
   return domain_of(*medit, source.name);
 }
 
-struct Format {
+struct DomainFormat {
   std::string_view extension;
   Result<DomainFile> (*read)(const Source&, NumberReading);
 };
 
-constexpr std::array kFormats = {
-    Format{".poly", domain_of_poly}, Format{".smesh", domain_of_smesh},
-    Format{".off", domain_of_off},   Format{".stl", read_stl},
-    Format{".ply", read_ply},        Format{".mesh", domain_of_medit},
+constexpr std::array kDomainFormats = {
+    DomainFormat{".poly", domain_of_poly}, DomainFormat{".smesh", domain_of_smesh},
+    DomainFormat{".off", domain_of_off},   DomainFormat{".stl", read_stl},
+    DomainFormat{".ply", read_ply},        DomainFormat{".mesh", domain_of_medit},
 };
 
-const Format* format_of(std::string_view extension) {
-  const auto* const found =
-      std::find_if(kFormats.begin(), kFormats.end(),
-                   [extension](const Format& format) { return format.extension == extension; });
-  return found == kFormats.end() ? nullptr : found;
+const DomainFormat* domain_format_of(std::string_view extension) {
+  const auto* const found = std::find_if(
+      kDomainFormats.begin(), kDomainFormats.end(),
+      [extension](const DomainFormat& format) { return format.extension == extension; });
+  return found == kDomainFormats.end() ? nullptr : found;
 }
 
 // The format of a file whose name does not say it; null if what it holds does not, either.
-const Format* sniff(const Source& source) {
+const DomainFormat* sniff(const Source& source) {
   Lines lines(source);
   if (!lines.next()) return nullptr;
   const std::string_view first = lines.tokens()[0];
-  if (is_off_keyword(first)) return format_of(".off");
-  if (is_medit_keyword(first)) return format_of(".mesh");
-  if (first == "ply") return format_of(".ply");
-  return first == "solid" ? format_of(".stl") : nullptr;
+  if (is_off_keyword(first)) return domain_format_of(".off");
+  if (is_medit_keyword(first)) return domain_format_of(".mesh");
+  if (first == "ply") return domain_format_of(".ply");
+  return first == "solid" ? domain_format_of(".stl") : nullptr;
 }
 
 }  // namespace
 
 bool is_domain_file(const std::string& path) {
   const std::string end = extension(path);
-  return end != ".off" && format_of(end) != nullptr;
+  return end != ".off" && domain_format_of(end) != nullptr;
 }
 
 Result<DomainFile> read_domain(const std::string& path, NumberReading reading) {
   const Result<Source> source = load(path);
   if (!source) return tl::unexpected(source.error());
-  const Format* format = format_of(extension(path));
+  const DomainFormat* format = domain_format_of(extension(path));
   if (format == nullptr) format = sniff(*source);
   if (format != nullptr) return format->read(*source, reading);
   return tl::unexpected(FormatError{

@@ -5,12 +5,12 @@
 namespace circumspect::formats {
 namespace {
 
-struct Header {
+struct EleHeader {
   std::size_t vertices = 0;
   std::size_t attributes = 0;
 };
 
-Result<Header> read_header(NumberedLines& numbered) {
+Result<EleHeader> read_header(NumberedLines& numbered) {
   const Status status = numbered.read_header("simplices vertices-of-each [attributes]", 2, 3);
   if (!status) return tl::unexpected(status.error());
   const Result<std::size_t> vertices = numbered.header_count(1, "the number of vertices of each");
@@ -18,14 +18,14 @@ Result<Header> read_header(NumberedLines& numbered) {
   if (*vertices == 0) return numbered.lines().fail_at(1, "simplices of at least 1 vertex");
   const Result<std::size_t> attributes = numbered.header_count(2, "the number of attributes");
   if (!attributes) return tl::unexpected(attributes.error());
-  return Header{*vertices, *attributes};
+  return EleHeader{*vertices, *attributes};
 }
 
 }  // namespace
 
 Result<SimplexFile> read_ele(const Source& source) {
   NumberedLines numbered(source, "simplex", "simplices");
-  const Result<Header> header = read_header(numbered);
+  const Result<EleHeader> header = read_header(numbered);
   if (!header) return tl::unexpected(header.error());
   const std::size_t k = header->vertices;
   std::string meaning = "an index, " + std::to_string(k) + " vertices";

@@ -19,13 +19,19 @@ struct FlatMesh {
   std::variant<FlatRows<std::int32_t>, FlatRows<std::int64_t>> simplices = {};
   // If they were asked for: as many as simplices, each with k; counted from 0, −1 for none.
   std::optional<FlatRows<std::int32_t>> neighbors = {};
+  Vertex first_neighbor = 0;  // the user's index of the first simplex where neighbours are listed
+  std::string points_name = {};  // of the file with the points, for messages
 
   std::size_t dimension() const { return points.coordinates.columns(); }
 };
 
 // As read_mesh. None for numbers that are taken at their word, for meshes that are held against a
-// domain, for what comes through a pipe, and for every file that is not of the plain form or at fault.
+// domain, for pipes that load_streams has not loaded, and for every file that is not of the plain form or
+// at fault.
 std::optional<FlatMesh> read_flat_mesh(const MeshRequest& request,
                                        const PlainReading& reading = {});
+
+// What read_mesh reads instead, but for markers, line numbers and all attributes after the first.
+RawMesh raw_mesh(const FlatMesh& mesh);
 
 }  // namespace circumspect::formats

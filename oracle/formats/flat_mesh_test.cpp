@@ -1,7 +1,14 @@
 // Which meshes are read into flat arrays, and that they are those that read_mesh reads.
 #include "oracle/formats/flat_mesh.hpp"
 
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "oracle/formats/npy_bytes_test.hpp"
 #include "oracle/formats/same_values_test.hpp"
@@ -16,12 +23,29 @@ const std::string kNeigh = "2 3\n1 2 -1 -1\n2 -1 1 -1\n";
 const std::vector<double> kSquare = {0, 0, 1, 0, 0, 1, 1, 1};
 const std::vector<Simplex> kTwo = {{0, 1, 2}, {1, 3, 2}};
 
+// All that raw_mesh promises.
+void check_same(const RawMesh& raw, const RawMesh& read) {
+  CHECK(raw.points.dimension == read.points.dimension);
+  CHECK(raw.points.points == read.points.points);
+  CHECK(raw.points.first_index == read.points.first_index);
+  CHECK(raw.points.attributes.size() == read.points.attributes.size());
+  for (std::size_t i = 0; i < raw.points.attributes.size(); ++i) {
+    CHECK(raw.points.attributes[i].front() == read.points.attributes[i].front());
+  }
+  CHECK(raw.simplices.simplices == read.simplices.simplices);
+  CHECK(raw.simplices.vertices_per_simplex == read.simplices.vertices_per_simplex);
+  CHECK(raw.first_index == read.first_index);
+  CHECK(raw.points_name == read.points_name);
+  CHECK(raw.neighbors == read.neighbors);
+}
+
 // What both readers read is the same; true if the flat one has an answer.
 bool is_read(const MeshRequest& request) {
   const auto flat = read_flat_mesh(request);
   if (!flat) return false;
   const auto mesh = read_mesh(request);
   REQUIRE(mesh.has_value());
+  check_same(raw_mesh(*flat), *mesh);
   CHECK(flat->dimension() == mesh->points.dimension);
   CHECK(flat->points.first_index == mesh->first_index);
   CHECK(has_same_rows(flat->points.coordinates, mesh->points.points));
@@ -112,6 +136,77 @@ TEST_CASE("flat meshes: all else is read as ever") {
   CHECK(!is_read({"-"}));
   folder.write("x.ele", "1 4\n1 1 2 3 4\n");
   CHECK(!is_read({ele}));
+}
+
+// Writes a text into a pipe of that name as soon as somebody reads it, within ten seconds.
+class Pipe {
+ public:
+  Pipe(const std::string& path, const std::string& text) {
+    if (mkfifo(path.c_str(), 0600) != 0) throw std::runtime_error("no pipe");
+    writer_ = std::jthread([path, text] {
+      for (int tries = 0; tries < 1000; ++tries) {
+        const int pipe = open(path.c_str(), O_WRONLY | O_NONBLOCK);
+        if (pipe >= 0) {
+          CHECK(write(pipe, text.data(), text.size()) == static_cast<ssize_t>(text.size()));
+          close(pipe);
+          return;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    });
+  }
+
+ private:
+  std::jthread writer_;
+};
+
+TEST_CASE("flat meshes: what comes through pipes is read once, and kept for the other reader") {
+  const ScratchFolder folder;
+  const auto request_of = [&](const std::string& mesh, const std::string& points) {
+    const Pipe mesh_pipe(folder.path(mesh), kEle);
+    const Pipe points_pipe(folder.path(points), kNode);
+    MeshRequest request{folder.path(mesh), folder.path(points)};
+    CHECK(!read_flat_mesh(request));
+    load_streams(request);
+    CHECK(request.loaded.size() == 2);
+    return request;
+  };
+  // Known by their names, and by what they hold.
+  for (const std::string end : {"1", ".ele"}) {
+    const MeshRequest request = request_of("mesh" + end, end == "1" ? "points" : "points.node");
+    CHECK(is_read(request));
+    CHECK(read_flat_mesh(request)->points.first_index == 1);
+  }
+}
+
+TEST_CASE("load_streams: nothing of what can be read again, and what is wrong with the rest") {
+  const ScratchFolder folder;
+  folder.write("x.node", kNode);
+  MeshRequest request{folder.write("x.ele", kEle)};
+  load_streams(request);
+  CHECK(request.loaded.empty());
+  request = {folder.path("none.ele"), folder.path("none.node")};
+  load_streams(request);
+  CHECK(request.loaded.empty());
+  request = {folder.path("none.ele"), "-"};
+  load_streams(request);
+  CHECK(request.loaded.empty());
+  request = {"-", "-"};
+  load_streams(request);
+  CHECK(request.loaded.empty());
+  // No format by name, and none of a mesh by what it holds.
+  request = {folder.write("mesh", kEle)};
+  load_streams(request);
+  CHECK(request.loaded.size() == 1);
+  CHECK(!is_read(request));
+  request = {folder.path("mesh"), folder.path("x.node")};
+  load_streams(request);
+  CHECK(is_read(request));
+  request = {folder.path(""), folder.path("x.node")};
+  load_streams(request);
+  CHECK(!is_read(request));
+  CHECK(read_mesh(request).error().to_string() ==
+        folder.path("") + ": expected a file, found a directory");
 }
 
 TEST_CASE("npy files are known by what they hold, and need points") {

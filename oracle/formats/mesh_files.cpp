@@ -205,6 +205,17 @@ std::string file_of_simplices(const std::string& path) {
   return with_extension(path, format->simplices_beside);
 }
 
+Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
+                            NumberReading reading) {
+  if (!source) return tl::unexpected(source.error());
+  const Format* format = format_of(extension(path));
+  if (format == nullptr) format = sniff_points(*source);
+  if (format->points != nullptr) return format->points(*source, reading);
+  return tl::unexpected(FormatError{source->name, 0,
+                                    "a file of points (.node, .json, .off, .mesh, .npy, .qhull)",
+                                    "a " + std::string(format->extension) + " file"});
+}
+
 // Reads a file that goes with another, and says so if it is missing.
 Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view points_beside,
                                      NumberReading reading) {
@@ -218,10 +229,16 @@ Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view p
                                     "no file of that name (--points names another)"});
 }
 
-Result<Source> load_mesh(const std::string& asked, const std::string& path) {
-  if (path == asked || exists(path)) return load(path);
+// What has been loaded of a file, or the file.
+Result<Source> source_of(const MeshRequest& request, const std::string& path) {
+  const Result<Source>* const loaded = find_loaded(request, path);
+  return loaded != nullptr ? *loaded : load(path);
+}
+
+Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
+  if (path == request.mesh || exists(path)) return source_of(request, path);
   return tl::unexpected(
-      FormatError{path, 0, "a file with the simplices of " + asked, "no file of that name"});
+      FormatError{path, 0, "a file with the simplices of " + request.mesh, "no file of that name"});
 }
 
 Vertex difference_or_nearest(Vertex a, Vertex b) {
@@ -282,7 +299,7 @@ void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
 // The simplices, and the points if they are in the same file; `format` tells which it is.
 Result<Contents> read_contents(const MeshRequest& request, const std::string& path,
                                std::string& name, const Format*& format) {
-  const Result<Source> source = load_mesh(request.mesh, path);
+  const Result<Source> source = load_mesh(request, path);
   if (!source) return tl::unexpected(source.error());
   name = source->name;
   format = format_of(extension(path));
@@ -298,7 +315,9 @@ Result<Contents> read_contents(const MeshRequest& request, const std::string& pa
 Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& path,
                                  const Format& format, Contents& contents) {
   if (request.own_points) return RawPoints{*request.own_points};
-  if (request.points) return read_points(*request.points, request.reading);
+  if (request.points) {
+    return points_of(source_of(request, *request.points), *request.points, request.reading);
+  }
   if (contents.points) return std::move(*contents.points);
   return read_points_beside(path, format.points_beside, request.reading);
 }
@@ -316,15 +335,40 @@ std::string extension(const std::string& path) {
   return end;
 }
 
-Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
-  const Result<Source> source = load(path);
-  if (!source) return tl::unexpected(source.error());
+const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path) {
+  const auto found = std::find_if(request.loaded.begin(), request.loaded.end(),
+                                  [&path](const LoadedFile& file) { return file.path == path; });
+  return found == request.loaded.end() ? nullptr : &found->source;
+}
+
+void load_streams(MeshRequest& request) {
+  if (request.mesh == "-" && request.points == "-") return;
+  const auto load_stream = [&request](const std::string& path) {
+    const bool says_format = format_of(extension(path)) != nullptr;
+    if (says_format && (!exists(path) || is_regular(path))) return;
+    request.loaded.push_back({path, load(path)});
+  };
+  const std::string mesh = file_of_simplices(request.mesh);
+  load_stream(mesh);
+  // Nobody is to wait for points of a mesh that is not there.
+  const bool is_missing = mesh != "-" && !exists(mesh);
+  if (request.points && !is_missing) load_stream(*request.points);
+}
+
+std::string_view format_of_points(const std::string& path, const Source* text) {
   const Format* format = format_of(extension(path));
-  if (format == nullptr) format = sniff_points(*source);
-  if (format->points != nullptr) return format->points(*source, reading);
-  return tl::unexpected(FormatError{source->name, 0,
-                                    "a file of points (.node, .json, .off, .mesh, .npy, .qhull)",
-                                    "a " + std::string(format->extension) + " file"});
+  if (format == nullptr && text != nullptr) format = sniff_points(*text);
+  return format == nullptr ? "" : format->extension;
+}
+
+std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points) {
+  const Format* format = format_of(extension(path));
+  if (format == nullptr && text != nullptr) format = sniff_mesh(*text, if_points);
+  return format == nullptr ? "" : format->extension;
+}
+
+Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
+  return points_of(load(path), path, reading);
 }
 
 Result<RawMesh> read_mesh(const MeshRequest& request) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracle/formats/neigh.hpp"
@@ -26,6 +27,12 @@ struct RawPoints {
 // Reads points of any format; "-" is standard input.
 Result<RawPoints> read_points(const std::string& path, NumberReading reading);
 
+// A file that has been read already.
+struct LoadedFile {
+  std::string path;
+  Result<Source> source;
+};
+
 struct MeshRequest {
   std::string mesh;                        // a file; of .node and .qhull, the simplices beside it
   std::optional<std::string> points = {};  // instead of those beside or inside the mesh
@@ -36,7 +43,21 @@ struct MeshRequest {
   // words is read as the domain's dimension wants it; see fit_to_domain.hpp.
   std::optional<std::size_t> domain_dimension = {};
   std::optional<PointFile> own_points = {};  // instead of any file's
+  std::vector<LoadedFile> loaded = {};       // taken for what the files hold; see load_streams
 };
+
+// Reads into `loaded` what can be read but once, pipes and standard input, and the files whose names do
+// not say their format. Nothing if mesh and points are both to come from standard input.
+void load_streams(MeshRequest& request);
+
+// What has been loaded of a file; null if it has not.
+const Result<Source>* find_loaded(const MeshRequest& request, const std::string& path);
+
+// The extension that files of this format have: that of the path, if it is one, else by what the text
+// holds; empty if that cannot be known. `text` may be null. A mesh of simplices alone is only taken for
+// one `if_points` are known.
+std::string_view format_of_points(const std::string& path, const Source* text);
+std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points);
 
 struct RawMesh {
   PointFile points;

@@ -6,14 +6,14 @@
 namespace circumspect::formats {
 namespace {
 
-struct Header {
+struct NodeHeader {
   std::size_t dimension = 0;
   std::size_t attributes = 0;
   std::size_t markers = 0;
 };
 
 // `may_be_empty`: without points, nothing else need be said.
-Result<Header> read_header(NumberedLines& numbered, bool may_be_empty) {
+Result<NodeHeader> read_header(NumberedLines& numbered, bool may_be_empty) {
   Status status =
       numbered.read_header("points dimension [attributes [markers]]", may_be_empty ? 1 : 2, 4);
   if (!status) return tl::unexpected(status.error());
@@ -29,17 +29,17 @@ Result<Header> read_header(NumberedLines& numbered, bool may_be_empty) {
   const Result<std::size_t> markers = numbered.header_count(3, "the number of markers");
   if (!markers) return tl::unexpected(markers.error());
   if (*markers > 1) return numbered.lines().fail_at(3, "0 or 1 markers");
-  return Header{*dimension, *attributes, *markers};
+  return NodeHeader{*dimension, *attributes, *markers};
 }
 
-std::string columns_in_words(const Header& header) {
+std::string columns_in_words(const NodeHeader& header) {
   std::string text = "an index, " + std::to_string(header.dimension) + " coordinates";
   if (header.attributes > 0) text += ", " + std::to_string(header.attributes) + " attributes";
   if (header.markers > 0) text += ", a marker";
   return text;
 }
 
-Status read_point(const Lines& lines, const Header& header, NumberReading reading,
+Status read_point(const Lines& lines, const NodeHeader& header, NumberReading reading,
                   PointFile& file) {
   Result<Point> point = lines.numbers(1, header.dimension, reading);
   if (!point) return tl::unexpected(std::move(point.error()));
@@ -55,7 +55,7 @@ Status read_point(const Lines& lines, const Header& header, NumberReading readin
 }
 
 Result<PointFile> read_list(NumberedLines& numbered, NumberReading reading, bool may_be_empty) {
-  const Result<Header> header = read_header(numbered, may_be_empty);
+  const Result<NodeHeader> header = read_header(numbered, may_be_empty);
   if (!header) return tl::unexpected(header.error());
   numbered.expect_columns(1 + header->dimension + header->attributes + header->markers,
                           columns_in_words(*header));

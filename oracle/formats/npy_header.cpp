@@ -14,7 +14,8 @@ constexpr std::string_view kMagic = "\x93NUMPY";
 // NumPy itself refuses longer ones.
 constexpr std::size_t kLongestHeader = 10000;
 
-tl::unexpected<FormatError> fail(const std::string& name, std::string expected, std::string found) {
+tl::unexpected<FormatError> header_fault(const std::string& name, std::string expected,
+                                         std::string found) {
   return tl::unexpected(FormatError{name, 0, std::move(expected), std::move(found)});
 }
 
@@ -150,18 +151,19 @@ Result<Place> place_of_dictionary(const RandomAccess& file, const std::string& n
   std::array<char, 12> bytes = {};
   const std::size_t size = std::min(bytes.size(), file.size());
   if (!file.read(0, size, bytes.data()) || !is_npy({bytes.data(), size})) {
-    return fail(name, "an .npy file, which begins with \\x93NUMPY",
-                size == 0 ? "an empty file" : quote({bytes.data(), std::min(size, kMagic.size())}));
+    return header_fault(
+        name, "an .npy file, which begins with \\x93NUMPY",
+        size == 0 ? "an empty file" : quote({bytes.data(), std::min(size, kMagic.size())}));
   }
   const auto byte = [&bytes](std::size_t i) {
     return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i]));
   };
   const std::size_t version = byte(6);
   const std::size_t begin = version == 1 ? 10 : 12;
-  if (size < begin) return fail(name, "a header", "the end of the file");
+  if (size < begin) return header_fault(name, "a header", "the end of the file");
   if (version < 1 || version > 3) {
-    return fail(name, "version 1, 2 or 3 of the format",
-                "version " + std::to_string(version) + "." + std::to_string(byte(7)));
+    return header_fault(name, "version 1, 2 or 3 of the format",
+                        "version " + std::to_string(version) + "." + std::to_string(byte(7)));
   }
   std::size_t length = byte(8) | byte(9) << 8U;
   if (version > 1) length |= byte(10) << 16U | byte(11) << 24U;
@@ -185,19 +187,19 @@ Result<NpyHeader> read_npy_header(const RandomAccess& file, const std::string& n
   if (!place) return tl::unexpected(place.error());
   const auto [begin, length] = *place;
   if (length > kLongestHeader) {
-    return fail(name, "a header of at most " + std::to_string(kLongestHeader) + " bytes",
-                "one of " + std::to_string(length));
+    return header_fault(name, "a header of at most " + std::to_string(kLongestHeader) + " bytes",
+                        "one of " + std::to_string(length));
   }
   std::string text(length, ' ');
   if (!file.read(begin, length, text.data())) {
-    return fail(name, "a header of " + std::to_string(length) + " bytes",
-                std::to_string(file.size() - begin));
+    return header_fault(name, "a header of " + std::to_string(length) + " bytes",
+                        std::to_string(file.size() - begin));
   }
   Literal literal(text);
   NpyHeader header;
   if (!take_dictionary(literal, header) ||
       literal.rest().find_first_not_of(" \n") != std::string::npos) {
-    return fail(
+    return header_fault(
         name, "a header of NumPy such as {'descr': '<f8', 'fortran_order': False, 'shape': (4, 3)}",
         literal.rest().empty() ? "the end of the header" : quote(literal.rest()));
   }

@@ -31,9 +31,9 @@ bool parse_keyword(std::string_view token, Keyword& keyword) {
 }
 
 // The numbers of the header follow one another, on the line of the keyword or on later ones.
-class Header {
+class OffHeader {
  public:
-  explicit Header(Lines& lines) : lines_(lines) {}
+  explicit OffHeader(Lines& lines) : lines_(lines) {}
 
   // The column of the next number, on a later line if this one is used up.
   Result<std::size_t> next(std::string_view what) {
@@ -78,7 +78,7 @@ Result<Layout> read_header(Lines& lines) {
   }
   Layout layout;
   layout.has_more_columns = keyword.has_more_columns;
-  Header header(lines);
+  OffHeader header(lines);
   if (keyword.has_dimension) {
     const Result<std::size_t> dimension = header.next("the dimension");
     if (!dimension) return tl::unexpected(dimension.error());

@@ -7,16 +7,14 @@ namespace circumspect::formats {
 namespace {
 
 std::optional<PlyType> type_of(std::string_view name) {
-  using Kind = PlyType::Kind;
+  using enum PlyType::Kind;
   static const std::map<std::string_view, PlyType> types = {
-      {"char", {Kind::kSigned, 1}},     {"int8", {Kind::kSigned, 1}},
-      {"uchar", {Kind::kUnsigned, 1}},  {"uint8", {Kind::kUnsigned, 1}},
-      {"short", {Kind::kSigned, 2}},    {"int16", {Kind::kSigned, 2}},
-      {"ushort", {Kind::kUnsigned, 2}}, {"uint16", {Kind::kUnsigned, 2}},
-      {"int", {Kind::kSigned, 4}},      {"int32", {Kind::kSigned, 4}},
-      {"uint", {Kind::kUnsigned, 4}},   {"uint32", {Kind::kUnsigned, 4}},
-      {"float", {Kind::kFloating, 4}},  {"float32", {Kind::kFloating, 4}},
-      {"double", {Kind::kFloating, 8}}, {"float64", {Kind::kFloating, 8}}};
+      {"char", {kSigned, 1}},     {"int8", {kSigned, 1}},      {"uchar", {kUnsigned, 1}},
+      {"uint8", {kUnsigned, 1}},  {"short", {kSigned, 2}},     {"int16", {kSigned, 2}},
+      {"ushort", {kUnsigned, 2}}, {"uint16", {kUnsigned, 2}},  {"int", {kSigned, 4}},
+      {"int32", {kSigned, 4}},    {"uint", {kUnsigned, 4}},    {"uint32", {kUnsigned, 4}},
+      {"float", {kFloating, 4}},  {"float32", {kFloating, 4}}, {"double", {kFloating, 8}},
+      {"float64", {kFloating, 8}}};
   const auto found = types.find(name);
   if (found == types.end()) return std::nullopt;
   return found->second;

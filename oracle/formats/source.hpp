@@ -19,4 +19,7 @@ Result<Source> load(const std::string& path);
 // Does a file, of whatever kind, stand at this path?
 bool exists(const std::string& path);
 
+// Is it one whose bytes stay where they are: no pipe, device or folder?
+bool is_regular(const std::string& path);
+
 }  // namespace circumspect::formats

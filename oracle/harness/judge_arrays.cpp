@@ -6,6 +6,7 @@
 #include <circumspect/check.hpp>
 
 #include "oracle/check/check.hpp"
+#include "oracle/check/flat/verdict_of_facts.hpp"
 #include "oracle/fast/judge.hpp"
 #include "oracle/harness/claim_named.hpp"
 #include "oracle/harness/mesh_of.hpp"
@@ -39,22 +40,31 @@ fast::Question question_of(Claim claim) {
   return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
 }
 
-// Says that the claim holds, or why that is not decided.
+MeshJudgement judgement_of(const Verdict& verdict, const Mesh& mesh) {
+  MeshJudgement judgement;
+  judgement.holds = verdict.holds();
+  judgement.unique = verdict.unique;
+  judgement.canonical = verdict.canonical;
+  if (!verdict.holds()) {
+    judgement.rule = identifier(verdict.violations().front().rule);
+    judgement.report = report::explanation(verdict, mesh);
+  }
+  return judgement;
+}
+
+// What the fast judge knows, or why it knows nothing.
 template <std::size_t kDimension, typename Index>
 MeshJudgement judged_fast(Claim claim, const MeshArrays<Index>& mesh, unsigned threads) {
   const fast::MeshView<kDimension, Index> view{mesh.coordinates, mesh.weights, mesh.simplices,
                                                mesh.neighbors};
   const auto facts = fast::judge(view, question_of(claim), threads);
-  MeshJudgement judgement;
   if (!facts) {
-    judgement.counts.why_not_fast = description(facts.error());
-    return judgement;
+    MeshJudgement unknown;
+    unknown.counts.why_not_fast = description(facts.error());
+    return unknown;
   }
-  judgement.holds = true;
-  if (claim != Claim::kTriangulation) {
-    judgement.unique = facts->unique;
-    judgement.canonical = facts->canonical;
-  }
+  const check::FlatVerdict found = check::verdict_of_facts(claim, view, 0, *facts, {});
+  MeshJudgement judgement = judgement_of(found.verdict, found.named);
   judgement.counts = {true, "", facts->stages.filtered, facts->stages.exact()};
   return judgement;
 }
@@ -83,16 +93,7 @@ MeshJudgement judged_slowly(Claim claim, const MeshArrays<Index>& arrays) {
       mesh.neighbors->rows.emplace_back(row.begin(), row.end());
     }
   }
-  const Verdict verdict = check::judge(claim, mesh);
-  MeshJudgement judgement;
-  judgement.holds = verdict.holds();
-  judgement.unique = verdict.unique;
-  judgement.canonical = verdict.canonical;
-  if (!verdict.holds()) {
-    judgement.rule = identifier(verdict.violations().front().rule);
-    judgement.report = report::explanation(verdict, mesh);
-  }
-  return judgement;
+  return judgement_of(check::judge(claim, mesh), mesh);
 }
 
 template <typename Index>
@@ -110,7 +111,7 @@ MeshJudgement judged(const std::string& claim, const MeshArrays<Index>& mesh,
   } else {
     judgement.counts.why_not_fast = "a dimension other than 2 and 3";
   }
-  if (judgement.holds) return judgement;
+  if (judgement.counts.fast) return judgement;
   const std::string why_not_fast = judgement.counts.why_not_fast;
   judgement = judged_slowly(known, mesh);
   judgement.counts.why_not_fast = why_not_fast;

@@ -1,6 +1,7 @@
 // What is judged in arrays, by whom, and what is refused. Against the checkers: corpus/arrays_test.cpp,
 // properties/arrays_property.cpp.
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -53,7 +54,33 @@ TEST_CASE("what does not hold comes with a witness, and why it was not decided f
   CHECK(judge("delaunay", mesh).holds);
 }
 
-TEST_CASE("other dimensions, equal points and lattices of a few ulps are for the slow judge") {
+TEST_CASE(
+    "of facets that are not locally Delaunay the fast judge tells which, and the slow one why") {
+  const std::vector<double> kite = {-2, 0, 2, 0, 0, 1, 0, -0.5, 9, 9};
+  const std::vector<std::int32_t> longer = {0, 1, 2, 3, 1, 0};
+  const std::span<const double> points = std::span(kite).first(8);
+  const MeshJudgement judgement = judge("delaunay", {2, points, {}, longer, {}});
+  CHECK_FALSE(judgement.holds);
+  CHECK(judgement.counts.fast);
+  CHECK(judgement.counts.why_not_fast.empty());
+  CHECK(judgement.rule == "delaunay.facet-not-local");
+  CHECK(judgement.report ==
+        judge("delaunay", {2, {points.begin(), points.end()}}, {{0, 1, 2}, {3, 1, 0}}).report);
+  CHECK_FALSE(judgement.unique.has_value());
+  CHECK(judge("triangulation", {2, points, {}, longer, {}}).holds);
+  const std::vector<std::int64_t> wide(longer.begin(), longer.end());
+  const MeshJudgement of_wide =
+      judge("delaunay", MeshArrays<std::int64_t>{2, points, {}, wide, {}});
+  CHECK(of_wide.counts.fast);
+  CHECK(of_wide.report == judgement.report);
+  // With another fault all is for the slow one.
+  const MeshJudgement unused = judge("delaunay", {2, kite, {}, longer, {}});
+  CHECK_FALSE(unused.counts.fast);
+  CHECK(unused.rule == "triangulation.unused-point");
+}
+
+TEST_CASE(
+    "other dimensions and equal points are for the slow judge, lattices of a few ulps are not") {
   const std::vector<double> line = {0, 3, 1};
   const std::vector<std::int32_t> edges = {0, 2, 2, 1};
   const MeshJudgement judgement = judge("delaunay", {1, line, {}, edges, {}});
@@ -66,7 +93,7 @@ TEST_CASE("other dimensions, equal points and lattices of a few ulps are for the
   const double ulp = std::numeric_limits<double>::epsilon();
   const std::vector<double> tiny = {1, 1, 1 + ulp, 1, 1, 1 + ulp};
   const std::vector<std::int32_t> one = {0, 1, 2};
-  CHECK(judge("delaunay", {2, tiny, {}, one, {}}).counts.why_not_fast == "no sample point");
+  CHECK(judge("delaunay", {2, tiny, {}, one, {}}).counts.fast);
   CHECK(judge("delaunay", {2, tiny, {}, one, {}}).holds);
 }
 

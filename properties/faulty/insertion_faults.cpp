@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "properties/faulty/fault.hpp"
+#include "properties/faulty/implementation_fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
 
 namespace circumspect::faulty {
 namespace {
 
-Fault with(std::string name, std::string about, const Mistakes& mistakes) {
+Fault inserting_with(std::string name, std::string about, const Mistakes& mistakes) {
   return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
           [mistakes](const PointArray& points) { return plain_delaunay(points, mistakes); }};
 }
@@ -109,53 +110,58 @@ SimplexArray in_two_halves(const PointArray& points, std::size_t overlap) {
   return both;
 }
 
-Fault by(std::string name, std::string about, Triangulator triangulate) {
-  return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
-          std::move(triangulate)};
-}
-
 }  // namespace
 
 std::vector<Fault> insertion_faults() {
   return {
-      with("no-ghosts",
-           "No simplices on the outside: points outside the hull so far are lost. Bowyer–Watson "
-           "from a description that leaves the outside to the reader.",
-           {.no_ghosts = true}),
-      with("coplanar-points-outside-forgotten",
-           "A ghost only conflicts with points strictly beyond its facet, not with those in its "
-           "plane and circumcircle: flat simplices on the hull.",
-           {.ghosts_forget_their_plane = true}),
-      with("coplanar-points-all-in-conflict",
-           "A ghost conflicts with every point in the plane of its facet, near or far: `>= 0` in "
-           "the visibility test of the hull.",
-           {.ghosts_take_their_plane = true}),
-      with("walk-stops-early",
-           "The walk to a new point ends after three steps and takes where it is for the simplex "
-           "that contains the point: a guard against endless walks.",
-           {.search = Search::kWalkThenNeighbors, .most_steps = 3}),
-      with("cavity-one-layer-deep",
-           "Of the simplices in conflict only the one with the point and its neighbours are "
-           "deleted: recursion that was unrolled once.",
-           {.search = Search::kWalkThenNeighbors, .most_layers = 1}),
-      by("super-simplex-too-small",
-         "Starts with a simplex 10 times as large as the points and removes its vertices at the "
-         "end: near the hull, large circumballs had held one. All over the web.",
-         [](const PointArray& points) { return within_a_super_simplex(points, 10); }),
-      by("super-simplex-1e6", "The same, 1,000,000 times as large: rarer, not gone.",
-         [](const PointArray& points) { return within_a_super_simplex(points, 1e6); }),
-      by("hull-not-convex-after-deletion",
-         "A vertex of the hull is deleted with its star, and the pocket that it leaves is not "
-         "filled: dynamic structures that treat only interior vertices.",
-         after_a_deletion_at_the_hull),
-      by("halves-not-joined",
-         "The halves of the points are triangulated apart and nothing is put between them: "
-         "divide and conquer, or tiles in parallel, before the merge is written.",
-         [](const PointArray& points) { return in_two_halves(points, 0); }),
-      by("tiles-overlap",
-         "Two tiles share some points, equal simplices are unified, and what the tiles disagree on "
-         "is kept twice: parallel triangulation with a halo.",
-         [](const PointArray& points) { return in_two_halves(points, 2); }),
+      inserting_with(
+          "no-ghosts",
+          "No simplices on the outside: points outside the hull so far are lost. Bowyer–Watson "
+          "from a description that leaves the outside to the reader.",
+          {.no_ghosts = true}),
+      inserting_with(
+          "coplanar-points-outside-forgotten",
+          "A ghost only conflicts with points strictly beyond its facet, not with those in its "
+          "plane and circumcircle: flat simplices on the hull.",
+          {.ghosts_forget_their_plane = true}),
+      inserting_with(
+          "coplanar-points-all-in-conflict",
+          "A ghost conflicts with every point in the plane of its facet, near or far: `>= 0` in "
+          "the visibility test of the hull.",
+          {.ghosts_take_their_plane = true}),
+      inserting_with(
+          "walk-stops-early",
+          "The walk to a new point ends after three steps and takes where it is for the simplex "
+          "that contains the point: a guard against endless walks.",
+          {.search = Search::kWalkThenNeighbors, .most_steps = 3}),
+      inserting_with(
+          "cavity-one-layer-deep",
+          "Of the simplices in conflict only the one with the point and its neighbours are "
+          "deleted: recursion that was unrolled once.",
+          {.search = Search::kWalkThenNeighbors, .most_layers = 1}),
+      implementation_fault(
+          "super-simplex-too-small",
+          "Starts with a simplex 10 times as large as the points and removes its vertices at the "
+          "end: near the hull, large circumballs had held one. All over the web.",
+          [](const PointArray& points) { return within_a_super_simplex(points, 10); }),
+      implementation_fault(
+          "super-simplex-1e6", "The same, 1,000,000 times as large: rarer, not gone.",
+          [](const PointArray& points) { return within_a_super_simplex(points, 1e6); }),
+      implementation_fault(
+          "hull-not-convex-after-deletion",
+          "A vertex of the hull is deleted with its star, and the pocket that it leaves is not "
+          "filled: dynamic structures that treat only interior vertices.",
+          after_a_deletion_at_the_hull),
+      implementation_fault(
+          "halves-not-joined",
+          "The halves of the points are triangulated apart and nothing is put between them: "
+          "divide and conquer, or tiles in parallel, before the merge is written.",
+          [](const PointArray& points) { return in_two_halves(points, 0); }),
+      implementation_fault("tiles-overlap",
+                           "Two tiles share some points, equal simplices are unified, and what the "
+                           "tiles disagree on "
+                           "is kept twice: parallel triangulation with a halo.",
+                           [](const PointArray& points) { return in_two_halves(points, 2); }),
   };
 }
 

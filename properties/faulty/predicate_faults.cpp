@@ -5,7 +5,7 @@
 namespace circumspect::faulty {
 namespace {
 
-Fault with(std::string name, std::string about, const Mistakes& mistakes) {
+Fault deciding_with(std::string name, std::string about, const Mistakes& mistakes) {
   return {std::move(name), std::move(about), Kind::kPredicate, Claim::kDelaunay,
           [mistakes](const PointArray& points) { return plain_delaunay(points, mistakes); }};
 }
@@ -14,47 +14,54 @@ Fault with(std::string name, std::string about, const Mistakes& mistakes) {
 
 std::vector<Fault> predicate_faults() {
   return {
-      with("double-predicates",
-           "Determinants of both tests in doubles, believed whatever their size: the first version "
-           "of every mesher.",
-           {.arithmetic = {.numbers = Numbers::kDouble}}),
-      with("float-predicates",
-           "The same in single precision: coordinates that come from a graphics card or a `.obj` "
-           "reader.",
-           {.arithmetic = {.numbers = Numbers::kFloat}}),
-      with("long-double-predicates",
-           "The same in the 80 bits of an x87: \"a few more bits will do\".",
-           {.arithmetic = {.numbers = Numbers::kLongDouble}}),
-      with("in-ball-tolerance",
-           "A point is in a ball only if the determinant exceeds 1e-10, whatever the size of the "
-           "coordinates: an epsilon that made one example work.",
-           {.arithmetic = {.in_ball_tolerance = 1e-10}}),
-      with("orientation-tolerance",
-           "Volumes of at most 1e-10 count as flat, so that points near the plane of a hull facet "
-           "count as in it.",
-           {.arithmetic = {.orientation_tolerance = 1e-10}}),
-      with("filter-for-unit-coordinates",
-           "Exact arithmetic behind a filter whose error bound, 1e-14, was derived for coordinates "
-           "between 0 and 1 and is used for all.",
-           {.arithmetic = {.numbers = Numbers::kDouble, .trusted_beyond = 1e-14}}),
-      with(
+      deciding_with(
+          "double-predicates",
+          "Determinants of both tests in doubles, believed whatever their size: the first version "
+          "of every mesher.",
+          {.arithmetic = {.numbers = Numbers::kDouble}}),
+      deciding_with(
+          "float-predicates",
+          "The same in single precision: coordinates that come from a graphics card or a `.obj` "
+          "reader.",
+          {.arithmetic = {.numbers = Numbers::kFloat}}),
+      deciding_with("long-double-predicates",
+                    "The same in the 80 bits of an x87: \"a few more bits will do\".",
+                    {.arithmetic = {.numbers = Numbers::kLongDouble}}),
+      deciding_with(
+          "in-ball-tolerance",
+          "A point is in a ball only if the determinant exceeds 1e-10, whatever the size of the "
+          "coordinates: an epsilon that made one example work.",
+          {.arithmetic = {.in_ball_tolerance = 1e-10}}),
+      deciding_with(
+          "orientation-tolerance",
+          "Volumes of at most 1e-10 count as flat, so that points near the plane of a hull facet "
+          "count as in it.",
+          {.arithmetic = {.orientation_tolerance = 1e-10}}),
+      deciding_with(
+          "filter-for-unit-coordinates",
+          "Exact arithmetic behind a filter whose error bound, 1e-14, was derived for coordinates "
+          "between 0 and 1 and is used for all.",
+          {.arithmetic = {.numbers = Numbers::kDouble, .trusted_beyond = 1e-14}}),
+      deciding_with(
           "circumcentre-and-radius",
           "Compares a distance from a computed circumcentre with a computed radius, instead of the "
           "sign of a determinant: textbook formulas, cached circumballs.",
           {.arithmetic = {.by_circumcentre = true}}),
-      with("height-forgets-an-axis",
-           "The lifted height |p|² without its last term: an in-circle test extended by hand to "
-           "in-sphere.",
-           {.arithmetic = {.numbers = Numbers::kDouble, .forgets_last_axis = true}}),
-      with(
+      deciding_with(
+          "height-forgets-an-axis",
+          "The lifted height |p|² without its last term: an in-circle test extended by hand to "
+          "in-sphere.",
+          {.arithmetic = {.numbers = Numbers::kDouble, .forgets_last_axis = true}}),
+      deciding_with(
           "wrong-sign-on-a-tie",
           "A point on a circumsphere counts as inside (>= for >): the new simplices of cospherical "
           "points are flat or overlap, for the cavity is not star-shaped.",
           {.tie = Tie::kYes}),
-      with("tie-by-local-order",
-           "A cospherical tie is broken by the order in which each simplex happens to list its "
-           "vertices: a symbolic perturbation that is not the same in all cells.",
-           {.tie = Tie::kByVertexOrder}),
+      deciding_with(
+          "tie-by-local-order",
+          "A cospherical tie is broken by the order in which each simplex happens to list its "
+          "vertices: a symbolic perturbation that is not the same in all cells.",
+          {.tie = Tie::kByVertexOrder}),
   };
 }
 

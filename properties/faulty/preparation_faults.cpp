@@ -7,6 +7,7 @@
 #include <map>
 
 #include "properties/faulty/fault.hpp"
+#include "properties/faulty/implementation_fault.hpp"
 #include "properties/faulty/point_arrays.hpp"
 
 namespace circumspect::faulty {
@@ -132,14 +133,10 @@ SimplexArray shifted(const PointArray& points, std::int64_t by) {
   return simplices;
 }
 
-Fault by(std::string name, std::string about, Triangulator triangulate) {
-  return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
-          std::move(triangulate)};
-}
-
 Fault moving(std::string name, std::string about, const Change& change) {
-  return by(std::move(name), std::move(about),
-            [change](const PointArray& points) { return with_coordinates(points, change); });
+  return implementation_fault(
+      std::move(name), std::move(about),
+      [change](const PointArray& points) { return with_coordinates(points, change); });
 }
 
 }  // namespace
@@ -161,23 +158,28 @@ std::vector<Fault> preparation_faults() {
              "Points are moved by 1e-9 of their size at random so that none are cospherical, and "
              "the mesh of those is returned for the points as they were.",
              jittered),
-      by("drops-the-last-point", "A loop ends at n − 1.", without_the_last),
-      by("drops-near-points",
-         "Points within 1e-9 of an earlier one count as duplicates, whatever the unit of length.",
-         without_near_points),
-      by("sorts-by-float-key",
-         "Duplicates are found by a key of floats, so that distinct points are dropped.",
-         with_one_point_a_float_key),
-      by("drops-points-between-others",
-         "Points on a line between two others are dropped as redundant: hull code that was reused.",
-         without_points_between_others),
-      by("indices-from-one", "Simplices are written with indices from 1, and read from 0.",
-         [](const PointArray& points) { return shifted(points, 1); }),
-      by("super-vertices-not-subtracted",
-         "The bounding simplex comes first in the array, and its indices were never subtracted.",
-         [](const PointArray& points) {
-           return shifted(points, static_cast<std::int64_t>(points.dimension) + 1);
-         }),
+      implementation_fault("drops-the-last-point", "A loop ends at n − 1.", without_the_last),
+      implementation_fault(
+          "drops-near-points",
+          "Points within 1e-9 of an earlier one count as duplicates, whatever the unit of length.",
+          without_near_points),
+      implementation_fault(
+          "sorts-by-float-key",
+          "Duplicates are found by a key of floats, so that distinct points are dropped.",
+          with_one_point_a_float_key),
+      implementation_fault("drops-points-between-others",
+                           "Points on a line between two others are dropped as redundant: hull "
+                           "code that was reused.",
+                           without_points_between_others),
+      implementation_fault("indices-from-one",
+                           "Simplices are written with indices from 1, and read from 0.",
+                           [](const PointArray& points) { return shifted(points, 1); }),
+      implementation_fault(
+          "super-vertices-not-subtracted",
+          "The bounding simplex comes first in the array, and its indices were never subtracted.",
+          [](const PointArray& points) {
+            return shifted(points, static_cast<std::int64_t>(points.dimension) + 1);
+          }),
   };
 }
 

@@ -8,13 +8,13 @@
 namespace circumspect::faulty {
 namespace {
 
-Fault by(std::string name, std::string about, Triangulator triangulate) {
+Fault weighing_fault(std::string name, std::string about, Triangulator triangulate) {
   return {std::move(name), std::move(about), Kind::kImplementation, Claim::kWeightedDelaunay,
           std::move(triangulate)};
 }
 
 Fault reading(std::string name, std::string about, const std::function<double(double)>& read) {
-  return by(std::move(name), std::move(about), [read](const PointArray& points) {
+  return weighing_fault(std::move(name), std::move(about), [read](const PointArray& points) {
     PointArray misread = points;
     for (double& weight : misread.weights) {
       const double now = read(weight);
@@ -36,18 +36,20 @@ std::vector<Fault> weight_faults() {
               [](double weight) { return weight * weight; }),
       reading("weights-as-radii", "Square roots of the weights are used: the opposite mix-up.",
               [](double weight) { return std::sqrt(std::abs(weight)); }),
-      by("inserts-submerged-points",
-         "A point that conflicts with nothing, because it is submerged, is inserted into the "
-         "simplex around it all the same: unweighted code with a power test.",
-         [](const PointArray& points) {
-           return plain_delaunay(points, {.keeps_submerged_points = true});
-         }),
-      by("never-submerges-a-vertex",
-         "A vertex that a new point submerges keeps a simplex: in unweighted code vertices never "
-         "vanish.",
-         [](const PointArray& points) {
-           return plain_delaunay(points, {.never_removes_vertices = true});
-         }),
+      weighing_fault(
+          "inserts-submerged-points",
+          "A point that conflicts with nothing, because it is submerged, is inserted into the "
+          "simplex around it all the same: unweighted code with a power test.",
+          [](const PointArray& points) {
+            return plain_delaunay(points, {.keeps_submerged_points = true});
+          }),
+      weighing_fault(
+          "never-submerges-a-vertex",
+          "A vertex that a new point submerges keeps a simplex: in unweighted code vertices never "
+          "vanish.",
+          [](const PointArray& points) {
+            return plain_delaunay(points, {.never_removes_vertices = true});
+          }),
   };
 }
 

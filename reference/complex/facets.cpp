@@ -1,6 +1,8 @@
 #include "reference/complex/facets.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace circumspect {
 
@@ -12,9 +14,22 @@ std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices) {
       uses.push_back({sorted(facet_opposite(simplices[s], place)), s, place});
     }
   }
-  std::stable_sort(uses.begin(), uses.end(),
-                   [](const FacetUse& a, const FacetUse& b) { return a.facet < b.facet; });
-  return uses;
+  // The least vertex, which decides most comparisons, stands beside the place of each use.
+  std::vector<std::pair<Vertex, std::size_t>> order;
+  order.reserve(uses.size());
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const Simplex& facet = uses[i].facet;
+    order.emplace_back(facet.empty() ? std::numeric_limits<Vertex>::min() : facet.front(), i);
+  }
+  std::sort(order.begin(), order.end(), [&uses](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const auto difference = uses[a.second].facet <=> uses[b.second].facet;
+    return difference != 0 ? difference < 0 : a.second < b.second;
+  });
+  std::vector<FacetUse> in_order;
+  in_order.reserve(uses.size());
+  for (const auto& [least, place] : order) in_order.push_back(std::move(uses[place]));
+  return in_order;
 }
 
 void for_each_facet(const std::vector<FacetUse>& uses,

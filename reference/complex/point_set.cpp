@@ -7,6 +7,20 @@
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect {
+namespace {
+
+// Equal points would have ranks that follow each other.
+bool are_different(const std::vector<Point>& points, const Configuration& configuration) {
+  std::vector<std::size_t> order(points.size());
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    order[configuration.rank(static_cast<Vertex>(v))] = v;
+  }
+  return std::adjacent_find(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+           return points[a] == points[b];
+         }) == order.end();
+}
+
+}  // namespace
 
 std::vector<Duplicate> duplicates(const std::vector<Point>& points) {
   std::vector<std::size_t> order(points.size());
@@ -28,7 +42,7 @@ std::vector<Duplicate> duplicates(const std::vector<Point>& points) {
 
 PointSet::PointSet(std::vector<Point> points, std::vector<Rational> weights)
     : points_(std::move(points)), weights_(std::move(weights)), configuration_(points_, weights_) {
-  assert(duplicates(points_).empty());
+  assert(are_different(points_, configuration_));
 }
 
 std::vector<Point> coordinates(const PointSet& points, const Simplex& simplex) {

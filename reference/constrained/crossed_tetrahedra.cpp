@@ -5,11 +5,10 @@
 #include <cassert>
 
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::constrained {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 // A point in the relative interior of the section of the simplex with the plane of the polygon: the
 // mean of the section's corners. Requires: the polygon parts the simplex.

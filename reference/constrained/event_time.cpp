@@ -4,11 +4,10 @@
 #include <array>
 
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::constrained {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 std::strong_ordering ordering(const Rational& a, const Rational& b) {
   const int order = cmp(a, b);

@@ -23,7 +23,7 @@
 namespace circumspect::constrained {
 namespace {
 
-const std::vector<std::size_t> kSpace = {0, 1, 2};
+const std::vector<std::size_t> kAxesOfSpace = {0, 1, 2};
 
 class SpatialWrapping {
  public:
@@ -33,8 +33,8 @@ class SpatialWrapping {
         walls_(triangulated_polygons(complex)),
         edges_of_walls_(edges_of(walls_)),
         regions_(points_, walls_, complex.hole_seeds, complex.kind),
-        polygons_(points_, kSpace, walls_),
-        segments_(points_, kSpace, segments_apart()) {}
+        polygons_(points_, kAxesOfSpace, walls_),
+        segments_(points_, kAxesOfSpace, segments_apart()) {}
 
   tl::expected<PlcTriangulation, NoCdt> run() {
     std::optional<NoCdt> failure = wrap();
@@ -82,7 +82,7 @@ class SpatialWrapping {
     SimplexDictionary dictionary;
     while (!unfinished.empty()) {
       const OrientedFacet facet = unfinished.first();
-      const InFront in_front = first_clear_apex(points_, kSpace, facet, all, is_clear);
+      const InFront in_front = first_clear_apex(points_, kAxesOfSpace, facet, all, is_clear);
       if (!in_front.has_candidates && complex_.kind == DomainKind::kHull) {
         unfinished.remove(facet);
         continue;
@@ -123,7 +123,7 @@ class SpatialWrapping {
         return is_visible(complex_, regions, apex, facet.vertices);
       };
       const auto apex =
-          first_clear_apex(points_, kSpace, facet, all_vertices(points_), counts).apex;
+          first_clear_apex(points_, kAxesOfSpace, facet, all_vertices(points_), counts).apex;
       if (apex) {
         const Simplex tetrahedron = join(facet, *apex);
         return {WhyNoCdt::kPolygonCrosses, sorted(tetrahedron),
@@ -151,10 +151,10 @@ class SpatialWrapping {
     const Configuration configuration(with_sample);
     const auto extra = static_cast<Vertex>(points_.size());
     const auto holds = [&](const Simplex& tetrahedron) {
-      const int own = orientation(configuration, kSpace, tetrahedron);
+      const int own = orientation(configuration, kAxesOfSpace, tetrahedron);
       for (std::size_t place = 0; place < tetrahedron.size(); ++place) {
         const Simplex replaced = with_vertex_replaced(tetrahedron, place, extra);
-        if (own * orientation(configuration, kSpace, replaced) < 0) return false;
+        if (own * orientation(configuration, kAxesOfSpace, replaced) < 0) return false;
       }
       return true;
     };
@@ -184,7 +184,7 @@ class SpatialWrapping {
       if (failure || uses.size() < 2 || walls.contains(uses.front().facet)) return;
       const Simplex& tetrahedron = tetrahedra_[uses[0].simplex];
       const Vertex beyond = tetrahedra_[uses[1].simplex][uses[1].opposite];
-      if (perturbed_in_ball(points_.configuration(), kSpace, tetrahedron, beyond) > 0) {
+      if (perturbed_in_ball(points_.configuration(), kAxesOfSpace, tetrahedron, beyond) > 0) {
         failure = NoCdt{WhyNoCdt::kNotLocallyDelaunay, uses.front().facet, {beyond}};
       }
     });

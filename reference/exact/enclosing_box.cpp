@@ -11,6 +11,16 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
+// lower_double and upper_double at once: most values are doubles.
+void enclose(const Rational& value, double& low, double& high) {
+  low = high = value.get_d();
+  const int side = std::isfinite(low) ? cmp(exact_value(low), value) : 1;
+  if (side != 0) {
+    if (side > 0) low = lower_double(value);
+    if (side < 0 || !std::isfinite(high)) high = upper_double(value);
+  }
+}
+
 }  // namespace
 
 double lower_double(const Rational& value) {
@@ -34,8 +44,7 @@ Box box_around(const Point& point) {
   const std::array<Rational, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
   Box box;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    box.low[i] = lower_double(values[i]);
-    box.high[i] = upper_double(values[i]);
+    enclose(values[i], box.low[i], box.high[i]);
   }
   return box;
 }

@@ -54,6 +54,23 @@ TEST_CASE("box_around: points and boxes") {
   CHECK(box.low[4] == -5);  // x − y
 }
 
+TEST_CASE("box_around: the doubles next to each coordinate") {
+  const std::vector<Rational> values = {0,
+                                        -3,
+                                        Rational(1, 3),
+                                        Rational(-22, 7),
+                                        exact_value(5e-324) / 3,
+                                        exact_value(-1e-310) / 3,
+                                        Rational(-1) / power_of_two(2000),
+                                        power_of_two(5000),
+                                        -power_of_two(5000)};
+  for (const Rational& value : values) {
+    const Box box = box_around(Point{value, 1});
+    CHECK(box.low[0] == lower_double(value));
+    CHECK(box.high[0] == upper_double(value));
+  }
+}
+
 TEST_CASE("may_meet: in a point, past each other, aslant past each other") {
   const auto segment = [](const Point& a, const Point& b) {
     return box_around(box_around(a), box_around(b));

@@ -6,11 +6,10 @@
 
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::existence {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 bool is_degenerate(const PiecewiseLinearComplex& complex, const Simplex& simplex) {
   return axes_of(complex.points.configuration(), simplex).size() + 1 < simplex.size();

@@ -9,11 +9,10 @@
 
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::existence {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 // A facet of a tetrahedron: which, and on which side of it the tetrahedron is, as the sign of the
 // orientation of (facet, apex).

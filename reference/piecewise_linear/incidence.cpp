@@ -4,12 +4,12 @@
 #include <array>
 
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect {
 namespace {
 
 using Axes = std::array<std::size_t, 2>;
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 constexpr std::array<Axes, 3> kCoordinatePlanes = {{{0, 1}, {0, 2}, {1, 2}}};
 
 // The coordinate planes; in the plane there is only the first.

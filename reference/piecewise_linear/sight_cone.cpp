@@ -8,7 +8,7 @@
 namespace circumspect {
 namespace {
 
-using Polygon = std::vector<Point>;
+using ConvexPolygon = std::vector<Point>;
 
 Rational sum(const Point& point) {
   Rational sum = 0;
@@ -17,10 +17,11 @@ Rational sum(const Point& point) {
 }
 
 // The part of a convex polygon in which an affine function is not negative.
-Polygon clipped(const Polygon& polygon, const std::function<Rational(const Point&)>& function) {
+ConvexPolygon clipped(const ConvexPolygon& polygon,
+                      const std::function<Rational(const Point&)>& function) {
   std::vector<Rational> values;
   for (const Point& p : polygon) values.push_back(function(p));
-  Polygon result;
+  ConvexPolygon result;
   const auto add = [&result](const Point& p) {
     if (result.empty() || result.back() != p) result.push_back(p);
   };
@@ -43,19 +44,19 @@ Rational area(const Point& a, const Point& b, const Point& c) {
 }
 
 // Three corners (two ends) that are affinely independent; none if there are none.
-std::optional<Polygon> independent_corners(const Polygon& polygon) {
+std::optional<ConvexPolygon> independent_corners(const ConvexPolygon& polygon) {
   if (polygon.size() < 2) return std::nullopt;
   if (polygon[0].size() == 1) return polygon;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     if (area(polygon[0], polygon[i], polygon[i + 1]) != 0) {
-      return Polygon{polygon[0], polygon[i], polygon[i + 1]};
+      return ConvexPolygon{polygon[0], polygon[i], polygon[i + 1]};
     }
   }
   return std::nullopt;
 }
 
 // For each edge of a polygon (each end of an interval) a function that is positive inside.
-std::vector<std::function<Rational(const Point&)>> sides(const Polygon& polygon) {
+std::vector<std::function<Rational(const Point&)>> sides(const ConvexPolygon& polygon) {
   std::vector<std::function<Rational(const Point&)>> functions;
   if (polygon[0].size() == 1) {
     functions.push_back([a = polygon[0][0]](const Point& p) -> Rational { return p[0] - a; });
@@ -74,12 +75,13 @@ Rational negative(const Rational& value) { return -value; }
 
 // What is left of a polygon when another, with the given sides, is taken away: cut along one line
 // after the other, so that what lies outside falls off; or all of it if nothing is taken away.
-std::vector<Polygon> difference(const Polygon& polygon,
-                                const std::vector<std::function<Rational(const Point&)>>& removed) {
-  std::vector<Polygon> left;
-  Polygon rest = polygon;
+std::vector<ConvexPolygon> difference(
+    const ConvexPolygon& polygon,
+    const std::vector<std::function<Rational(const Point&)>>& removed) {
+  std::vector<ConvexPolygon> left;
+  ConvexPolygon rest = polygon;
   for (const auto& side : removed) {
-    const Polygon outside = clipped(rest, [&](const Point& p) { return negative(side(p)); });
+    const ConvexPolygon outside = clipped(rest, [&](const Point& p) { return negative(side(p)); });
     if (independent_corners(outside)) left.push_back(outside);
     rest = clipped(rest, side);
     if (!independent_corners(rest)) return {polygon};
@@ -129,7 +131,7 @@ SightCone::SightCone(Point v, std::vector<Point> simplex)
   std::vector<Point> rows;
   for (const Point& p : simplex_) rows.push_back(on_axes(p - v_, axes_));
   inverse_ = inverse(rows);
-  open_ = {k_ == 2 ? Polygon{{0}, {1}} : Polygon{{0, 0}, {1, 0}, {0, 1}}};
+  open_ = {k_ == 2 ? ConvexPolygon{{0}, {1}} : ConvexPolygon{{0, 0}, {1, 0}, {0, 1}}};
 }
 
 Point SightCone::coordinates(const Point& point) const {
@@ -139,7 +141,7 @@ Point SightCone::coordinates(const Point& point) const {
   return result;
 }
 
-Polygon SightCone::shadow(Polygon obstacle) const {
+ConvexPolygon SightCone::shadow(ConvexPolygon obstacle) const {
   for (std::size_t i = 0; i < k_; ++i) {
     obstacle = clipped(obstacle, [i](const Point& c) -> Rational { return c[i]; });
   }
@@ -169,13 +171,13 @@ bool SightCone::obstruct(const std::vector<Point>& obstacle) {
   if (determinant({obstacle.begin(), obstacle.begin() + static_cast<std::ptrdiff_t>(k_)}) == 0) {
     return false;
   }
-  const Polygon covered = shadow(obstacle);
+  const ConvexPolygon covered = shadow(obstacle);
   if (covered.empty()) return false;
   const auto removed = sides(covered);
   bool changed = false;
-  std::vector<Polygon> left;
-  for (const Polygon& piece : open_) {
-    const std::vector<Polygon> rest = difference(piece, removed);
+  std::vector<ConvexPolygon> left;
+  for (const ConvexPolygon& piece : open_) {
+    const std::vector<ConvexPolygon> rest = difference(piece, removed);
     changed = changed || rest.size() != 1 || rest.front() != piece;
     left.insert(left.end(), rest.begin(), rest.end());
   }
@@ -186,7 +188,7 @@ bool SightCone::obstruct(const std::vector<Point>& obstacle) {
 std::optional<std::vector<Point>> SightCone::open_part() const {
   if (open_.empty()) return std::nullopt;
   std::vector<Point> corners;
-  const Polygon places = *independent_corners(open_.front());
+  const ConvexPolygon places = *independent_corners(open_.front());
   for (const Point& place : places) {
     Point corner = (1 - sum(place)) * simplex_[0];
     for (std::size_t i = 1; i < k_; ++i) corner = corner + place[i - 1] * simplex_[i];

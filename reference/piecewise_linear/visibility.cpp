@@ -53,6 +53,7 @@
 #include "reference/piecewise_linear/sight_cone.hpp"
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"
+#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect {
 namespace {
@@ -256,8 +257,6 @@ class Visibility {
       if (positive && std::accumulate(c.begin(), c.end(), Rational(0)) < 1) return x;
     }
   }
-
-  static constexpr std::size_t kSpace[] = {0, 1, 2};
 
   const PiecewiseLinearComplex& complex_;
   const Regions& regions_;

@@ -64,10 +64,14 @@ std::vector<Simplex> dangling_simplices(const MeshedDomain& in,
 void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                              Verdict& verdict) {
   const VertexIndex index(in.mesh.points);
+  const bool all_are_local = in.known != nullptr && in.known->not_local.empty();
   // A simplex with several facets on the boundary is judged at the first.
   std::vector<bool> judged(in.mesh.simplices.size(), false);
   for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
-    if (group.size() == 2) return judge_shared_facet(in.mesh, group, verdict);
+    if (group.size() == 2) {
+      if (!all_are_local) judge_shared_facet(in.mesh, group, verdict);
+      return;
+    }
     if (judged[group.front().simplex]) return;
     judged[group.front().simplex] = true;
     judge_ball_at_boundary(in.mesh, index, group.front(), verdict);

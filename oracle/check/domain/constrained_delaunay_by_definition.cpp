@@ -3,18 +3,12 @@
 
 #include "oracle/check/ball_witness.hpp"
 #include "oracle/check/domain/constrained_delaunay.hpp"
+#include "oracle/check/domain/coplanar.hpp"
 #include "reference/piecewise_linear/visibility.hpp"
 #include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
-
-bool is_coplanar(const Configuration& points, const Simplex& triangle, Vertex v) {
-  return orientation(points, kSpace, std::array{triangle[0], triangle[1], triangle[2], v}) == 0;
-}
 
 // The triangles of polygons that no simplex has for a facet.
 std::set<Simplex> dangling_triangles(const Mesh& mesh, const PiecewiseLinearComplex& complex) {

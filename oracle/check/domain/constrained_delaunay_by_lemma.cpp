@@ -2,6 +2,7 @@
 
 #include "oracle/check/ball_witness.hpp"
 #include "oracle/check/domain/constrained_delaunay.hpp"
+#include "oracle/check/domain/listed_faces.hpp"
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/perturbation.hpp"
 
@@ -22,6 +23,14 @@ struct Ties {
     if (canonical) canonical = perturbed_in_ball(points, axes, simplex, apex) < 0;
   }
 
+  // All ties of simplices. Those in walls do not count.
+  template <class Counts>
+  void see_known(const KnownVolume& known, std::size_t dimension, const Counts& counts) {
+    any = std::any_of(known.ties.begin(), known.ties.end(), counts);
+    in_plane = any && dimension == 2;
+    canonical = std::none_of(known.not_canonical.begin(), known.not_canonical.end(), counts);
+  }
+
   void conclude(Verdict& verdict) const {
     if (!verdict.holds()) return;
     verdict.canonical = canonical;
@@ -32,6 +41,14 @@ struct Ties {
 
 void judge_facets(const MeshedDomain& in, const std::vector<WallPiece>& pieces, Ties& ties,
                   Verdict& verdict) {
+  if (in.known != nullptr) {
+    const auto is_off_walls = [&](std::uint64_t facet) {
+      return !is_piece(pieces, KnownVolume::vertices(in.mesh, facet));
+    };
+    ties.see_known(*in.known, in.complex.ambient_dimension(), is_off_walls);
+    const std::vector<std::uint64_t>& not_local = in.known->not_local;
+    if (std::none_of(not_local.begin(), not_local.end(), is_off_walls)) return;
+  }
   const Configuration& points = in.mesh.points.configuration();
   auto piece = pieces.begin();
   for_each_facet(in.uses, [&](std::span<const FacetUse> group) {

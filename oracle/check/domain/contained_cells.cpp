@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "oracle/check/domain/coplanar.hpp"
 #include "oracle/check/domain/measures.hpp"
 #include "reference/complex/subsets.hpp"
-#include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 Simplex in_mesh(const VertexPlaces& places, Simplex simplex) {
   for (Vertex& v : simplex) v = places.in_mesh[VertexPlaces::place(v)];
@@ -23,8 +21,7 @@ bool lies_on(const PointSet& points, const Simplex& segment, Vertex v) {
 
 bool is_coplanar(const PointSet& points, const Simplex& plane, const Simplex& triangle) {
   return std::all_of(triangle.begin(), triangle.end(), [&](Vertex v) {
-    return orientation(points.configuration(), kSpace,
-                       std::array{plane[0], plane[1], plane[2], v}) == 0;
+    return check::is_coplanar(points.configuration(), plane, v);
   });
 }
 

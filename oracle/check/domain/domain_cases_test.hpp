@@ -7,16 +7,29 @@
 #include <map>
 #include <set>
 
+#include <doctest/doctest.h>
+
+#include "oracle/check/domain/exact_volume_test.hpp"
 #include "oracle/check/domain/judge_domain.hpp"
+#include "oracle/check/domain/verdict_text_test.hpp"
 
 namespace circumspect::check {
 
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
 
+// The verdict by lemma: the same word for word whether anything is known of the simplices or not.
+inline Verdict verdict_by_lemma(Claim claim, const Mesh& mesh, const Domain& domain) {
+  const Verdict verdict = judge_domain(claim, mesh, domain);
+  const std::optional<KnownVolume> known = exact_volume(claim, mesh, domain);
+  if (known) CHECK(text_of(judge_domain(claim, mesh, domain, {}, &*known)) == text_of(verdict));
+  return verdict;
+}
+
 inline std::set<Rule> broken(Claim claim, const Mesh& mesh, const Domain& domain,
                              By by = By::kLemma) {
   std::set<Rule> rules;
-  const Verdict verdict = judge_domain(claim, mesh, domain, {.by = by});
+  const Verdict verdict = by == By::kLemma ? verdict_by_lemma(claim, mesh, domain)
+                                           : judge_domain(claim, mesh, domain, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
   return rules;
 }
@@ -69,6 +82,16 @@ inline Mesh grid(const std::vector<int>& xs, const std::vector<int>& ys, const s
   return {PointSet(points), simplices};
 }
 inline bool every_cell(std::size_t, std::size_t, std::size_t) { return true; }
+
+// The grid of eight unit cubes without a tetrahedron at its centre, (1, 1, 1), that has no facet in a
+// face of the whole; one of its facets has no vertex off these.
+inline Mesh eight_cubes_with_a_gap() {
+  Mesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  const std::vector<Point> gap = {{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {2, 1, 1}};
+  std::erase_if(mesh.simplices,
+                [&](const Simplex& simplex) { return coordinates(mesh.points, simplex) == gap; });
+  return mesh;
+}
 
 // An axis-parallel box, or in the plane (one z) a rectangle.
 inline PiecewiseLinearInput cuboid(const Point& low, const Point& high) {

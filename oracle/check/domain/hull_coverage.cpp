@@ -51,9 +51,11 @@ void judge_hull_coverage(const MeshedDomain& in, const std::vector<WallPiece>& p
     verdict.add(Rule::kUncovered, {.point = barycentre(in.complex.points.points())});
     return;
   }
-  const std::size_t faults = verdict.tallies().size();
-  judge_complex_by_lemma(in.mesh, verdict);
-  if (verdict.tallies().size() > faults) return;
+  if (in.known == nullptr || !in.known->fills_hull) {
+    const std::size_t faults = verdict.tallies().size();
+    judge_complex_by_lemma(in.mesh, facet_uses(in.mesh.simplices), verdict);
+    if (verdict.tallies().size() > faults) return;
+  }
   judge_hull_unchanged(in, verdict);
   for (const WallPiece& piece : pieces) {
     if (is_facet(in.uses, piece.facet)) continue;

@@ -16,7 +16,12 @@ bool is_constrained(Claim claim) { return claim == Claim::kCdt || claim == Claim
 
 }  // namespace
 
-Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain, const Options& options) {
+bool is_about_balls(Claim claim) {
+  return is_constrained(claim) || claim == Claim::kConformingDelaunay;
+}
+
+Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain, const Options& options,
+                     const KnownVolume* known) {
   assert(is_about_a_domain(claim) && !mesh.points.is_weighted());
   Verdict verdict(claim, mesh, options.max_violations);
   const bool steiner = allows_steiner_points(claim);
@@ -25,7 +30,7 @@ Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain, const 
       if (is_constrained(claim)) judge_constrained_delaunay_by_lemma(in, pieces, verdict);
       if (claim == Claim::kConformingDelaunay) judge_delaunay_by_lemma(in, pieces, verdict);
     };
-    judge_plc_triangulation_by_lemma(mesh, domain, options, steiner, then, verdict);
+    judge_plc_triangulation_by_lemma(mesh, domain, options, known, steiner, then, verdict);
   } else {
     const auto then = [&](const PiecewiseLinearComplex& augmented) {
       if (is_constrained(claim)) {

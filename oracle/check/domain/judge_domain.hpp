@@ -2,6 +2,7 @@
 #pragma once
 
 #include "oracle/check/check.hpp"
+#include "oracle/check/domain/known_volume.hpp"
 #include "oracle/domain.hpp"
 #include "oracle/mesh.hpp"
 #include "oracle/verdict.hpp"
@@ -17,9 +18,14 @@ namespace circumspect::check {
 //                          4.5)?
 // The lemmas are linear but for sorting and for searches in space; oracle/check/domain/README.md
 // proves that they suffice.
+// `known`: what is known of the mesh's simplices, if anything; the verdict is the same with and
+// without. oracle/check/flat/judge_domain_quickly.hpp finds it out.
 // Requires: a claim about a domain; a valid domain (see validity.hpp) in the plane or in space; a
 // mesh without weights that has no points, or points of the domain's dimension.
 Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain,
-                     const Options& options = {});
+                     const Options& options = {}, const KnownVolume* known = nullptr);
+
+// Does the claim say anything of balls?
+bool is_about_balls(Claim claim);
 
 }  // namespace circumspect::check

@@ -44,13 +44,6 @@ bool judge_face(const Mesh& mesh, const Simplex& face, std::size_t ambient_dimen
   return true;
 }
 
-bool is_piece(const std::vector<WallPiece>& pieces, const Simplex& facet) {
-  const auto found =
-      std::lower_bound(pieces.begin(), pieces.end(), facet,
-                       [](const WallPiece& piece, const Simplex& f) { return piece.facet < f; });
-  return found != pieces.end() && found->facet == facet;
-}
-
 void cross_off(const Simplex& simplex, const std::vector<Simplex>& edges,
                std::vector<bool>& found) {
   for (std::size_t i = 0; i < simplex.size(); ++i) {
@@ -78,6 +71,13 @@ bool is_facet(const std::vector<FacetUse>& uses, const Simplex& facet) {
       std::lower_bound(uses.begin(), uses.end(), facet,
                        [](const FacetUse& use, const Simplex& f) { return use.facet < f; });
   return found != uses.end() && found->facet == facet;
+}
+
+bool is_piece(const std::vector<WallPiece>& pieces, const Simplex& facet) {
+  const auto found =
+      std::lower_bound(pieces.begin(), pieces.end(), facet,
+                       [](const WallPiece& piece, const Simplex& f) { return piece.facet < f; });
+  return found != pieces.end() && found->facet == facet;
 }
 
 std::vector<Simplex> edges_of_nothing(const MeshedDomain& in, const std::vector<WallPiece>& pieces,

@@ -20,7 +20,9 @@ void judge_stray_faces(const MeshedDomain& in, const std::vector<WallPiece>& pie
 std::vector<Simplex> edges_of_nothing(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                                       const std::vector<Simplex>& edges);
 
-// Is it a facet of a simplex? Requires: ascending.
+// Is it a facet of a simplex? Requires: ascending; in a wall or listed, if `uses` are not all.
 bool is_facet(const std::vector<FacetUse>& uses, const Simplex& facet);
+// Is it one of the pieces? Requires: ascending, both.
+bool is_piece(const std::vector<WallPiece>& pieces, const Simplex& facet);
 
 }  // namespace circumspect::check

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "oracle/check/domain/known_volume.hpp"
 #include "oracle/check/domain/segment_chains.hpp"
 #include "oracle/check/domain/vertex_places.hpp"
 #include "oracle/mesh.hpp"
@@ -16,7 +17,9 @@ struct MeshedDomain {
   const Mesh& mesh;
   const PiecewiseLinearComplex& complex;
   const Regions& regions;
-  const std::vector<FacetUse>& uses;  // of the mesh's simplices
+  const std::vector<FacetUse>&
+      uses;                  // of the mesh's simplices: of all, or where there is something
+  const KnownVolume* known;  // known of them, of those in facets_of_interest.hpp
   const VertexPlaces& places;
   const SegmentChains& chains;
   VertexSearch& search;

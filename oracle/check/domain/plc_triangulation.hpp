@@ -13,10 +13,12 @@ namespace circumspect::check {
 using OfTriangulation =
     std::function<void(const MeshedDomain& in, const std::vector<WallPiece>& pieces)>;
 
-// Conditions 0–7 of oracle/check/domain/README.md, near-linear.
+// Conditions 0–7 of oracle/check/domain/README.md, near-linear; without those that are known to hold, if
+// `known` is anything.
 void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
-                                      const Options& options, bool steiner_points_allowed,
-                                      const OfTriangulation& then, Verdict& verdict);
+                                      const Options& options, const KnownVolume* known,
+                                      bool steiner_points_allowed, const OfTriangulation& then,
+                                      Verdict& verdict);
 
 // Word for word: every two simplices meet in a common face or not at all; the edges in each segment,
 // the triangles in each polygon and the d-simplices inside measure as much as these do. Cubic.

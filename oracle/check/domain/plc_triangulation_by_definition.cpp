@@ -137,7 +137,7 @@ void judge_plc_triangulation_by_definition(const Mesh& mesh, const Domain& domai
   if (!is_triangulation_so_far(verdict)) return;
   judge_inside(mesh, complex, Regions(complex), verdict);
   judge_faces(mesh, cells, verdict);
-  if (mesh.neighbors) judge_neighbors(mesh, verdict);
+  if (mesh.neighbors) judge_neighbors(mesh, facet_uses(mesh.simplices), verdict);
   if (is_triangulation_so_far(verdict)) {
     then(augmented_complex(mesh, complex, places, cells));
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "oracle/check/domain/coverage.hpp"
+#include "oracle/check/domain/facets_of_interest.hpp"
 #include "oracle/check/domain/listed_faces.hpp"
 #include "oracle/check/domain/plc_triangulation.hpp"
 #include "oracle/check/domain/polygon_tiling.hpp"
@@ -32,7 +33,7 @@ void judge_cells(const MeshedDomain& in, const OfTriangulation& then, Verdict& v
     judge_coverage(in, *pieces, verdict);
   }
   judge_stray_faces(in, *pieces, verdict);
-  if (in.mesh.neighbors) judge_neighbors(in.mesh, verdict);
+  if (in.mesh.neighbors) judge_neighbors(in.mesh, facet_uses(in.mesh.simplices), verdict);
   if (is_triangulation_so_far(verdict)) then(in, *pieces);
 }
 
@@ -67,24 +68,32 @@ void judge_against_empty_domain(const Mesh& mesh, Verdict& verdict) {
 }
 
 void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
-                                      const Options& options, bool steiner_points_allowed,
-                                      const OfTriangulation& then, Verdict& verdict) {
+                                      const Options& options, const KnownVolume* known,
+                                      bool steiner_points_allowed, const OfTriangulation& then,
+                                      Verdict& verdict) {
   const PiecewiseLinearComplex& complex = domain.complex;
+  const std::size_t dimension = complex.ambient_dimension();
   if (complex.points.empty()) return judge_against_empty_domain(mesh, verdict);
-  if (!judge_simplices_in_space(mesh, complex.ambient_dimension(), options.oriented, verdict)) {
-    return;
-  }
+  const bool sound = known != nullptr
+                         ? judge_listed_faces(mesh, dimension, verdict)
+                         : judge_simplices_in_space(mesh, dimension, options.oriented, verdict);
+  if (!sound) return;
   VertexPlaces places = match_vertices(mesh, complex);
   VertexSearch search(mesh, places.used);
   const bool complete =
       judge_vertices(mesh, complex, places, steiner_points_allowed, search, verdict);
-  const std::vector<FacetUse> uses = facet_uses(mesh.simplices);
-  if (!judge_facet_matching(mesh, uses, verdict) || !complete) return;
+  std::vector<FacetUse> uses;
+  if (known == nullptr) {
+    uses = facet_uses(mesh.simplices);
+    if (!judge_facet_matching(mesh, uses, verdict)) return;
+  }
+  if (!complete) return;
   locate_steiner_points(mesh, complex, places);
   verdict.steiner_points = count_steiner_points(places);
+  if (known != nullptr) uses = uses_of_interest(mesh, complex, places, *known);
   const SegmentChains chains(mesh, complex, places);
   const Regions regions(complex);
-  judge_cells({mesh, complex, regions, uses, places, chains, search}, then, verdict);
+  judge_cells({mesh, complex, regions, uses, known, places, chains, search}, then, verdict);
 }
 
 }  // namespace circumspect::check

@@ -1,6 +1,7 @@
 #include "oracle/check/domain/segment_chains.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace circumspect::check {
 
@@ -9,8 +10,11 @@ SegmentChains::SegmentChains(const Mesh& mesh, const PiecewiseLinearComplex& com
     : complex_(complex),
       places_(places),
       chains_(complex.segments.size()),
+      from_(complex.points.size() + 1, 0),
       place_in_chain_(mesh.points.size(), kNowhere),
       touches_(mesh.points.size(), false) {
+  for (const Simplex& segment : complex.segments) ++from_[VertexPlaces::place(segment[0]) + 1];
+  std::partial_sum(from_.begin(), from_.end(), from_.begin());
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     const std::size_t segment = places.segment[VertexPlaces::place(v)];
     if (segment != kNowhere) chains_[segment].push_back(v);
@@ -43,6 +47,16 @@ std::size_t SegmentChains::place_on(std::size_t segment, Vertex v) const {
   return kNowhere;
 }
 
+std::size_t SegmentChains::segment_between(Vertex u, Vertex v) const {
+  const auto begin = complex_.segments.begin();
+  const auto last = begin + from_[VertexPlaces::place(u) + 1];
+  const auto found =
+      std::lower_bound(begin + from_[VertexPlaces::place(u)], last, v,
+                       [](const Simplex& segment, Vertex end) { return segment[1] < end; });
+  if (found == last || (*found)[1] != v) return kNowhere;
+  return static_cast<std::size_t>(found - begin);
+}
+
 std::optional<SegmentChains::Stretch> SegmentChains::stretch(Vertex a, Vertex b) const {
   std::size_t segment = places_.segment[VertexPlaces::place(a)];
   if (segment == kNowhere) segment = places_.segment[VertexPlaces::place(b)];
@@ -50,10 +64,8 @@ std::optional<SegmentChains::Stretch> SegmentChains::stretch(Vertex a, Vertex b)
     const Vertex u = places_.in_domain[VertexPlaces::place(a)];
     const Vertex v = places_.in_domain[VertexPlaces::place(b)];
     if (u == kNoVertex || v == kNoVertex) return std::nullopt;
-    const Simplex pair = {std::min(u, v), std::max(u, v)};
-    const auto found = std::lower_bound(complex_.segments.begin(), complex_.segments.end(), pair);
-    if (found == complex_.segments.end() || *found != pair) return std::nullopt;
-    segment = static_cast<std::size_t>(found - complex_.segments.begin());
+    segment = segment_between(std::min(u, v), std::max(u, v));
+    if (segment == kNowhere) return std::nullopt;
   }
   const std::size_t of_a = place_on(segment, a);
   const std::size_t of_b = place_on(segment, b);

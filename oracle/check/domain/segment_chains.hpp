@@ -35,10 +35,14 @@ class SegmentChains {
 
  private:
   std::size_t place_on(std::size_t segment, Vertex v) const;
+  // The segment of the domain with these ends, u < v, or kNowhere.
+  std::size_t segment_between(Vertex u, Vertex v) const;
 
   const PiecewiseLinearComplex& complex_;
   const VertexPlaces& places_;
   std::vector<std::vector<Vertex>> chains_;
+  // For each vertex of the domain where those segments begin in the list of which it is the first end.
+  std::vector<std::ptrdiff_t> from_;
   std::vector<std::size_t> place_in_chain_;  // of Steiner points
   std::vector<bool> touches_;
 };

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "oracle/check/domain/coplanar.hpp"
 #include "reference/exact/box_index.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 std::vector<Vertex> lexicographic_order(const PointSet& points) {
   std::vector<Vertex> order(points.size());
@@ -24,13 +22,21 @@ void mark_used(const std::vector<Simplex>& simplices, std::vector<bool>& used) {
   }
 }
 
-Box box_of(const PointSet& points, const Simplex& simplex, const std::vector<Vertex>& renumbered) {
-  const auto corner = [&](Vertex v) {
-    return box_around(points[renumbered[VertexPlaces::place(v)]]);
-  };
-  Box box = corner(simplex.front());
-  for (const Vertex v : simplex) box = box_around(box, corner(v));
-  return box;
+// Around each cell of which the corners are given.
+BoxIndex index_of(const std::vector<Box>& boxes_of_points, const std::vector<Simplex>& cells) {
+  std::vector<Box> boxes;
+  boxes.reserve(cells.size());
+  for (const Simplex& corners : cells) {
+    Box box = boxes_of_points[VertexPlaces::place(corners.front())];
+    for (const Vertex v : corners) box = box_around(box, boxes_of_points[VertexPlaces::place(v)]);
+    boxes.push_back(box);
+  }
+  return BoxIndex(boxes);
+}
+
+Simplex renumbered(Simplex simplex, const std::vector<Vertex>& number) {
+  for (Vertex& v : simplex) v = number[VertexPlaces::place(v)];
+  return simplex;
 }
 
 // The triangles of all polygons, by the points of the mesh.
@@ -43,9 +49,7 @@ Triangles triangles_of(const PiecewiseLinearComplex& complex, const std::vector<
   Triangles triangles;
   for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
     for (const Simplex& triangle : complex.polygons[p].triangles) {
-      Simplex corners;
-      for (const Vertex v : triangle) corners.push_back(in_mesh[VertexPlaces::place(v)]);
-      triangles.corners.push_back(corners);
+      triangles.corners.push_back(renumbered(triangle, in_mesh));
       triangles.polygon.push_back(p);
     }
   }
@@ -97,9 +101,7 @@ bool lies_within_edge(const PointSet& points, Vertex a, Vertex b, Vertex x) {
 
 bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t>& axes,
                       const Simplex& triangle, Vertex x) {
-  if (orientation(points, kSpace, std::array{triangle[0], triangle[1], triangle[2], x}) != 0) {
-    return false;
-  }
+  if (!is_coplanar(points, triangle, x)) return false;
   const int own = orientation(points, axes, triangle);
   for (std::size_t place = 0; place < 3; ++place) {
     if (orientation(points, axes, with_vertex_replaced(triangle, place, x)) == -own) return false;
@@ -109,28 +111,23 @@ bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t
 
 void locate_steiner_points(const Mesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places) {
-  std::vector<Box> segment_boxes;
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.points.size());
+  for (const Point& point : mesh.points.points()) boxes.push_back(box_around(point));
+  std::vector<Simplex> segments;
+  segments.reserve(complex.segments.size());
   for (const Simplex& segment : complex.segments) {
-    segment_boxes.push_back(box_of(mesh.points, segment, places.in_mesh));
+    segments.push_back(renumbered(segment, places.in_mesh));
   }
-  const BoxIndex segments(segment_boxes);
+  const BoxIndex segment_index = index_of(boxes, segments);
   const Triangles triangles = triangles_of(complex, places.in_mesh);
-  std::vector<Vertex> same(mesh.points.size());
-  std::iota(same.begin(), same.end(), Vertex{0});
-  std::vector<Box> triangle_boxes;
-  for (const Simplex& corners : triangles.corners) {
-    triangle_boxes.push_back(box_of(mesh.points, corners, same));
-  }
-  const BoxIndex index(triangle_boxes);
+  const BoxIndex index = index_of(boxes, triangles.corners);
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     if (!places.is_steiner(v)) continue;
-    const Box box = box_around(mesh.points[v]);
+    const Box& box = boxes[VertexPlaces::place(v)];
     std::size_t& on_segment = places.segment[VertexPlaces::place(v)];
-    for (const std::size_t s : segments.meeting(box)) {
-      const Simplex& segment = complex.segments[s];
-      const Vertex a = places.in_mesh[VertexPlaces::place(segment[0])];
-      const Vertex b = places.in_mesh[VertexPlaces::place(segment[1])];
-      if (lies_within_edge(mesh.points, a, b, v)) on_segment = s;
+    for (const std::size_t s : segment_index.meeting(box)) {
+      if (lies_within_edge(mesh.points, segments[s][0], segments[s][1], v)) on_segment = s;
     }
     if (on_segment != kNowhere) continue;
     for (const std::size_t t : index.meeting(box)) {

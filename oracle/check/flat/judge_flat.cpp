@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <thread>
-#include <type_traits>
+#include <utility>
 #include <variant>
 
+#include "oracle/check/flat/mesh_of_doubles.hpp"
+#include "oracle/check/flat/shared_facets.hpp"
 #include "oracle/fast/judge.hpp"
 
 namespace circumspect::check {
@@ -24,54 +26,68 @@ std::optional<fast::Question> question_of(Claim claim) {
   }
 }
 
-template <std::size_t kDimension, class Index>
-std::optional<fast::Facts> facts_of(fast::Question question, const formats::FlatMesh& mesh,
-                                    const formats::FlatRows<Index>& simplices, unsigned threads) {
-  if (simplices.columns() != kDimension + 1) return std::nullopt;
-  fast::MeshView<kDimension, Index> view{mesh.points.coordinates.values(), {}, simplices.values()};
-  if (question == fast::Question::kWeightedDelaunay) {
-    if (mesh.points.weights.rows() != mesh.points.coordinates.rows()) return std::nullopt;
-    view.weights = mesh.points.weights.values();
-  }
-  if (mesh.neighbors) {
-    if constexpr (std::is_same_v<Index, std::int32_t>) {
-      view.neighbors = mesh.neighbors->values();
-    } else {
-      return std::nullopt;
-    }
-  }
-  const auto facts = fast::judge(view, question, threads);
-  return facts ? std::optional(*facts) : std::nullopt;
+unsigned or_all(unsigned threads) {
+  return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
-std::optional<fast::Facts> facts_of(fast::Question question, const formats::FlatMesh& mesh,
-                                    unsigned threads) {
-  return std::visit(
-      [&](const auto& simplices) -> std::optional<fast::Facts> {
-        if (mesh.dimension() == 2) return facts_of<2>(question, mesh, simplices, threads);
-        if (mesh.dimension() == 3) return facts_of<3>(question, mesh, simplices, threads);
-        return std::nullopt;
+// Calls `conclude(view, facts)` if the fast judge knows any.
+template <std::size_t kDimension, class Index, class Conclude>
+void judge_rows(Claim claim, const formats::FlatMesh& mesh,
+                const formats::FlatRows<Index>& simplices, const Options& options, unsigned threads,
+                const Conclude& conclude) {
+  if (simplices.columns() != kDimension + 1) return;
+  fast::MeshView<kDimension, Index> view{mesh.points.coordinates.values(), {}, simplices.values()};
+  if (claim == Claim::kWeightedDelaunay) {
+    if (mesh.points.weights.rows() != mesh.points.coordinates.rows()) return;
+    view.weights = mesh.points.weights.values();
+  }
+  const fast::Question question = *question_of(claim);
+  const auto facts = mesh.neighbors
+                         ? fast::judge(view, fast::Links<std::int32_t>(mesh.neighbors->values()),
+                                       question, or_all(threads))
+                         : fast::judge(view, question, or_all(threads));
+  if (facts && (!options.oriented || facts->oriented)) conclude(view, *facts);
+}
+
+template <class Conclude>
+void judge_arrays(Claim claim, const formats::FlatMesh& mesh, const Options& options,
+                  unsigned threads, const Conclude& conclude) {
+  if (!question_of(claim) || options.by != By::kLemma) return;
+  std::visit(
+      [&](const auto& simplices) {
+        if (mesh.dimension() == 2) {
+          judge_rows<2>(claim, mesh, simplices, options, threads, conclude);
+        } else if (mesh.dimension() == 3) {
+          judge_rows<3>(claim, mesh, simplices, options, threads, conclude);
+        }
       },
       mesh.simplices);
 }
 
 }  // namespace
 
-std::optional<Verdict> judge_flat(Claim claim, const formats::FlatMesh& mesh,
-                                  const Options& options, unsigned threads) {
-  const std::optional<fast::Question> question = question_of(claim);
-  if (!question || options.by != By::kLemma) return std::nullopt;
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  const std::optional<fast::Facts> facts = facts_of(*question, mesh, threads);
-  if (!facts || (options.oriented && !facts->oriented)) return std::nullopt;
-  Verdict verdict(claim, Mesh{PointSet({}), {}}, options.max_violations);
-  verdict.points = mesh.points.coordinates.rows();
-  verdict.simplices = std::visit([](const auto& rows) { return rows.rows(); }, mesh.simplices);
-  verdict.dimension = static_cast<int>(mesh.dimension());
-  if (claim != Claim::kTriangulation) {
-    verdict.unique = facts->unique;
-    verdict.canonical = facts->canonical;
-  }
+std::optional<FlatVerdict> judge_flat(Claim claim, const formats::FlatMesh& mesh,
+                                      const Options& options, unsigned threads) {
+  std::optional<FlatVerdict> verdict;
+  judge_arrays(claim, mesh, options, threads, [&](const auto& view, const fast::Facts& facts) {
+    verdict = verdict_of_facts(claim, view, mesh.points.first_index, facts, options);
+  });
+  return verdict;
+}
+
+std::optional<Verdict> judge_as_doubles(Claim claim, const Mesh& mesh, const Options& options,
+                                        unsigned threads) {
+  std::optional<Verdict> verdict;
+  if (options.by != By::kLemma) return verdict;
+  const std::optional<formats::FlatMesh> flat = mesh_of_doubles(mesh);
+  if (!flat) return verdict;
+  judge_arrays(claim, *flat, options, threads, [&](const auto& view, const fast::Facts& facts) {
+    if (facts.holds()) {
+      verdict = verdict_of_facts(claim, view, 0, facts, options).verdict;
+    } else {
+      verdict = not_locally_delaunay(claim, mesh, shared_facets(view, facts.not_local), options);
+    }
+  });
   return verdict;
 }
 

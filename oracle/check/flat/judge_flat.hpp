@@ -4,15 +4,20 @@
 #include <optional>
 
 #include "oracle/check/check.hpp"
+#include "oracle/check/flat/verdict_of_facts.hpp"
 #include "oracle/formats/flat_mesh.hpp"
 
 namespace circumspect::check {
 
-// The verdict that the claim holds, which is then what judge() says of the same mesh, and none of its
-// points equal; none if it does not hold, or cannot be decided so: then judge() says what is wrong. Of a
-// claim with weights, these are the first attributes. `threads`: 0: as many as the machine has; the answer
-// is the same for any number.
-std::optional<Verdict> judge_flat(Claim claim, const formats::FlatMesh& mesh,
-                                  const Options& options = {}, unsigned threads = 0);
+// What judge() says of the same mesh, if it holds, or if it is a triangulation and only some facets are
+// not locally Delaunay; then no two of its points are equal. None if that is not how it is, or cannot be
+// decided so: then judge() says what is wrong. Of a claim with weights, these are the first attributes.
+// `threads`: 0: as many as the machine has; the answer is the same for any number.
+std::optional<FlatVerdict> judge_flat(Claim claim, const formats::FlatMesh& mesh,
+                                      const Options& options = {}, unsigned threads = 0);
+
+// The same for a mesh of exact numbers, if they are all doubles. The verdict's witnesses name `mesh`.
+std::optional<Verdict> judge_as_doubles(Claim claim, const Mesh& mesh, const Options& options = {},
+                                        unsigned threads = 0);
 
 }  // namespace circumspect::check

@@ -16,7 +16,7 @@
 
 namespace circumspect {
 
-// A mesh where it lies; nothing is copied while it holds. Index: std::int32_t or std::int64_t.
+// A mesh where it lies; nothing is copied while the fast judge decides. Index: std::int32_t or std::int64_t.
 template <typename Index>
 struct MeshArrays {
   std::size_t dimension = 3;                 // d, of the points and of the simplices
@@ -36,8 +36,8 @@ struct JudgeOptions {
 // How the answer was found.
 struct JudgeCounts {
   // Did the fast judge decide, and if not, why not: in the plane and in space it decides wherever the
-  // claim holds, but for meshes in which no simplex has a double for an interior point. All the rest is
-  // for the slow one, which looks for witnesses.
+  // claim holds, or only some facets of a triangulation are not locally Delaunay. All the rest is for
+  // the slow one.
   bool fast = false;
   std::string why_not_fast = {};
   // Of the fast judge: signs decided by doubles, and by integers.
@@ -56,7 +56,7 @@ struct MeshJudgement : Judgement {
 // As judge(claim, points, simplices) of judgement.hpp, word for word, for the claims "triangulation",
 // "delaunay" and "weighted-delaunay" (Book: Definitions 2.1 and 4.1, Section 5.2).
 // Throws std::invalid_argument: an unknown claim; arrays whose lengths do not agree; numbers that are
-// not finite. Memory, while the claim holds: about 31 bytes a simplex and 8 a boundary facet; with the
+// not finite. Memory, while the fast judge decides: about 31 bytes a simplex and 8 a boundary facet; with the
 // neighbours given, 1 a simplex and 8 a boundary facet.
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int32_t>& mesh,
                     const JudgeOptions& options = {});

@@ -1,0 +1,37 @@
+// The meshes of domains/, judged with what the fast judge knows of their simplices and without: the same
+// word for word.
+#include <doctest/doctest.h>
+
+#include "corpus/domain_table.hpp"
+#include "oracle/check/domain/verdict_text_test.hpp"
+#include "oracle/check/flat/judge_domain_quickly.hpp"
+#include "oracle/report/text.hpp"
+
+namespace circumspect::corpus {
+
+TEST_CASE("what is known of the simplices changes no word about a mesh of a domain") {
+  std::size_t known = 0, wrong = 0;
+  for (const DomainRow& row : domain_rows()) {
+    INFO(row.text);
+    const Mesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
+    const Domain domain = domain_of(kDomainFolder + row.domain, row.kind);
+    check::Options options = row.options;
+    options.max_violations = 0;
+    for (const bool oriented : {false, true}) {
+      options.oriented = oriented;
+      const Verdict slow = check::judge_domain(row.claim, mesh, domain, options);
+      const Verdict quick = check::judge_domain_quickly(row.claim, mesh, domain, options, 2);
+      CHECK(check::text_of(quick) == check::text_of(slow));
+      CHECK(report::verdict_line(quick, mesh, row.mesh, &domain) ==
+            report::verdict_line(slow, mesh, row.mesh, &domain));
+      CHECK(report::explanation(quick, mesh, &domain) == report::explanation(slow, mesh, &domain));
+    }
+    if (!check::known_volume(row.claim, mesh, domain, row.options)) continue;
+    ++known;
+    wrong += row.broken.empty() ? 0 : 1;
+  }
+  CHECK(known > 100);
+  CHECK(wrong > 20);
+}
+
+}  // namespace circumspect::corpus

@@ -1,0 +1,15 @@
+// Meshes of exact numbers that are doubles, as arrays.
+#pragma once
+
+#include <optional>
+
+#include "oracle/formats/flat_mesh.hpp"
+#include "oracle/mesh.hpp"
+
+namespace circumspect::check {
+
+// The same mesh, vertices and neighbours counted from 0. None if a number is not a double; if simplices
+// differ in their number of vertices, or there are none; or if an index is below −1 or does not fit 32 bits.
+std::optional<formats::FlatMesh> mesh_of_doubles(const Mesh& mesh);
+
+}  // namespace circumspect::check
