@@ -20,6 +20,8 @@ constexpr std::size_t kFacetsInPile = 16384;  // and tables of what is left of t
 constexpr std::size_t kMostPiles = std::size_t{1} << 14;
 constexpr std::uint64_t kMostSimplices = std::uint64_t{1} << 29;
 constexpr std::size_t kSlicesPerThread = 8;
+constexpr std::size_t kRecordsForTables = std::size_t{3}
+                                          << 16;  // that take as much memory as they, about
 constexpr std::size_t kLeastSlice = std::size_t{1} << 14;
 
 template <std::size_t kDimension, typename Index>
@@ -37,8 +39,11 @@ class Matching {
     if (mesh_.size() > kMostSimplices) return tl::unexpected(Undecided::kTooLarge);
     links_ = large_array<std::int32_t>(mesh_.simplices.size());
     if (!count()) return tl::unexpected(Undecided::kUnknownVertex);
-    // As many piles at a time as have records for not quite half of the facets.
-    most_records_ = mesh_.simplices.size() * 7 / 16;
+    // As many piles at a time as have records for not quite half of the facets; for fewer of a small mesh,
+    // where tables weigh more.
+    const std::size_t facets = mesh_.simplices.size();
+    most_records_ =
+        std::max(facets * 7 / 16 - std::min(facets * 7 / 16, kRecordsForTables), facets / 4);
     for (std::size_t pile = 0; pile < piles_; ++pile) {
       most_records_ = std::max(most_records_, size_of(pile));
     }

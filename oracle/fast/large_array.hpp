@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -14,30 +13,36 @@
 
 namespace circumspect::fast {
 
-struct Freed {
-  void operator()(void* memory) const { std::free(memory); }
+struct Unmapped {
+  std::size_t bytes = 0;
+
+  void operator()(void* memory) const { munmap(memory, bytes); }
 };
 
 // T[] of a type that needs neither constructor nor destructor.
 template <typename T>
-using LargeArray = std::unique_ptr<T[], Freed>;
+using LargeArray = std::unique_ptr<T[], Unmapped>;
 
-// Throws std::bad_alloc.
+// Straight from the system, and back to it: what an allocator keeps would count as memory in use. Throws
+// std::bad_alloc.
 template <typename T>
 LargeArray<T> large_array(std::size_t count) {
   static_assert(std::is_trivial_v<T>);
   constexpr std::size_t kPage = std::size_t{1} << 21;
-  const std::size_t bytes = count * sizeof(T);
-  if (count > PTRDIFF_MAX / sizeof(T)) throw std::bad_alloc();
-  const bool large = bytes >= kPage;
-  void* const memory = large ? std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage)
-                             : std::malloc(bytes + 1);
-  if (memory == nullptr) throw std::bad_alloc();
+  if (count > PTRDIFF_MAX / sizeof(T) - kPage) throw std::bad_alloc();
+  const std::size_t bytes = count * sizeof(T) + 1;
+  void* const mapped =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  // Only what the array fills, so that no more memory is touched than it has. Advice: it may be refused.
-  if (large) madvise(memory, bytes / kPage * kPage, MADV_HUGEPAGE);
+  // The pages that lie within the array, so that no more memory is touched than it has. Advice: it may be
+  // refused.
+  const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
+  const std::uintptr_t first = (begin + kPage - 1) / kPage * kPage,
+                       last = (begin + bytes) / kPage * kPage;
+  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
-  return LargeArray<T>(static_cast<T*>(memory));
+  return LargeArray<T>(static_cast<T*>(mapped), Unmapped{bytes});
 }
 
 }  // namespace circumspect::fast
