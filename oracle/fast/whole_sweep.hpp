@@ -57,7 +57,8 @@ class WholeSweep {
       orientations_ = Orientations(std::move(*each));
       swept = swept_by_all(questions);
     }
-    if (!swept.undecided && swept.up != swept.down) {
+    // Signs are exact, so that no second pass finds one other than expected.
+    if (!swept.undecided && (swept.mixed || swept.up != swept.down)) {
       swept.undecided = Undecided::kUnmatchedNeighbor;
     }
     return swept;
