@@ -56,8 +56,8 @@ struct MeshJudgement : Judgement {
 // As judge(claim, points, simplices) of judgement.hpp, word for word, for the claims "triangulation",
 // "delaunay" and "weighted-delaunay" (Book: Definitions 2.1 and 4.1, Section 5.2).
 // Throws std::invalid_argument: an unknown claim; arrays whose lengths do not agree; numbers that are
-// not finite. Memory, while the fast judge decides: about 31 bytes a simplex and 8 a boundary facet; with the
-// neighbours given, 1 a simplex and 8 a boundary facet.
+// not finite. Memory, while the fast judge decides: at most 32 bytes a simplex of a large mesh of space; with
+// the neighbours given, about 1.
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int32_t>& mesh,
                     const JudgeOptions& options = {});
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int64_t>& mesh,
