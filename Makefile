@@ -29,13 +29,18 @@ deps-proofs: ; @cmake/packages.sh proofs
 deps-test: ; @cmake/packages.sh demo proofs test
 deps-bench: ; @cmake/packages.sh demo bench
 
-# A first build leaves the tests out; a build that has them keeps them, so that going back and
+# The command, and what `cmake --install` installs. A first build leaves the tests out; a build that has them keeps them, so that going back and
 # forth between `make demo` and `make test` compiles nothing twice.
 build: deps-demo
 	@test -f build/release/build.ninja || $(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
-	@cmake --build --preset release --target circumspect_cli -j $(JOBS)
+	@cmake --build --preset release --target circumspect_cli circumspect_archive -j $(JOBS)
 
-demo: build
+# What comes before its first word goes to a log, but for a line each.
+demo:
+	@rm -f build/demo.log
+	@cmake/logged.sh build/demo.log "Debian packages that are missing" cmake/packages.sh demo
+	@cmake/logged.sh build/demo.log "Compiling, some minutes the first time" \
+	  $(MAKE) --no-print-directory build
 	@rm -rf build/demo-campaign
 	@CIRCUMSPECT=$(COMMAND) CAMPAIGN_OUTPUT=build/demo-campaign bash corpus/demo.sh
 

@@ -1,5 +1,17 @@
 # The libraries of others. All are Debian 12 packages: `cmake/packages.sh` lists them.
 
+# A project around this one links them through circumspect::harness, so it has to see them.
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+endif()
+
+# find_package, unless the project around this one has the target already.
+macro(circumspect_find_package package target)
+  if(NOT TARGET ${target})
+    find_package(${package} REQUIRED)
+  endif()
+endmacro()
+
 # circumspect_find_library(NAME HEADER [LIBRARY...] DEBIAN PACKAGE)
 # makes the target circumspect::NAME.
 function(circumspect_find_library name header)
@@ -25,18 +37,21 @@ circumspect_find_library(gmp gmpxx.h gmpxx gmp DEBIAN libgmp-dev)
 circumspect_find_library(mpfr mpfr.h mpfr DEBIAN libmpfr-dev)
 circumspect_find_library(expected tl/expected.hpp DEBIAN libexpected-dev)
 circumspect_find_library(boost boost/geometry/index/rtree.hpp DEBIAN libboost-dev)
-circumspect_find_library(cadical cadical.hpp cadical DEBIAN libcadical-dev)
-find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(rapidcheck REQUIRED)
-find_package(TBB REQUIRED)
-find_package(Threads REQUIRED)
+circumspect_find_package(fmt fmt::fmt)
+circumspect_find_package(nlohmann_json nlohmann_json::nlohmann_json)
+circumspect_find_package(rapidcheck rapidcheck)
+circumspect_find_package(TBB TBB::tbb)
+circumspect_find_package(Threads Threads::Threads)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
-find_package(CGAL REQUIRED)
+circumspect_find_package(CGAL CGAL::CGAL)
+
+if(CIRCUMSPECT_BUILD_COMMAND)
+  circumspect_find_library(cadical cadical.hpp cadical DEBIAN libcadical-dev)
+  circumspect_find_package(CLI11 CLI11::CLI11)
+endif()
 
 if(CIRCUMSPECT_BUILD_TESTS)
-  find_package(doctest REQUIRED)
+  circumspect_find_package(doctest doctest::doctest)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   circumspect_find_library(tetgen tetgen.h tet DEBIAN libtet1.5-dev)
   circumspect_find_library(qhull libqhull_r/qhull_ra.h qhull_r DEBIAN libqhull-dev)

@@ -5,17 +5,20 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-if(NOT CMAKE_BUILD_TYPE)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Build type" FORCE)
 endif()
 
 # Options that let a compiler change the value of an expression have no place in an exact oracle.
+# A project around this one may have set them for its folders.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" _build_type)
-set(_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_build_type}}")
+get_directory_property(_options_around COMPILE_OPTIONS)
+get_directory_property(_definitions_around COMPILE_DEFINITIONS)
+set(_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_build_type}} ${_options_around}")
 if(_flags MATCHES "(-Ofast|-ffast-math|-funsafe-math-optimizations|-fassociative-math|-freciprocal-math|-ffinite-math-only|-ffp-contract=(on|fast))")
   message(FATAL_ERROR
     "The compiler flags contain ${CMAKE_MATCH_1}, which changes the results of floating-point "
-    "arithmetic. Remove it from CMAKE_CXX_FLAGS (or CXXFLAGS) and configure again.")
+    "arithmetic. Remove it from CMAKE_CXX_FLAGS (or CXXFLAGS, or add_compile_options) and configure again.")
 endif()
 
 find_program(CIRCUMSPECT_CCACHE ccache DOC "Compiler cache; used when found")
@@ -31,13 +34,19 @@ endif()
 
 # Everything the project compiles links `circumspect_settings`. Headers are included by their path
 # from the root of the repository, the public ones as users do: <circumspect/...>. Warnings become
-# errors in the presets, not for a packager.
+# errors in the presets, not for a packager; a project around this one gets none, since they are not its own.
 add_library(circumspect_settings INTERFACE)
 target_include_directories(circumspect_settings INTERFACE
   "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/oracle/include")
-target_compile_options(circumspect_settings INTERFACE
-  -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+target_compile_options(circumspect_settings INTERFACE -ffp-contract=off)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(circumspect_settings INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+endif()
+# Assertions stay on, whatever the build type: a broken invariant must not turn into an answer.
+if(CMAKE_CONFIGURATION_TYPES OR "${_flags} ${_definitions_around}" MATCHES "NDEBUG")
+  target_compile_options(circumspect_settings INTERFACE -UNDEBUG)
+endif()
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 sees an overlapping copy in `"text" + std::string` where there is none (GCC bug 105651).

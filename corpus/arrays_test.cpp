@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "corpus/expected_table.hpp"
-#include "oracle/harness/arrays_of_test.hpp"
+#include "oracle/arrays/arrays_of_test.hpp"
 
 namespace circumspect::corpus {
 
@@ -11,11 +11,11 @@ TEST_CASE("arrays are judged as files are, and by the fast judge wherever they h
   std::size_t fast = 0, rejected = 0;
   for (const Row& row : expected_rows()) {
     const Mesh mesh = mesh_of(row);
-    const auto arrays = harness::arrays_of(mesh);
+    const auto arrays = arrays::arrays_of(mesh);
     if (!arrays) continue;
     INFO(row.text);
     const MeshJudgement judgement = judge(std::string(name(row.claim)), arrays->view());
-    CHECK(harness::difference_from_slow(row.claim, mesh, judgement) == "");
+    CHECK(arrays::difference_from_slow(row.claim, mesh, judgement) == "");
     const bool is_handled = arrays->dimension == 2 || arrays->dimension == 3;
     if (is_handled && judgement.holds) CHECK(judgement.counts.fast);
     fast += judgement.counts.fast ? 1 : 0;

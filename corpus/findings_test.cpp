@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
-#include "oracle/harness/mesh_of.hpp"
+#include "oracle/arrays/mesh_of.hpp"
 #include "properties/generators/arrays.hpp"
 
 namespace circumspect::corpus {
@@ -58,7 +58,7 @@ std::string rule_of_points(const FindingRow& row) {
   auto raw = formats::read_mesh({.mesh = row.mesh, .points = row.input});
   if (!raw) return raw.error().to_string();
   const auto& simplices = raw->simplices.simplices;
-  const Mesh mesh = harness::mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
+  const Mesh mesh = arrays::mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
   return first_rule(check::judge(Claim::kDelaunay, mesh, {.max_violations = 1}));
 }
 

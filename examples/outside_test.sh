@@ -25,6 +25,13 @@ quietly cmake --install "$build" --prefix "$work/installed" --component harness
   fail "an installed file names the folder of the sources"
 cp -r "$examples" "$work/examples"
 
+echo "judge, by find_package"
+quietly cmake -S "$work/examples/judge" -B "$work/judge" -DCMAKE_PREFIX_PATH="$work/installed"
+quietly cmake --build "$work/judge"
+"$work/judge/judge_arrays" >/dev/null || fail "the judge of arrays was wrong"
+! grep -q "rapidcheck" "$work/judge/CMakeFiles/judge_arrays.dir/link.txt" ||
+  fail "expected the judge to do without RapidCheck"
+
 echo "properties, by find_package"
 quietly cmake -S "$work/examples/properties" -B "$work/properties" -DCMAKE_PREFIX_PATH="$work/installed"
 quietly cmake --build "$work/properties"
@@ -62,4 +69,9 @@ if command -v pkg-config >/dev/null; then
   quietly g++ -std=c++20 -o "$work/by-pkg-config" "$examples/fuzz/triangulate_fuzz.cpp" \
     "$examples/fuzz/replay.cpp" "$examples/triangulate.cpp" $flags
   "$work/by-pkg-config" "$work/seed"
+  flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$work/installed" -name circumspect-check.pc)") \
+    pkg-config --cflags --libs circumspect-check)
+  # shellcheck disable=SC2086
+  quietly g++ -std=c++20 -o "$work/judge-by-pkg-config" "$examples/judge/judge_arrays.cpp" $flags
+  "$work/judge-by-pkg-config" >/dev/null || fail "the judge of arrays was wrong"
 fi

@@ -14,7 +14,7 @@ constexpr std::size_t kMostPoints = 12;
 void hold_checkers_equal(Bytes bytes) {
   const Input<kHead> input(bytes, kMostPoints);
   if (input.points.size() == 0) return;
-  Mesh mesh = harness::mesh_of(input.points, {}, input.is_weighted());
+  Mesh mesh = arrays::mesh_of(input.points, {}, input.is_weighted());
   mesh.simplices = delaunay::bowyer_watson(mesh.points).simplices();
   const Claim delaunay = input.is_weighted() ? Claim::kWeightedDelaunay : Claim::kDelaunay;
   if (!check::judge(delaunay, mesh).holds()) {

@@ -48,7 +48,7 @@ std::optional<constrained::PlcTriangulation> cdt_of(const PiecewiseLinearComplex
 void hold_checkers_equal(Bytes bytes) {
   const DomainInput input(bytes, kMostPoints);
   if (input.points.size() < 3) return;
-  const PointSet points = harness::mesh_of(input.points, {}).points;
+  const PointSet points = arrays::mesh_of(input.points, {}).points;
   if (points.dimension() < static_cast<int>(points.ambient_dimension())) return;
   const auto complex = validated(domain_of(input, points), 1);
   if (!complex) return;

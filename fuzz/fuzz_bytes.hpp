@@ -13,7 +13,7 @@
 
 #include <circumspect/fuzz.hpp>
 
-#include "oracle/harness/mesh_of.hpp"
+#include "oracle/arrays/mesh_of.hpp"
 #include "oracle/harness/node_text.hpp"
 
 namespace circumspect::fuzz {

@@ -5,7 +5,7 @@
 #include <circumspect/check.hpp>
 #include <doctest/doctest.h>
 
-#include "oracle/harness/arrays_of_test.hpp"
+#include "oracle/arrays/arrays_of_test.hpp"
 #include "properties/generators/any_case.hpp"
 #include "properties/generators/in_doubles.hpp"
 #include "properties/generators/run.hpp"
@@ -16,7 +16,7 @@
 namespace circumspect::properties {
 namespace {
 
-using harness::MeshInArrays;
+using arrays::MeshInArrays;
 
 // How often each kind of answer came up.
 struct Answers {
@@ -27,12 +27,12 @@ struct Answers {
 };
 
 void judge_and_compare(Claim claim, const Mesh& mesh, Answers& answers) {
-  const auto arrays = harness::arrays_of(mesh);
+  const auto arrays = arrays::arrays_of(mesh);
   if (!arrays) return;
   const unsigned threads = *rc::gen::element(1U, 2U);
   const MeshJudgement judgement =
       judge(std::string(name(claim)), arrays->view(), {.threads = threads});
-  RC_ASSERT(harness::difference_from_slow(claim, mesh, judgement) == "");
+  RC_ASSERT(arrays::difference_from_slow(claim, mesh, judgement) == "");
   ++(!judgement.holds ? answers.rejected : judgement.counts.fast ? answers.fast : answers.slow);
   if (judgement.rule == "complex.wrong-neighbor") ++answers.wrong_neighbors;
 }

@@ -7,9 +7,9 @@
 
 #include <circumspect/check.hpp>
 
+#include "oracle/arrays/mesh_of.hpp"
 #include "oracle/check/check.hpp"
 #include "oracle/fast/judge.hpp"
-#include "oracle/harness/mesh_of.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/mutations/catalogue.hpp"
 
@@ -51,9 +51,9 @@ inline std::string said_fast(const ArrayMesh& mesh, Claim claim) {
 // The mesh as the checkers see it: equal points merged.
 inline Mesh mesh_of(const ArrayMesh& arrays, Claim claim) {
   const std::vector<Simplex> simplices = simplices_of(arrays);
-  Mesh mesh = harness::mesh_of({arrays.dimension, arrays.coordinates, arrays.weights},
-                               SimplexArray(simplices.begin(), simplices.end()),
-                               claim == Claim::kWeightedDelaunay);
+  Mesh mesh = arrays::mesh_of({arrays.dimension, arrays.coordinates, arrays.weights},
+                              SimplexArray(simplices.begin(), simplices.end()),
+                              claim == Claim::kWeightedDelaunay);
   if (arrays.neighbors.empty()) return mesh;
   mesh.neighbors = Neighbors{};
   for (std::size_t begin = 0; begin < arrays.neighbors.size(); begin += arrays.width()) {

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "oracle/arrays/mesh_of.hpp"
 #include "oracle/check/check.hpp"
 #include "oracle/harness/answer.hpp"
 #include "oracle/harness/cases.hpp"
-#include "oracle/harness/mesh_of.hpp"
 #include "properties/generators/arrays.hpp"
 
 namespace circumspect::harness {
@@ -99,7 +99,7 @@ bool is_the_only_answer(const PropertyOptions& options, const PointArray& points
                         const Answer& given) {
   if (!given.failure.empty() || options.claim == "triangulation") return false;
   const bool weighted = options.claim == "weighted-delaunay";
-  const Mesh mesh = mesh_of(points, given.simplices, weighted);
+  const Mesh mesh = arrays::mesh_of(points, given.simplices, weighted);
   const Verdict verdict = weighted ? check::weighted_delaunay(mesh) : check::delaunay(mesh);
   return verdict.holds() && verdict.unique.value_or(false);
 }

@@ -5,11 +5,11 @@
 
 #include <circumspect/check.hpp>
 
+#include "oracle/arrays/claim_named.hpp"
+#include "oracle/arrays/mesh_of.hpp"
 #include "oracle/check/check.hpp"
 #include "oracle/check/flat/verdict_of_facts.hpp"
 #include "oracle/fast/judge.hpp"
-#include "oracle/harness/claim_named.hpp"
-#include "oracle/harness/mesh_of.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect {
@@ -85,8 +85,8 @@ MeshJudgement judged_slowly(Claim claim, const MeshArrays<Index>& arrays) {
   const PointArray points{arrays.dimension,
                           {arrays.coordinates.begin(), arrays.coordinates.end()},
                           {arrays.weights.begin(), arrays.weights.end()}};
-  Mesh mesh = harness::mesh_of(points, rows_of(arrays.simplices, arrays.dimension + 1),
-                               claim == Claim::kWeightedDelaunay);
+  Mesh mesh = arrays::mesh_of(points, rows_of(arrays.simplices, arrays.dimension + 1),
+                              claim == Claim::kWeightedDelaunay);
   if (!arrays.neighbors.empty()) {
     mesh.neighbors = Neighbors{{}, 0};
     for (const std::vector<std::int64_t>& row : rows_of(arrays.neighbors, arrays.dimension + 1)) {
@@ -99,7 +99,7 @@ MeshJudgement judged_slowly(Claim claim, const MeshArrays<Index>& arrays) {
 template <typename Index>
 MeshJudgement judged(const std::string& claim, const MeshArrays<Index>& mesh,
                      const JudgeOptions& options) {
-  const Claim known = harness::claim_named(claim);
+  const Claim known = arrays::claim_named(claim);
   require_lengths(mesh);
   const unsigned threads =
       options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());

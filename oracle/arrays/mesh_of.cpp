@@ -1,11 +1,11 @@
-#include "oracle/harness/mesh_of.hpp"
+#include "oracle/arrays/mesh_of.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
-namespace circumspect::harness {
+namespace circumspect::arrays {
 namespace {
 
 void require_sound(const PointArray& points) {
@@ -72,4 +72,4 @@ Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weigh
   return mesh;
 }
 
-}  // namespace circumspect::harness
+}  // namespace circumspect::arrays

@@ -5,9 +5,9 @@
 
 #include "oracle/verdict.hpp"
 
-namespace circumspect::harness {
+namespace circumspect::arrays {
 
 // One of the claims that need no domain. Throws std::invalid_argument for any other name.
 Claim claim_named(const std::string& claim);
 
-}  // namespace circumspect::harness
+}  // namespace circumspect::arrays

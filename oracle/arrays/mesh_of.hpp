@@ -5,7 +5,7 @@
 
 #include "oracle/mesh.hpp"
 
-namespace circumspect::harness {
+namespace circumspect::arrays {
 
 // The mesh with every number exact. Of equal points the first one stands for all (where weights count,
 // that with the largest weight, below which the others are submerged), and simplices that name another
@@ -14,4 +14,4 @@ namespace circumspect::harness {
 // finite.
 Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted = false);
 
-}  // namespace circumspect::harness
+}  // namespace circumspect::arrays

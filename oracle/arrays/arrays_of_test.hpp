@@ -11,7 +11,7 @@
 #include "oracle/check/check.hpp"
 #include "oracle/report/text.hpp"
 
-namespace circumspect::harness {
+namespace circumspect::arrays {
 
 struct MeshInArrays {
   std::size_t dimension = 0;
@@ -88,4 +88,4 @@ inline std::string difference_from_slow(Claim claim, const Mesh& labelled,
   return "";
 }
 
-}  // namespace circumspect::harness
+}  // namespace circumspect::arrays

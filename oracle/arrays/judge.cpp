@@ -5,14 +5,14 @@
 
 #include <circumspect/judgement.hpp>
 
+#include "oracle/arrays/claim_named.hpp"
+#include "oracle/arrays/mesh_of.hpp"
 #include "oracle/check/check.hpp"
-#include "oracle/harness/claim_named.hpp"
-#include "oracle/harness/mesh_of.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect {
 
-Claim harness::claim_named(const std::string& claim) {
+Claim arrays::claim_named(const std::string& claim) {
   for (const Claim known : {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay}) {
     if (claim == name(known)) return known;
   }
@@ -21,8 +21,8 @@ Claim harness::claim_named(const std::string& claim) {
 }
 
 Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices) {
-  const Claim known = harness::claim_named(claim);
-  const Mesh mesh = harness::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
+  const Claim known = arrays::claim_named(claim);
+  const Mesh mesh = arrays::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
   const Verdict verdict = check::judge(known, mesh);
   if (verdict.holds()) return {true, "", ""};
   const Rule rule = verdict.violations().front().rule;

@@ -1,0 +1,59 @@
+# The two libraries that users link, an installed copy or this tree inside their own:
+#   circumspect::check    judges arrays: <circumspect/judgement.hpp>, <circumspect/check.hpp>
+#   circumspect::harness  that, and what draws inputs: all of <circumspect/...>
+# Each is one archive of layers. What they ask of their users are the headers, C++20 and the libraries behind
+# them; the flags with which the layers are compiled are nobody else's.
+
+include(GNUInstallDirs)
+
+# The layers that a library links, itself included.
+function(circumspect_layers_behind library result)
+  set(seen ${${result}})
+  if(NOT library IN_LIST seen)
+    list(APPEND seen ${library})
+    get_target_property(linked ${library} INTERFACE_LINK_LIBRARIES)
+    foreach(one IN LISTS linked)
+      if(TARGET ${one} AND one MATCHES "^circumspect_" AND NOT one STREQUAL "circumspect_settings")
+        circumspect_layers_behind(${one} seen)
+      endif()
+    endforeach()
+  endif()
+  set(${result} ${seen} PARENT_SCOPE)
+endfunction()
+
+# circumspect_add_archive(TARGET NAME OUTPUT_NAME LAYERS layer... LINKS library...)
+# makes the archive of these layers, which users know as circumspect::NAME.
+function(circumspect_add_archive target name output_name)
+  cmake_parse_arguments(ARG "" "" "LAYERS;LINKS" ${ARGN})
+  set(objects)
+  foreach(layer IN LISTS ARG_LAYERS)
+    get_target_property(type ${layer} TYPE)
+    if(type STREQUAL "STATIC_LIBRARY")
+      list(APPEND objects $<TARGET_OBJECTS:${layer}>)
+    endif()
+  endforeach()
+  add_library(${target} STATIC ${objects})
+  add_library(circumspect::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES
+    OUTPUT_NAME ${output_name} EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  target_compile_features(${target} INTERFACE cxx_std_20)
+  target_link_libraries(${target} INTERFACE ${ARG_LINKS})
+  target_include_directories(${target} INTERFACE
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/oracle/include>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+endfunction()
+
+set(check_layers)
+circumspect_layers_behind(circumspect_arrays check_layers)
+set(harness_layers)
+circumspect_layers_behind(circumspect_harness harness_layers)
+list(REMOVE_ITEM harness_layers ${check_layers})
+
+circumspect_add_archive(circumspect_check_archive check circumspect-check
+  LAYERS ${check_layers}
+  LINKS fmt::fmt TBB::tbb Threads::Threads
+        "$<BUILD_INTERFACE:circumspect::gmp;circumspect::mpfr>"
+        "$<INSTALL_INTERFACE:gmpxx;gmp;mpfr>")
+circumspect_add_archive(circumspect_archive harness circumspect
+  LAYERS ${harness_layers}
+  LINKS circumspect_check_archive rapidcheck)
