@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <system_error>
 #include <thread>
 
@@ -26,7 +28,9 @@ class Campaign {
     for (const FindingRecord& record : journal_.findings()) {
       first_[record.signature] = record.case_number;
       if (!record.is_minimised) unfinished_.push_back(record);
+      if (!record.is_minimised && record.is_cut_off) cut_off_.insert(record.signature);
     }
+    minimising_ = unfinished_.size();
     for (const CaseRecord& record : journal_.cases()) count(record);
     given_ = registered_ = result_.cases_before = result_.cases;
   }
@@ -67,7 +71,7 @@ class Campaign {
 
   Progress progress() {
     const std::lock_guard lock(mutex_);
-    return {result_.cases, first_.size(), seconds()};
+    return {result_.cases, first_.size(), seconds(), !drawing_is_over_, minimising_};
   }
 
   tl::expected<Result, std::string> result() {
@@ -76,8 +80,12 @@ class Campaign {
     result_.interrupted = stop_;
     result_.seconds = seconds();
     for (const auto& [signature, number] : first_) {
-      Finding finding{signature, family_of(number), number, 0,
-                      finding_folder(plan_.output, signature)};
+      Finding finding{signature,
+                      family_of(number),
+                      number,
+                      0,
+                      finding_folder(plan_.output, signature),
+                      cut_off_.count(signature) != 0};
       for (const auto& family : result_.statistics) {
         const auto found = family.second.find(signature);
         if (found != family.second.end()) finding.count += found->second;
@@ -92,9 +100,17 @@ class Campaign {
  private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
+  bool time_is_over() const { return plan_.seconds && seconds() >= *plan_.seconds; }
+  // Requires: the mutex is locked.
+  bool time_for_cases_is_over() const {
+    const double share = minimising_ > 0 ? kMinimisingShare : 0;
+    return plan_.seconds && seconds() >= (1 - share) * *plan_.seconds;
+  }
+
   std::optional<FindingRecord> take_unfinished() {
     const std::lock_guard lock(mutex_);
-    if (stop_ || failure_ || !not_run_.empty() || unfinished_.empty()) return std::nullopt;
+    const bool must_end = stop_ || failure_ || !not_run_.empty() || time_is_over();
+    if (must_end || unfinished_.empty()) return std::nullopt;
     FindingRecord record = unfinished_.back();
     unfinished_.pop_back();
     return record;
@@ -102,12 +118,12 @@ class Campaign {
 
   std::optional<std::size_t> take_case() {
     const std::lock_guard lock(mutex_);
-    const bool time_is_over = plan_.seconds && seconds() >= *plan_.seconds;
     const std::size_t replayed = plan_.replayed.size();
     const bool all_done =
         given_ >= replayed &&
         (plan_.sources.empty() || (plan_.cases && given_ - replayed >= *plan_.cases));
-    if (stop_ || failure_ || !not_run_.empty() || time_is_over || all_done) return std::nullopt;
+    drawing_is_over_ = drawing_is_over_ || all_done || time_for_cases_is_over();
+    if (stop_ || failure_ || !not_run_.empty() || drawing_is_over_) return std::nullopt;
     return given_++;
   }
 
@@ -141,6 +157,7 @@ class Campaign {
            next = waiting_.erase(next)) {
         if (register_next(next->second)) fresh.push_back({next->second.signature, next->first});
       }
+      minimising_ += fresh.size();
     }
     for (const FindingRecord& record : fresh) finish(record, runner);
   }
@@ -168,9 +185,34 @@ class Campaign {
     ++result_.statistics[record.family][record.what];
   }
 
+  // An equal part, for each that waits, of the time that is left, but no more than the plan gives one.
+  MinimiseLimits limits_now() {
+    MinimiseLimits limits = plan_.minimise;
+    if (!plan_.seconds) return limits;
+    const std::lock_guard lock(mutex_);
+    const double at_once = static_cast<double>(plan_.jobs + 1);
+    const double rounds = std::max(1.0, std::ceil(static_cast<double>(minimising_) / at_once));
+    const double left = std::max(0.0, *plan_.seconds - seconds());
+    limits.time = std::min(limits.time, std::chrono::duration<double>(left / rounds));
+    return limits;
+  }
+
+  // The input to begin with: the one that was found, or what an earlier call made of it.
+  Input begun(const FindingRecord& record, const Input& found, Runner& runner) {
+    if (!record.is_cut_off) return found;
+    const auto reached =
+        read_minimal(finding_folder(plan_.output, record.signature), plan_.subject);
+    return reached && runner.run(*reached).signature == record.signature ? *reached : found;
+  }
+
   void finish(const FindingRecord& record, Runner& runner) {
     const Input found = drawn(record.case_number);
-    const Input minimal = minimised(found, record.signature, runner, plan_.minimise, stop_);
+    const MinimiseLimits limits = limits_now();
+    const Clock::time_point begin = Clock::now();
+    const Input minimal =
+        minimised(begun(record, found, runner), record.signature, runner, limits, stop_);
+    const bool is_cut_off =
+        limits.time < plan_.minimise.time && Clock::now() - begin >= limits.time;
     Outcome outcome = runner.run(minimal);
     if (stop_ || outcome.kind == OutcomeKind::kInterrupted) return;
     if (outcome.kind == OutcomeKind::kNotRun) {
@@ -188,7 +230,14 @@ class Campaign {
                   {family_of(record.case_number), record.case_number, plan_.seed}, found, minimal,
                   outcome, runner);
     const std::lock_guard lock(mutex_);
-    journal_.add_minimised(record.signature);
+    --minimising_;
+    if (is_cut_off) {
+      journal_.add_cut_off(record.signature);
+      cut_off_.insert(record.signature);
+    } else {
+      journal_.add_minimised(record.signature);
+      cut_off_.erase(record.signature);
+    }
   }
 
   const Plan& plan_;
@@ -205,6 +254,9 @@ class Campaign {
   std::map<std::size_t, Outcome> waiting_;
   std::map<std::string, std::size_t> first_;
   std::vector<FindingRecord> unfinished_;
+  std::size_t minimising_ = 0;  // those, and what is being made small
+  std::set<std::string> cut_off_;
+  bool drawing_is_over_ = false;
   Result result_;
   std::string not_run_;
   std::exception_ptr failure_;

@@ -36,12 +36,16 @@ struct Plan {
   std::vector<Replayed> replayed = {};
   std::uint64_t seed = 0;
   std::optional<std::size_t> cases = {};  // drawn ones; without it, until the time is over
-  std::optional<double> seconds = {};     // of this call; without it, until the cases are done
+  // Of this call, making small with it; without it, until the cases are done and what was found is small.
+  std::optional<double> seconds = {};
   std::size_t jobs = 1;
   std::string output;      // the folder for the journal and the findings
   Settings settings = {};  // what must not change when it is continued
   MinimiseLimits minimise = {};
 };
+
+// Once something is found, cases are drawn until this share of the time is left: it is for making that small.
+inline constexpr double kMinimisingShare = 0.25;
 
 // Everything with one signature.
 struct Finding {
@@ -50,6 +54,7 @@ struct Finding {
   std::size_t case_number = 0;  // the first case
   std::size_t count = 0;
   std::string folder;
+  bool cut_off = false;  // there was no time to make it smaller: the next call goes on with it
 };
 
 struct Result {
@@ -67,13 +72,16 @@ struct Progress {
   std::size_t cases = 0;
   std::size_t signatures = 0;
   double seconds = 0;
+  bool drawing = true;         // will there be more cases?
+  std::size_t minimising = 0;  // findings that are being made small, or wait for it
 };
 
 // Case i is the i-th replayed input or, after those, the input that seed_of_case(seed, i) stands for in
 // source i mod sources.size(). Cases are counted in this order whatever the number of jobs, so that the
 // first case with a signature, and all that follows from it, depends only on the plan, the program and
 // the number of cases. When a plan with the same settings finds a journal in `output`, it goes on there.
-// When `stop` becomes true it ends within a second; what runs then is forgotten, and run the next time.
+// When the time is over, what then runs is finished, and what was found but not made small yet is made so by
+// the next call, which goes on where this one was. When `stop` becomes true it ends within a second; what runs then is forgotten, and run the next time.
 // Errors: the journal belongs to another campaign; the program cannot be started.
 // Requires: sources or replayed inputs; cases or seconds; jobs ≥ 1; called while there is one thread.
 tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::campaign {
@@ -159,6 +160,21 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
   write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));
   fs::permissions(folder + "/reproduce.sh", fs::perms::owner_exec, fs::perm_options::add);
+}
+
+std::optional<Input> read_minimal(const std::string& folder, const Subject& subject) {
+  if (subject.is_about_domains()) {
+    auto domain = formats::read_domain(folder + "/minimal.poly", NumberReading::kDouble);
+    if (!domain) return std::nullopt;
+    return Input(ComplexCase{"minimal", std::move(domain->input)});
+  }
+  auto raw = formats::read_points(folder + "/minimal.node", NumberReading::kDouble);
+  if (!raw) return std::nullopt;
+  PointsCase set{std::move(raw->points.points), {}};
+  for (const std::vector<Rational>& attributes : raw->points.attributes) {
+    if (!attributes.empty()) set.weights.push_back(attributes.front());
+  }
+  return Input(std::move(set));
 }
 
 std::string quoted_for_shell(const std::string& text) {

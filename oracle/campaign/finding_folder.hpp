@@ -1,6 +1,7 @@
 // What a user gets for a finding: a folder with everything that is needed to see it again.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "oracle/campaign/runner.hpp"
@@ -27,6 +28,9 @@ void write_input(const std::string& folder, const Subject& subject, const Input&
 void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
                    const Input& found, const Input& minimal, const Outcome& outcome,
                    const Runner& runner);
+
+// The input that write_minimal wrote there, to go on from; nothing if it cannot be read.
+std::optional<Input> read_minimal(const std::string& folder, const Subject& subject);
 
 // A shell script that runs the program on minimal.* beside it and judges what it writes.
 std::string reproduction(const Subject& subject, const Input& minimal, const Outcome& outcome);

@@ -164,6 +164,10 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
     for (FindingRecord& finding : findings_) {
       if (finding.signature == fields[1]) finding.is_minimised = true;
     }
+  } else if (kind == "cut-off" && fields.size() == 2) {
+    for (FindingRecord& finding : findings_) {
+      if (finding.signature == fields[1]) finding.is_cut_off = true;
+    }
   } else if (kind == "case" && fields.size() == 5) {
     if (number_of(fields[1]) != cases_.size()) return "case " + std::to_string(cases_.size());
     cases_.push_back({fields[2], fields[4], fields[3] == "finding"});
@@ -192,6 +196,10 @@ void Journal::add_finding(const std::string& signature, std::size_t case_number)
 
 void Journal::add_minimised(const std::string& signature) {
   write("minimised\t" + field(signature) + "\n", true);
+}
+
+void Journal::add_cut_off(const std::string& signature) {
+  write("cut-off\t" + field(signature) + "\n", true);
 }
 
 void Journal::add_case(std::size_t number, const CaseRecord& record) {

@@ -24,6 +24,7 @@ struct FindingRecord {
   std::string signature;
   std::size_t case_number = 0;
   bool is_minimised = false;
+  bool is_cut_off = false;  // the time was over: minimal.* is where making it small goes on
 };
 
 // A file to which lines are added, in the order of the cases:
@@ -32,6 +33,7 @@ struct FindingRecord {
 //   setting ⇥ NAME ⇥ VALUE          all at the beginning
 //   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete, but for the
 //   minimised ⇥ SIGNATURE            smallest input, which comes with this line
+//   cut-off ⇥ SIGNATURE              or with this one, if there was no time to make it smaller
 //   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|finding ⇥ WHAT
 //
 // A line that an interrupt cut off is dropped: that case is run again. Lines about findings are forced
@@ -53,6 +55,7 @@ class Journal {
   // Throw std::system_error if the disk takes no more.
   void add_finding(const std::string& signature, std::size_t case_number);
   void add_minimised(const std::string& signature);
+  void add_cut_off(const std::string& signature);
   void add_case(std::size_t number, const CaseRecord& record);
 
  private:

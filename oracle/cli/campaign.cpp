@@ -68,12 +68,49 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
                                  subject.limits.output, subject.limits.processes)}};
 }
 
-// One line on a terminal that is written over and over.
-void show(const campaign::Progress& progress) {
-  fmt::print(stderr, "\r{} cases, {} signatures, {:.0f} s ", progress.cases, progress.signatures,
-             progress.seconds);
-  std::fflush(stderr);
-}
+// What is happening, on standard error: how the time is shared out, when the making small goes on alone,
+// and on a terminal one line that is written over and over.
+class Narrator {
+ public:
+  Narrator(const campaign::Plan& plan, const OutputOptions& output)
+      : plan_(plan), speaks_(!output.quiet), is_terminal_(speaks_ && isatty(STDERR_FILENO) == 1) {
+    if (!speaks_ || !plan.seconds) return;
+    fmt::print(
+        stderr,
+        "campaign: {:g} s; once something is found, the last {:g} s of them are for making it "
+        "small\n",
+        *plan.seconds, campaign::kMinimisingShare * *plan.seconds);
+  }
+  ~Narrator() {
+    if (is_terminal_) fmt::print(stderr, "\r{:60}\r", "");
+  }
+  Narrator(const Narrator&) = delete;
+  Narrator& operator=(const Narrator&) = delete;
+
+  void show(const campaign::Progress& progress) {
+    if (speaks_ && !progress.drawing && progress.minimising > 0 && !said_) {
+      said_ = true;
+      fmt::print(stderr,
+                 "{}campaign: {:.1f} s, no more cases; findings that are made small: {}, {}\n",
+                 is_terminal_ ? "\r" : "", progress.seconds, progress.minimising, until());
+    }
+    if (!is_terminal_) return;
+    fmt::print(stderr, "\r{} cases, {} signatures, {} to make small, {:.0f} s ", progress.cases,
+               progress.signatures, progress.minimising, progress.seconds);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::string until() const {
+    if (plan_.seconds) return fmt::format("until {:g} s have passed", *plan_.seconds);
+    return fmt::format("each for at most {:g} s (--minimize-time)", plan_.minimise.time.count());
+  }
+
+  const campaign::Plan& plan_;
+  bool speaks_;
+  bool is_terminal_;
+  bool said_ = false;
+};
 
 ExitCode exit_code_of(const campaign::Result& result) {
   if (!result.findings.empty()) return ExitCode::kFails;
@@ -131,11 +168,12 @@ ExitCode run(const CampaignOptions& options) {
   const auto plan = plan_of(options);
   if (!plan) return plan.error();
   Output output(options.output);
-  const bool shows_progress = !options.output.quiet && isatty(STDERR_FILENO) == 1;
-  const auto result = campaign::run(*plan, stop_flag(), [&](const campaign::Progress& progress) {
-    if (shows_progress) show(progress);
-  });
-  if (shows_progress) fmt::print(stderr, "\r{:60}\r", "");
+  const auto result = [&] {
+    Narrator narrator(*plan, options.output);
+    return campaign::run(*plan, stop_flag(), [&narrator](const campaign::Progress& progress) {
+      narrator.show(progress);
+    });
+  }();
   if (!result) {
     output.error(ExitCode::kInputFault, "campaign", plan->output, result.error());
   } else {
@@ -153,7 +191,8 @@ constexpr const char* kFooter =
     "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
     "      -- gmsh -3 -v 2 {domain} -o {mesh}\n\n"
     "Each failure gets a folder campaign/findings/NAME/ with a small input and reproduce.sh.\n"
-    "The same command again goes on where it stopped, after Ctrl-C or kill -9 too.\n\n"
+    "The same command again goes on where it stopped, after Ctrl-C or kill -9 too, and goes on\n"
+    "making small what it had no time for.\n\n"
     "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run or\n"
     "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal error.";
 
@@ -168,8 +207,10 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
   command->add_option("--seed", options->seed, "What all inputs follow from (default: 0)")
       ->check(whole_number())
       ->option_text("N");
-  add_duration(*command, "--time", options->seconds,
-               "How long to go on (default, without --cases: 60s)");
+  add_duration(
+      *command, "--time", options->seconds,
+      "How long to go on, a quarter of it for making small what is found; a program that runs "
+      "then is waited for (default, without --cases: 60s)");
   command->add_option("--cases", options->cases, "How many inputs to draw, in all calls together")
       ->check(whole_number())
       ->option_text("N");
@@ -190,7 +231,8 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->option_text("N");
   command
       ->add_option("--output", options->folder,
-                   "The folder for the journal and the findings (default: campaign)")
+                   "The folder for the journal, and for what is found in FOLDER/findings (default: "
+                   "campaign)")
       ->option_text("FOLDER");
   command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
   add_output_options(*command, options->output);

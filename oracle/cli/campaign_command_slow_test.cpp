@@ -162,6 +162,66 @@ TEST_CASE("campaign: the same findings whatever the number of jobs") {
   }
 }
 
+// It is slow, and notes how many points it was given each time.
+std::string slow(const std::string& notes) {
+  return "read points rest < \"$1\"; echo $points >> " + notes + "; sleep 0.1\n" + forgetful();
+}
+
+std::vector<std::size_t> numbers_in(const std::string& path) {
+  std::vector<std::size_t> numbers;
+  std::ifstream file(path);
+  for (std::size_t number = 0; file >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+TEST_CASE("campaign: making small is counted in --time, and goes on in the next call") {
+  const ScratchFolder notes;
+  const Program program(slow(notes.path("notes")));
+  const auto campaign = [&](const std::string& time) {
+    return run(program.campaign({"--cases", "1", "--families", "integers", "--max-points", "20",
+                                 "--full-dimension", "--seed", "3", "--time", time}));
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  const Run first = campaign("2s");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  CHECK(took.count() < 12);  // two runs more, on a machine that is busy
+  CHECK(first.exit_code == 1);
+  CHECK(begins_with(first.err, "campaign: 2 s; once something is found, the last 0.5 s of them "));
+  CHECK(has(first.err, "no more cases; findings that are made small: 1, until 2 s have passed\n"));
+  CHECK(has(first.out, " so far (the same command again goes on)\n"));
+  REQUIRE(program.signatures().size() == 1);
+  const std::string signature = *program.signatures().begin();
+  const std::size_t reached = std::stoul(program.finding(signature, "minimal.node"));
+  CHECK(has(contents(program.output("out/journal.tsv")), "\ncut-off\t" + signature + "\n"));
+  const auto before = numbers_in(notes.path("notes"));
+  REQUIRE(!before.empty());
+  REQUIRE(reached < before.front());
+  fs::remove(notes.path("notes"));
+  const Run second = campaign("280s");
+  CHECK(second.exit_code == 1);
+  CHECK(!has(second.out, " so far"));
+  CHECK(has(contents(program.output("out/journal.tsv")), "\nminimised\t" + signature + "\n"));
+  CHECK(begins_with(program.finding(signature, "minimal.node"), "5 3 0 0\n"));
+  // It began with what the first call had reached.
+  const auto after = numbers_in(notes.path("notes"));
+  REQUIRE(!after.empty());
+  CHECK(*std::max_element(after.begin(), after.end()) == reached);
+  CHECK(campaign("2s").err.find("no more cases") == std::string::npos);  // nothing is left to do
+}
+
+TEST_CASE("campaign: the example for CI uploads what is written") {
+  const std::string example = contents(CIRCUMSPECT_CORPUS_DIR "/../docs/ci-example.yml");
+  const auto value_of = [&example](const std::string& option) {
+    const std::size_t at = example.find(option + " ");
+    REQUIRE(at != std::string::npos);
+    const std::size_t start = at + option.size() + 1;
+    return example.substr(start, example.find_first_of(" \n", start) - start);
+  };
+  CHECK(value_of("--output") != "findings");  // findings/findings
+  CHECK(has(example, "\n            " + value_of("--output") + "/findings\n"));
+  CHECK(has(example, "\n            " + value_of("--junit") + "\n"));
+}
+
 // The number of lines about cases in a journal.
 long cases_in(const std::string& journal) {
   const std::string text = contents(journal);

@@ -73,8 +73,9 @@ std::string finding_text(const Finding& finding) {
   const std::string text = details.value("text", "not made small yet: run the command again");
   std::string sizes;
   if (details.contains("minimal_points")) {
-    sizes = fmt::format(", {} points made {}", details["points"].get<std::size_t>(),
-                        details["minimal_points"].get<std::size_t>());
+    sizes = fmt::format(", {} points made {}{}", details["points"].get<std::size_t>(),
+                        details["minimal_points"].get<std::size_t>(),
+                        finding.cut_off ? " so far (the same command again goes on)" : "");
   }
   return fmt::format("{}: {}, first case {} of {}{}\n  {}\n  {}/reproduce.sh\n", finding.signature,
                      plural(finding.count, "case"), finding.case_number, finding.family, sizes,
@@ -143,6 +144,7 @@ report::Json campaign_json(const Result& result, const campaign::Plan& plan,
     details["signature"] = finding.signature;
     details["count"] = finding.count;
     details["folder"] = finding.folder;
+    details["cut_off"] = finding.cut_off;
     findings.push_back(std::move(details));
   }
   document["findings"] = std::move(findings);
