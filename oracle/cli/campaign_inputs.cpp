@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/domain_input.hpp"
+#include "oracle/cli/generate_list.hpp"
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "properties/generators/families.hpp"
@@ -63,8 +64,13 @@ tl::expected<Sources, std::string> named(const std::vector<std::string>& names, 
   for (const std::string& name : names) {
     const auto* const family = find(name);
     if (family == nullptr) {
-      return tl::unexpected(fmt::format(
-          "expected the name of a family (circumspect generate --list), found {}", name));
+      const bool is_known = generators::find_family(name) != nullptr ||
+                            properties::find_domain_family(name) != nullptr;
+      return tl::unexpected(is_known
+                                ? fmt::format("expected families of {} for the claim {}, found {}",
+                                              subject.is_about_domains() ? "domains" : "points",
+                                              circumspect::name(subject.claim), name)
+                                : unknown_family(name));
     }
     if (!fits(*family, subject)) {
       return tl::unexpected(

@@ -1,10 +1,11 @@
 #include "oracle/cli/generate_list.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 
+#include "oracle/cli/nearest_word.hpp"
+#include "oracle/cli/nearest_word.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "properties/triangulations/domain_families.hpp"
 
@@ -21,21 +22,6 @@ std::vector<std::size_t> dimensions(const generators::Family& family) {
 
 std::string line(const std::string& name, const std::string& where, const std::string& about) {
   return fmt::format("  {:<28}{:<14}{}\n", name, where, about);
-}
-
-// The number of letters to insert, delete or replace, to make one name of the other.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 std::vector<std::string> all_names() {

@@ -7,6 +7,7 @@
 
 #include "oracle/cli/exit_code.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/cli/unknown_words.hpp"
 #include "reference/exact/write_number.hpp"
 #include "reference/existence/solver.hpp"
 
@@ -19,6 +20,14 @@ std::string version() {
                      circumspect::number_libraries(), circumspect::existence::solver_version(),
                      FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
                      CLI11_VERSION);
+}
+
+// Something is missing, or too much: most often since a word was mistyped.
+ExitCode usage_fault(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string text = circumspect::cli::unknown_word_text(app);
+  fmt::print(stderr, "{}\nRun with --help for more information.\n",
+             text.empty() ? error.what() : text);
+  return ExitCode::kUsage;
 }
 
 ExitCode run(int argc, char** argv) {
@@ -48,6 +57,10 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_compare(app, exit_code);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    return usage_fault(app, error);
+  } catch (const CLI::ExtrasError& error) {
+    return usage_fault(app, error);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::kHolds : ExitCode::kUsage;
   }

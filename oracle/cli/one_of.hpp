@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "oracle/cli/nearest_word.hpp"
 #include "oracle/verdict.hpp"
 
 namespace circumspect::cli {
@@ -20,14 +21,16 @@ CLI::Validator one_of(const std::map<std::string, Enum>& words) {
   static_assert(std::is_enum_v<Enum>);
   const auto read = [words](std::string& text) -> std::string {
     std::string expected;
+    std::vector<std::string> known;
     for (const auto& [word, value] : words) {
       if (CLI::detail::to_lower(text) == word) {
         text = std::to_string(static_cast<std::underlying_type_t<Enum>>(value));
         return "";
       }
       expected += (expected.empty() ? "" : "|") + word;
+      known.push_back(word);
     }
-    return "expected " + expected + ", found " + text;
+    return "expected " + expected + ", found " + text + nearest_text(text, known);
   };
   return CLI::Validator(read, "");
 }
@@ -40,7 +43,7 @@ inline CLI::Validator one_of_words(const std::vector<std::string>& words) {
       if (text == word) return "";
       expected += (expected.empty() ? "" : "|") + word;
     }
-    return "expected " + expected + ", found " + text;
+    return "expected " + expected + ", found " + text + nearest_text(text, words);
   };
   return CLI::Validator(fault, "");
 }

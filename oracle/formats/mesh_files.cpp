@@ -176,13 +176,16 @@ struct Beginning {
   std::size_t on_second_line = 0;
 };
 
-// The format of points in a file whose name does not say it.
+// The format of points in a file whose name does not say it; null if it begins with no number, either.
 const Format* sniff_points(const Source& source) {
   if (is_npy(source.text)) return format_of(".npy");
   if (looks_like_json(source)) return format_of(".json");
   const Beginning beginning(source);
   if (is_off_keyword(beginning.first_token)) return format_of(".off");
   if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
+  const bool begins_with_number =
+      beginning.first_token.find_first_of("0123456789") <= 1;  // there may be a sign
+  if (!beginning.first_token.empty() && !begins_with_number) return nullptr;
   return format_of(beginning.on_second_line == 1 ? ".qhull" : ".node");
 }
 
@@ -205,11 +208,21 @@ std::string file_of_simplices(const std::string& path) {
   return with_extension(path, format->simplices_beside);
 }
 
+// A file that is of none of the kinds that have points.
+tl::unexpected<FormatError> no_points(const Source& source) {
+  Lines lines(source);
+  lines.next();
+  return lines.fail_at(0,
+                       "a file of points (.node, .json, .off, .mesh, .npy, .qhull) or a domain "
+                       "(.poly, .smesh, .stl, .ply)");
+}
+
 Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
                             NumberReading reading) {
   if (!source) return tl::unexpected(source.error());
   const Format* format = format_of(extension(path));
   if (format == nullptr) format = sniff_points(*source);
+  if (format == nullptr) return no_points(*source);
   if (format->points != nullptr) return format->points(*source, reading);
   return tl::unexpected(FormatError{source->name, 0,
                                     "a file of points (.node, .json, .off, .mesh, .npy, .qhull)",
