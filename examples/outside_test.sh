@@ -19,6 +19,9 @@ quietly() {
   "$@" >"$work/log" 2>&1 || { cat "$work/log"; fail "failed: $*"; }
 }
 
+# What is installed is among what `make build` builds.
+make -n -C "$(dirname "$examples")" build 2>/dev/null | grep -q "cmake --build.* circumspect_archive" ||
+  fail "expected make build to build circumspect_archive, which cmake --install installs"
 quietly cmake --install "$build" --prefix "$work/installed" --component harness
 # The copy stands alone: nothing of it names this tree.
 ! grep -rIl -e "$examples" -e "$(dirname "$examples")/" "$work/installed" ||
