@@ -38,7 +38,7 @@ build: deps-demo
 # What comes before its first word goes to a log, but for a line each.
 demo:
 	@rm -f build/demo.log
-	@cmake/logged.sh build/demo.log "Debian packages that are missing" cmake/packages.sh demo
+	@cmake/logged.sh build/demo.log "Installing the Debian packages that are missing" cmake/packages.sh demo
 	@cmake/logged.sh build/demo.log "Compiling, some minutes the first time" \
 	  $(MAKE) --no-print-directory build
 	@rm -rf build/demo-campaign

@@ -57,3 +57,4 @@ circumspect_add_archive(circumspect_check_archive check circumspect-check
 circumspect_add_archive(circumspect_archive harness circumspect
   LAYERS ${harness_layers}
   LINKS circumspect_check_archive rapidcheck)
+add_dependencies(circumspect_archive circumspect_check_archive)  # whoever builds the one installs both

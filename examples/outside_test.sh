@@ -20,7 +20,8 @@ quietly() {
 }
 
 # What is installed is among what `make build` builds.
-make -n -C "$(dirname "$examples")" build 2>/dev/null | grep -q "cmake --build.* circumspect_archive" ||
+make -n -C "$(dirname "$examples")" build >"$work/make" 2>/dev/null || fail "make -n build failed"
+grep -q "cmake --build.* circumspect_archive" "$work/make" ||
   fail "expected make build to build circumspect_archive, which cmake --install installs"
 quietly cmake --install "$build" --prefix "$work/installed" --component harness
 # The copy stands alone: nothing of it names this tree.

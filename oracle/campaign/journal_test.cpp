@@ -29,7 +29,9 @@ TEST_CASE("a journal goes on where it ended") {
     journal->add_finding("hang", 1);
     journal->add_case(1, {"sphere", "hang", true});
     journal->add_finding("no-mesh", 2);
+    journal->add_cut_off("hang");
     journal->add_minimised("hang");
+    journal->add_cut_off("no-mesh");
   }
   auto journal = Journal::open(folder.path("out"), kSettings);
   REQUIRE(journal);
@@ -39,6 +41,7 @@ TEST_CASE("a journal goes on where it ended") {
   REQUIRE(journal->findings().size() == 2);
   CHECK(journal->findings()[0].is_minimised);
   CHECK(!journal->findings()[1].is_minimised);
+  CHECK(journal->findings()[1].is_cut_off);
   CHECK(journal->findings()[1].case_number == 2);
 }
 

@@ -361,6 +361,7 @@ TEST_CASE("minimize: the smallest input, or exit code 3 if it does not fail") {
                              "0",        "--",  program.path, "{points}", "{mesh}"};
   const Run result = run(command);
   CHECK(result.exit_code == 0);
+  CHECK(result.err == "minimize: 60 points; ends after 120 s at the latest (--minimize-time)\n");
   CHECK(begins_with(last_line(result.out), "minimized: program "));
   CHECK(begins_with(contents(output), "5 3 0 0\n"));
   const Program right(kRight);

@@ -67,6 +67,10 @@ void report(const MinimizeOptions& options, const campaign::Subject& subject,
 void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
               const campaign::Input& input, const std::string& signature, campaign::Runner& runner,
               Output& output) {
+  if (!options.output.quiet) {
+    fmt::print(stderr, "minimize: {} points; ends after {:g} s at the latest (--minimize-time)\n",
+               campaign::point_count(input), options.subject.minimise_seconds);
+  }
   const campaign::Input minimal =
       campaign::minimised(input, signature, runner, options.subject.minimise(), stop_flag());
   const campaign::Outcome outcome = runner.run(minimal);
