@@ -135,14 +135,6 @@ tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& optio
 std::string attach_neighbors(Mesh& mesh, const std::string& path,
                              std::optional<formats::NeighborFile> file) {
   if (!file) return fmt::format("{}: expected a .neigh file beside it, found none", path);
-  const std::size_t size = mesh.simplices.empty() ? 0 : mesh.simplices.front().size();
-  if (file->neighbors.size() != mesh.simplices.size() ||
-      (size != 0 && file->neighbors_per_simplex != size)) {
-    return fmt::format(
-        "{}: expected neighbours of {} simplices with {} vertices each, found {} "
-        "lines of {} neighbours",
-        path, mesh.simplices.size(), size, file->neighbors.size(), file->neighbors_per_simplex);
-  }
   mesh.neighbors = Neighbors{std::move(file->neighbors), file->first_index};
   return "";
 }

@@ -21,9 +21,17 @@ Result<EleHeader> read_header(NumberedLines& numbered) {
   return EleHeader{*vertices, *attributes};
 }
 
+// No claim is about the attributes; they have to be numbers all the same.
+Status check_attributes(const Lines& lines, std::size_t first, std::size_t count,
+                        NumberReading reading) {
+  const auto attributes = lines.numbers(first, count, reading);
+  if (!attributes) return tl::unexpected(attributes.error());
+  return {};
+}
+
 }  // namespace
 
-Result<SimplexFile> read_ele(const Source& source) {
+Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
   NumberedLines numbered(source, "simplex", "simplices");
   const Result<EleHeader> header = read_header(numbered);
   if (!header) return tl::unexpected(header.error());
@@ -42,6 +50,8 @@ Result<SimplexFile> read_ele(const Source& source) {
     if (!*more) break;
     Result<Simplex> simplex = lines.integers(1, k, "a vertex");
     if (!simplex) return tl::unexpected(simplex.error());
+    const Status attributes = check_attributes(lines, 1 + k, header->attributes, reading);
+    if (!attributes) return tl::unexpected(attributes.error());
     file.simplices.push_back(std::move(*simplex));
     file.lines.push_back(lines.line());
   }

@@ -31,6 +31,7 @@ struct Row {
 std::string message_of(const Row& row) {
   MeshRequest request{kFolder + row.file};
   if (row.options == "--coordinates decimal") request.reading = NumberReading::kDecimal;
+  if (row.options == "--neighbors") request.with_neighbors = true;
   if (!row.points().empty()) request.points = kFolder + row.points();
   if (!row.domain().empty()) {
     request.with_faces = true;

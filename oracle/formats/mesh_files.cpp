@@ -57,8 +57,8 @@ Result<RawPoints> points_of_json(const Source& source, NumberReading reading) {
   return RawPoints{std::move(file->points), std::move(file->weights), source.name};
 }
 
-Result<Contents> mesh_of_ele(const Source& source, NumberReading) {
-  return simplices_alone(read_ele(source));
+Result<Contents> mesh_of_ele(const Source& source, NumberReading reading) {
+  return simplices_alone(read_ele(source, reading));
 }
 
 Result<Contents> mesh_of_qhull(const Source& source, NumberReading) {
@@ -282,7 +282,9 @@ Status read_neighbors(const std::string& mesh, RawMesh& result) {
   if (extension(mesh) != ".ele" || !exists(path)) return {};
   const Result<Source> source = load(path);
   if (!source) return tl::unexpected(source.error());
-  Result<NeighborFile> file = read_neigh(*source);
+  const SimplexFile& simplices = result.simplices;
+  Result<NeighborFile> file = read_neigh(
+      *source, ListedSimplices{simplices.simplices.size(), simplices.vertices_per_simplex, mesh});
   if (!file) return tl::unexpected(file.error());
   result.neighbors = std::move(*file);
   return {};

@@ -78,7 +78,8 @@ struct RawMesh {
 };
 
 // Reads a mesh and its points. Errors: a file that is missing or malformed; elements of second
-// order, faces that are no triangles and facets that are no simplices, none of which can be judged.
+// order, faces that are no triangles and facets that are no simplices, none of which can be judged;
+// neighbours of other simplices than these.
 Result<RawMesh> read_mesh(const MeshRequest& request);
 
 }  // namespace circumspect::formats

@@ -50,7 +50,11 @@ Status read_point(const Lines& lines, const NodeHeader& header, NumberReading re
     if (!row) return tl::unexpected(std::move(row.error()));
     file.attributes.push_back(std::move(*row));
   }
-  if (header.markers > 0) file.markers.emplace_back(lines.tokens().back());
+  if (header.markers > 0) {
+    const Result<Vertex> marker = lines.integer(lines.size() - 1, "a marker");
+    if (!marker) return tl::unexpected(marker.error());
+    file.markers.emplace_back(lines.tokens().back());
+  }
   return {};
 }
 

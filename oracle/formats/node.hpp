@@ -14,7 +14,7 @@
 namespace circumspect::formats {
 
 // Points of dimension 1 to kLargestDimension. The first index may be any integer, the others
-// follow one by one; a marker may be any token.
+// follow one by one; a marker is an integer.
 Result<PointFile> read_node(const Source& source, NumberReading reading);
 
 // The list with which .poly and .smesh begin. Without points in it, they stand in a .node file, and

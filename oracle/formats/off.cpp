@@ -106,6 +106,14 @@ Status next_of(Lines& lines, const std::string& one, std::size_t done, std::size
                     "the end of the file");
 }
 
+// What stands behind the columns that matter: colours, normals, textures. No claim is about them.
+// They have to be numbers all the same.
+Status check_others(const Lines& lines, std::size_t first, NumberReading reading) {
+  const auto numbers = lines.numbers(first, lines.size() - first, reading);
+  if (!numbers) return tl::unexpected(numbers.error());
+  return {};
+}
+
 Result<Point> read_point(const Lines& lines, const Layout& layout, NumberReading reading) {
   const bool fits =
       layout.has_more_columns ? lines.size() >= layout.dimension : lines.size() == layout.dimension;
@@ -113,10 +121,15 @@ Result<Point> read_point(const Lines& lines, const Layout& layout, NumberReading
     return lines.fail(std::to_string(layout.dimension) + " coordinates",
                       std::to_string(lines.size()));
   }
-  return lines.numbers(0, layout.dimension, reading);
+  Result<Point> point = lines.numbers(0, layout.dimension, reading);
+  if (!point) return point;
+  if (Status more = check_others(lines, layout.dimension, reading); !more) {
+    return tl::unexpected(more.error());
+  }
+  return point;
 }
 
-Result<Simplex> read_face(const Lines& lines) {
+Result<Simplex> read_face(const Lines& lines, NumberReading reading) {
   const Result<std::size_t> size = lines.count(0, "the number of vertices of a face");
   if (!size) return tl::unexpected(size.error());
   if (*size == 0) return lines.fail_at(0, "a face of at least 1 vertex");
@@ -124,7 +137,12 @@ Result<Simplex> read_face(const Lines& lines) {
     return lines.fail("a face of " + std::to_string(*size) + " vertices",
                       std::to_string(lines.size() - 1));
   }
-  return lines.integers(1, *size, "a vertex");
+  Result<Simplex> face = lines.integers(1, *size, "a vertex");
+  if (!face) return face;
+  if (Status colour = check_others(lines, 1 + *size, reading); !colour) {
+    return tl::unexpected(colour.error());
+  }
+  return face;
 }
 
 }  // namespace
@@ -150,7 +168,7 @@ Result<OffFile> read_off(const Source& source, NumberReading reading) {
   for (std::size_t i = 0; i < layout->faces; ++i) {
     const Status line = next_of(lines, "face", i, layout->faces);
     if (!line) return tl::unexpected(line.error());
-    Result<Simplex> face = read_face(lines);
+    Result<Simplex> face = read_face(lines, reading);
     if (!face) return tl::unexpected(face.error());
     file.faces.simplices.push_back(std::move(*face));
     file.faces.lines.push_back(lines.line());

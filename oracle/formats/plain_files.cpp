@@ -35,10 +35,10 @@ bool count_from(Vertex first, std::int64_t value, std::int32_t& difference) {
   return wide == difference;
 }
 
-// The columns of .ele and .neigh: indices, and what is skipped.
+// The columns of .ele and .neigh: indices, and numbers that say nothing of a mesh.
 struct IndexColumns {
   std::size_t indices = 0;
-  std::size_t skipped = 0;
+  std::size_t attributes = 0;
 };
 
 std::optional<FlatPoints> node(const RandomAccess& file, const PlainReading& reading) {
@@ -61,7 +61,8 @@ std::optional<FlatPoints> node(const RandomAccess& file, const PlainReading& rea
       double ignored = 0;
       if (!tokens.number(i == 0 ? points.weights.row(row)[0] : ignored)) return false;
     }
-    return node->markers == 0 || tokens.skip_token();
+    std::int64_t marker = 0;
+    return node->markers == 0 || tokens.integer(marker);
   };
   if (!read_plain_rows(file, *rows, reading.threads, read_row)) return std::nullopt;
   return points;
@@ -74,9 +75,9 @@ std::optional<Indices> indices(const RandomAccess& file, const PlainHeader& head
                                IndexColumns columns, const PlainReading& reading,
                                const ToFlat& to_flat) {
   if (columns.indices < 1 || columns.indices > kMostPlainColumns) return std::nullopt;
-  if (columns.skipped > kMostPlainColumns) return std::nullopt;
+  if (columns.attributes > kMostPlainColumns) return std::nullopt;
   const std::optional<PlainRows> rows =
-      plan_rows(file, header.end, header.numbers[0], 1 + columns.indices + columns.skipped,
+      plan_rows(file, header.end, header.numbers[0], 1 + columns.indices + columns.attributes,
                 reading.block_size);
   if (!rows) return std::nullopt;
   Indices result{FlatRows<std::int32_t>(header.numbers[0], columns.indices), rows->first_index};
@@ -85,8 +86,9 @@ std::optional<Indices> indices(const RandomAccess& file, const PlainHeader& head
       std::int64_t value = 0;
       if (!tokens.integer(value) || !to_flat(value, rows->first_index, index)) return false;
     }
-    for (std::size_t i = 0; i < columns.skipped; ++i) {
-      if (!tokens.skip_token()) return false;
+    for (std::size_t i = 0; i < columns.attributes; ++i) {
+      double ignored = 0;
+      if (!tokens.number(ignored)) return false;
     }
     return true;
   };

@@ -35,14 +35,6 @@ class PlainTokens {
     return true;
   }
 
-  // The next token of this line, whatever it is; false if there is none. It is not checked.
-  bool skip_token() {
-    skip_blanks();
-    if (ends_token(*at_)) return false;
-    while (!ends_token(*at_)) ++at_;
-    return true;
-  }
-
   // An integer of at most 18 digits: [-]digits.
   bool integer(std::int64_t& value) {
     skip_blanks();

@@ -136,7 +136,7 @@ TEST_CASE("node: tokens that are no numbers") {
 }
 
 TEST_CASE("ele: vertices as written, attributes counted, elements of second order whole") {
-  const auto file = read_ele(named("2 3 1\n5 10 -1 12 0.5\n6 1 2 3 x\n"));
+  const auto file = read_ele(named("2 3 1\n5 10 -1 12 0.5\n6 1 2 3 -1e3\n"));
   REQUIRE(file);
   CHECK(file->vertices_per_simplex == 3);
   CHECK(file->first_index == 5);
@@ -159,6 +159,33 @@ TEST_CASE("ele: what is refused") {
   CHECK(ele_error("2 3\n0 1 2 3\n") == "f:2: expected simplex 2 of 2, found the end of the file");
   CHECK(ele_error("2 3\n0 1 2 3\n5 1 2 3\n") ==
         "f:3: expected index 1, one more than the line before, found \"5\"");
+}
+
+TEST_CASE("columns that no claim is about are numbers all the same, and markers integers") {
+  const std::string marker = "f:2: expected a marker, an integer, found ";
+  CHECK(node_error("1 1 0 1\n0 1 x\n") == marker + "\"x\"");
+  CHECK(node_error("1 1 0 1\n0 1 1.0\n") == marker + "\"1.0\"");
+  CHECK(node_error("1 1 1 1\n0 1 x 1\n") == "f:2: expected a finite number, found \"x\"");
+  CHECK(ele_error("1 1 1\n0 1 x\n") == "f:2: expected a finite number, found \"x\"");
+  CHECK(ele_error("1 1 2\n0 1 1/3 nan\n") == "f:2: expected a finite number, found \"nan\"");
+  CHECK(read_ele(named("1 1 1\n0 1 1/3\n")));
+  CHECK(off_error("OFF\n1 1 0\n0 0 0\n1 0 red\n") ==
+        "f:4: expected a finite number, found \"red\"");
+  CHECK(off_error("COFF\n1 0 0\n0 0 0 red\n") == "f:3: expected a finite number, found \"red\"");
+  CHECK(read_off(named("STCNOFF\n1 1 0\n0 0 0 1 .5 0 1 0.25 0.75\n1 0 0.9 0.9 0.9 1\n"), kDouble));
+}
+
+TEST_CASE("neigh: of as many simplices as there are, with as many of each as these have vertices") {
+  const auto error = [](const std::string& text) {
+    return complaint(read_neigh(named(text), ListedSimplices{2, 3, "x.ele"}));
+  };
+  CHECK(error("2 3\n1 -1 2 -1\n2 -1 -1 1\n").empty());
+  CHECK(error("# one less\n1 3\n1 -1 2 -1\n") ==
+        "f:2: expected 2 simplices, as x.ele has them, found \"1\"");
+  CHECK(error("3 3\n") == "f:1: expected 2 simplices, as x.ele has them, found \"3\"");
+  CHECK(error("2 4\n1 -1 2 -1 0\n") ==
+        "f:1: expected 3 neighbours of each, as many as a simplex of x.ele has vertices, found "
+        "\"4\"");
 }
 
 TEST_CASE("neigh: neighbours as written") {
