@@ -37,7 +37,9 @@ void write_durably(const std::string& path, const std::string& text) {
   done = done && fsync(file) == 0;
   if (file >= 0) close(file);
   if (!done || rename(unfinished.c_str(), path.c_str()) != 0) {
-    throw std::system_error(errno, std::generic_category(), path);
+    const int reason = errno;
+    unlink(unfinished.c_str());
+    throw std::system_error(reason, std::generic_category(), path);
   }
 }
 

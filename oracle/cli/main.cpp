@@ -8,6 +8,7 @@
 #include "oracle/cli/exit_code.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/unknown_words.hpp"
+#include "oracle/cli/unfinished_file.hpp"
 #include "reference/exact/write_number.hpp"
 #include "reference/existence/solver.hpp"
 
@@ -70,6 +71,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  circumspect::cli::let_writing_fail_at_file_limits();
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/one_of.hpp"
+#include "oracle/cli/unfinished_file.hpp"
 
 namespace circumspect::cli {
 
@@ -64,14 +65,9 @@ std::string write_file(const std::string& path, const std::function<void(std::os
     stream.close();
     return stream ? "" : failure;
   }
-  const std::string unfinished = path + ".unfinished";
-  std::ofstream stream(unfinished, std::ios::binary);
-  if (stream) write(stream);
-  stream.close();
-  if (stream) std::filesystem::rename(unfinished, path, error);
-  if (stream && !error) return "";
-  std::filesystem::remove(unfinished, error);
-  return failure;
+  UnfinishedFile file(path);
+  if (file.stream()) write(file.stream());
+  return file.finish() ? "" : failure;
 }
 
 }  // namespace circumspect::cli

@@ -50,8 +50,7 @@ class Output {
   ExitCode code_ = ExitCode::kHolds;
 };
 
-// Writes a file under a temporary name beside it and renames it at the end, so that an interrupt
-// leaves nothing half-written; "-" is stdout. Returns an error message, or an empty string.
+// Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message, or an empty string.
 std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace circumspect::cli
