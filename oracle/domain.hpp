@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/listed_index.hpp"
 #include "reference/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect {
@@ -18,7 +19,7 @@ struct Domain {
 
   // The user's own index of a vertex.
   Vertex label(Vertex v) const {
-    return labels.empty() ? v + first_index : labels[static_cast<std::size_t>(v)];
+    return labels.empty() ? index_of_place(v, first_index) : labels[static_cast<std::size_t>(v)];
   }
   std::string polygon_name(std::size_t polygon) const {
     return polygon_names.empty() ? std::to_string(polygon + 1) : polygon_names[polygon];

@@ -26,7 +26,9 @@ struct NearestVertex {
 // Simplices and vertices are named by indices from 0 (see Mesh::label for the user's own). Which
 // fields are set depends on the rule; report/ puts them into words.
 struct Witness {
-  std::vector<Simplex> simplices = {};  // as the user listed them
+  std::vector<Simplex> simplices = {};  // with their vertices as the user listed them
+  // Where these stand among the simplices of the mesh, if other simplices may have the same vertices.
+  std::vector<std::size_t> places = {};
   std::optional<Simplex> face = {};     // the facet or ridge in question
   std::vector<Vertex> vertices = {};    // the vertices that decide
   std::vector<NamedValue> values = {};  // the exact values that decide

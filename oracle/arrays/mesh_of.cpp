@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
+#include <utility>
+
+#include "oracle/merged_points.hpp"
 
 namespace circumspect::arrays {
 namespace {
@@ -38,38 +40,16 @@ Point exact_point(const PointArray& points, std::size_t i) {
 
 Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted) {
   require_sound(points);
-  const bool has_weights = weighted && !points.weights.empty();
-  std::map<Point, std::size_t> places;
-  std::vector<Vertex> place_of;
-  std::vector<Point> distinct;
+  std::vector<Point> listed;
   std::vector<Rational> weights;
-  std::vector<Vertex> labels;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Point point = exact_point(points, i);
-    const Rational weight = has_weights ? exact_value(points.weights[i]) : Rational(0);
-    const auto [found, is_new] = places.emplace(point, distinct.size());
-    place_of.push_back(static_cast<Vertex>(found->second));
-    if (is_new) {
-      distinct.push_back(std::move(point));
-      labels.push_back(static_cast<Vertex>(i));
-      if (has_weights) weights.push_back(weight);
-    } else if (has_weights && weights[found->second] < weight) {
-      weights[found->second] = weight;
-      labels[found->second] = static_cast<Vertex>(i);
-    }
+    listed.push_back(exact_point(points, i));
+    if (weighted && !points.weights.empty()) weights.push_back(exact_value(points.weights[i]));
   }
-  Mesh mesh{PointSet(std::move(distinct), std::move(weights)), {}, std::move(labels), 0, {}, {}};
-  for (const std::vector<std::int64_t>& row : simplices) {
-    Simplex simplex;
-    for (const std::int64_t v : row) {
-      const bool names_a_point = v >= 0 && v < static_cast<std::int64_t>(place_of.size());
-      // What names no point must not come to name one when equal points are merged.
-      simplex.push_back(names_a_point ? place_of[static_cast<std::size_t>(v)]
-                                      : static_cast<Vertex>(v));
-    }
-    mesh.simplices.push_back(std::move(simplex));
-  }
-  return mesh;
+  std::vector<Simplex> rows;
+  for (const std::vector<std::int64_t>& row : simplices) rows.emplace_back(row.begin(), row.end());
+  const std::vector<Duplicate> repeated = duplicates(listed);
+  return mesh_of_merged(std::move(listed), std::move(weights), repeated, 0, std::move(rows));
 }
 
 }  // namespace circumspect::arrays

@@ -5,6 +5,7 @@
 
 #include "oracle/check/domain/judge_domain.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/merged_points.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/piecewise_linear/regions.hpp"
 #include "reference/piecewise_linear/validity.hpp"
@@ -15,47 +16,11 @@ namespace {
 // How many witnesses a finding carries.
 constexpr std::size_t kWitnesses = 3;
 
-// Points as a set, and where each of the listed ones is in it.
-struct Distinct {
-  std::vector<Point> points = {};
-  std::vector<Rational> weights = {};
-  std::vector<Vertex> labels = {};
-  std::vector<Vertex> place_of = {};
-};
-
-// Of equal points the heaviest counts, for the others are submerged below it.
-Distinct distinct(const PointsCase& set, Vertex first_index) {
-  Distinct result;
-  std::map<Point, Vertex> places;
-  for (std::size_t v = 0; v < set.points.size(); ++v) {
-    const auto next = static_cast<Vertex>(result.points.size());
-    const auto [place, is_new] = places.try_emplace(set.points[v], next);
-    result.place_of.push_back(place->second);
-    if (is_new) {
-      result.points.push_back(set.points[v]);
-      result.labels.push_back(static_cast<Vertex>(v) + first_index);
-      if (!set.weights.empty()) result.weights.push_back(set.weights[v]);
-    } else if (!set.weights.empty()) {
-      Rational& weight = result.weights[static_cast<std::size_t>(place->second)];
-      weight = std::max(weight, set.weights[v]);
-    }
-  }
-  return result;
-}
-
-// The mesh of these points, simplices counted from 0.
+// The mesh of these points, equal ones as one; simplices counted from 0.
 Mesh mesh_of(const PointsCase& set, Vertex first_index, std::vector<Simplex> simplices,
              bool weighted) {
-  Distinct own = distinct(set, first_index);
-  const auto named = static_cast<Vertex>(set.points.size());
-  for (Simplex& simplex : simplices) {
-    for (Vertex& v : simplex) {
-      if (v >= 0 && v < named) v = own.place_of[static_cast<std::size_t>(v)];
-    }
-  }
-  if (!weighted) own.weights.clear();
-  return {PointSet(std::move(own.points), std::move(own.weights)), std::move(simplices),
-          std::move(own.labels), first_index};
+  return mesh_of_merged(set.points, weighted ? set.weights : std::vector<Rational>(),
+                        duplicates(set.points), first_index, std::move(simplices));
 }
 
 Outcome unreadable(const std::string& message) {
@@ -95,11 +60,9 @@ check::Options options() { return {check::By::kLemma, false, kWitnesses}; }
 PointsCase with_weights_of(const PointsCase& set, std::vector<Point> points) {
   PointsCase own{std::move(points), {}};
   if (set.weights.empty()) return own;
-  const Distinct given = distinct(set, 0);
+  const PointSet given = mesh_of(set, 0, {}, true).points;
   std::map<Point, Rational> weight_of;
-  for (std::size_t v = 0; v < given.points.size(); ++v) {
-    weight_of[given.points[v]] = given.weights[v];
-  }
+  for (Vertex v = 0; given.names(v); ++v) weight_of[given[v]] = given.weight(v);
   for (const Point& point : own.points) own.weights.push_back(weight_of[point]);
   return own;
 }
@@ -200,7 +163,7 @@ Outcome judged(const Subject& subject, const Input& input, const std::string& pa
 bool is_flat(const Subject& subject, const Input& input) {
   const auto* const set = std::get_if<PointsCase>(&input);
   if (set == nullptr) return false;
-  return PointSet(distinct(*set, 0).points).dimension() < static_cast<int>(subject.dimension);
+  return mesh_of(*set, 0, {}, false).points.dimension() < static_cast<int>(subject.dimension);
 }
 
 std::string reason_to_skip(const Subject& subject, const Input& input) {

@@ -15,32 +15,36 @@ Vertex repeated_vertex(const Simplex& simplex) {
 }
 
 // The first rule that one simplex breaks by itself, or none. Sets its orientation.
-bool judge_simplex(const Mesh& mesh, const Simplex& simplex, int& orientation_of_it,
-                   Verdict& verdict) {
+bool judge_simplex(const Mesh& mesh, std::size_t place, int& orientation_of_it, Verdict& verdict) {
   const PointSet& points = mesh.points;
+  const Simplex& simplex = mesh.simplices[place];
   const auto unknown =
       std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !points.names(v); });
   if (unknown != simplex.end()) {
-    verdict.add(Rule::kUnknownVertex, {.simplices = {simplex}, .vertices = {*unknown}});
+    verdict.add(Rule::kUnknownVertex,
+                {.simplices = {simplex}, .places = {place}, .vertices = {*unknown}});
     return false;
   }
   // Nothing is a simplex of the empty set, not even one without vertices.
   if (simplex.empty() || static_cast<int>(simplex.size()) != points.dimension() + 1) {
     verdict.add(Rule::kWrongDimension,
                 {.simplices = {simplex},
+                 .places = {place},
                  .values = {{"vertices", Rational(static_cast<long>(simplex.size()))},
                             {"vertices expected", Rational(points.dimension() + 1)}}});
     return false;
   }
   if (has_repeated_vertex(simplex)) {
-    verdict.add(Rule::kRepeatedVertex,
-                {.simplices = {simplex}, .vertices = {repeated_vertex(simplex)}});
+    verdict.add(
+        Rule::kRepeatedVertex,
+        {.simplices = {simplex}, .places = {place}, .vertices = {repeated_vertex(simplex)}});
     return false;
   }
   orientation_of_it = orientation(points.configuration(), simplex);
   if (orientation_of_it == 0) {
-    verdict.add(Rule::kDegenerateSimplex,
-                {.simplices = {simplex}, .values = {{"orientation determinant", Rational(0)}}});
+    verdict.add(Rule::kDegenerateSimplex, {.simplices = {simplex},
+                                           .places = {place},
+                                           .values = {{"orientation determinant", Rational(0)}}});
     return false;
   }
   return true;
@@ -59,7 +63,8 @@ bool judge_duplicates(const Mesh& mesh, Verdict& verdict) {
     if (ascending[order[i]] != ascending[order[i - 1]]) continue;
     distinct = false;
     verdict.add(Rule::kDuplicateSimplex,
-                {.simplices = {mesh.simplices[order[i - 1]], mesh.simplices[order[i]]}});
+                {.simplices = {mesh.simplices[order[i - 1]], mesh.simplices[order[i]]},
+                 .places = {order[i - 1], order[i]}});
   }
   return distinct;
 }
@@ -79,7 +84,7 @@ bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict) {
   bool sound = true;
   std::vector<int> orientations(mesh.simplices.size(), 0);
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
-    sound &= judge_simplex(mesh, mesh.simplices[s], orientations[s], verdict);
+    sound &= judge_simplex(mesh, s, orientations[s], verdict);
   }
   sound &= judge_duplicates(mesh, verdict);
   if (sound && oriented) judge_orientations(mesh, orientations, verdict);

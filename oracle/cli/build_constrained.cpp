@@ -125,6 +125,11 @@ void build(const ConstrainedOptions& options, Output& output) {
     say_no_mesh(options, mesh.error(), output);
     return;
   }
+  if (const std::string fault = numbering_fault(*mesh, domain.first_index); !fault.empty()) {
+    output.error(ExitCode::kInputFault, "domain", options.input_file,
+                 options.input_file + ": " + fault);
+    return;
+  }
   if (!options.output_file.empty()) {
     const std::string failure = write(options, loaded->file.points_name, *mesh, domain.first_index);
     if (!failure.empty()) {

@@ -250,12 +250,12 @@ TEST_CASE("check: a duplicate point is the input's fault unless it is to be merg
   const Run merged = run({"check", "--duplicates", "merge", mesh});
   CHECK(merged.exit_code == 0);
   CHECK(has(merged.out, " 4 points 2 triangles "));
-  // After the merge everything is still called by the user's own indices.
+  // After the merge everything is still called by the user's own indices, as it is listed.
   folder.write("e.node", contents(folder.path("d.node")));
   const std::string partial = folder.write("e.ele", "2 3 0\n1 1 2 4\n2 3 1 5\n");
   const Run labels = run({"check", "--duplicates", "merge", partial});
   CHECK(labels.exit_code == 1);
-  CHECK(has(labels.out, "simplex.repeated-vertex 1 simplex 1 1 5 vertex 1"));
+  CHECK(has(labels.out, "simplex.repeated-vertex 1 simplex 3 1 5 vertex 1"));
   const std::string unused = folder.write("f.ele", "1 3 0\n1 3 2 4\n");
   folder.write("f.node", contents(folder.path("d.node")));
   CHECK(has(run({"check", "--duplicates", "merge", unused}).out,

@@ -19,7 +19,7 @@ namespace {
 formats::SimplexFile numbered(const std::vector<Simplex>& simplices, std::size_t size,
                               Vertex first_index) {
   formats::SimplexFile file;
-  file.first_index = first_index;
+  file.first_index = first_index >= 0 && has_room(first_index, simplices.size()) ? first_index : 0;
   file.vertices_per_simplex = size;
   for (Simplex simplex : simplices) {
     for (Vertex& v : simplex) v += first_index;
@@ -92,6 +92,15 @@ bool is_stream(const std::string& path) {
 }
 
 }  // namespace
+
+std::string numbering_fault(const DomainMesh& mesh, Vertex first_index) {
+  if (has_room(first_index, mesh.points.size())) return "";
+  return fmt::format(
+      "expected indices of vertices that leave room for {} points in 64 bits, found the first "
+      "index {}; "
+      "count from 0 or 1",
+      mesh.points.size(), first_index);
+}
 
 std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh) {
   if (!is_stream(path)) return "";

@@ -1,42 +1,15 @@
 #include "oracle/cli/input.hpp"
 
-#include <algorithm>
 #include <map>
-#include <numeric>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "oracle/cli/one_of.hpp"
+#include "oracle/merged_points.hpp"
 
 namespace circumspect::cli {
 namespace {
-
-// Points without duplicates, and where each of the original ones went.
-struct DistinctPoints {
-  std::vector<Point> points;
-  std::vector<Vertex> labels;
-  std::vector<Vertex> place_of;
-};
-
-DistinctPoints merge(const std::vector<Point>& points, const std::vector<Duplicate>& repeated,
-                     Vertex first_index) {
-  DistinctPoints distinct;
-  distinct.place_of.assign(points.size(), -1);
-  std::map<Vertex, Vertex> kept_for;
-  for (const Duplicate& duplicate : repeated) kept_for[duplicate.again] = duplicate.kept;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const auto kept = kept_for.find(static_cast<Vertex>(v));
-    if (kept != kept_for.end()) {
-      distinct.place_of[v] = distinct.place_of[static_cast<std::size_t>(kept->second)];
-      continue;
-    }
-    distinct.place_of[v] = static_cast<Vertex>(distinct.points.size());
-    distinct.points.push_back(points[v]);
-    distinct.labels.push_back(static_cast<Vertex>(v) + first_index);
-  }
-  return distinct;
-}
 
 std::string duplicates_message(const std::string& name, const std::vector<Duplicate>& repeated,
                                Vertex first_index) {
@@ -63,20 +36,6 @@ tl::expected<std::vector<Rational>, std::string> weights_of(const std::string& n
       name));
 }
 
-// Of equal points the heaviest counts.
-std::vector<Rational> merged_weights(const std::vector<Rational>& weights,
-                                     const DistinctPoints& distinct) {
-  if (weights.empty()) return {};
-  std::vector<std::optional<Rational>> largest(distinct.points.size());
-  for (std::size_t v = 0; v < weights.size(); ++v) {
-    std::optional<Rational>& here = largest[static_cast<std::size_t>(distinct.place_of[v])];
-    if (!here || *here < weights[v]) here = weights[v];
-  }
-  std::vector<Rational> merged;
-  for (const std::optional<Rational>& weight : largest) merged.push_back(*weight);
-  return merged;
-}
-
 struct RawInput {
   std::string points_name;
   formats::PointFile points;
@@ -101,33 +60,11 @@ tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& optio
   std::vector<Point>& points = raw.points.points;
   const Vertex first_index = raw.points.first_index;
   const std::vector<Duplicate> repeated = duplicates(points);
-  if (repeated.empty()) {
-    return Mesh{PointSet(std::move(points), std::move(weights)),
-                std::move(raw.simplices),
-                {},
-                first_index,
-                {},
-                std::move(raw.faces)};
-  }
-  if (options.duplicates == Duplicates::kReject) {
+  if (!repeated.empty() && options.duplicates == Duplicates::kReject) {
     return tl::unexpected(duplicates_message(raw.points_name, repeated, first_index));
   }
-  DistinctPoints distinct = merge(points, repeated, first_index);
-  const auto named = static_cast<Vertex>(points.size());
-  for (std::vector<Simplex>* const simplices : {&raw.simplices, &raw.faces}) {
-    for (Simplex& simplex : *simplices) {
-      for (Vertex& v : simplex) {
-        if (v >= 0 && v < named) v = distinct.place_of[static_cast<std::size_t>(v)];
-      }
-    }
-  }
-  std::vector<Rational> merged = merged_weights(weights, distinct);
-  return Mesh{PointSet(std::move(distinct.points), std::move(merged)),
-              std::move(raw.simplices),
-              std::move(distinct.labels),
-              first_index,
-              {},
-              std::move(raw.faces)};
+  return mesh_of_merged(std::move(points), std::move(weights), repeated, first_index,
+                        std::move(raw.simplices), std::move(raw.faces));
 }
 
 // Gives the mesh the neighbours that were read, counted from 0. Returns what is wrong with them, or
@@ -157,7 +94,8 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
                                                       {"merge", Duplicates::kMerge}};
   command
       .add_option("--duplicates", options.duplicates,
-                  "Equal points: 'reject' the input (default) or 'merge' them")
+                  "Equal points: 'reject' the input (default) or 'merge' them; what is left is the "
+                  "first of them, or where weights count the heaviest")
       ->transform(one_of(policies))
       ->option_text("reject|merge");
 }

@@ -48,9 +48,9 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
 tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::RawMesh raw,
                                               const InputOptions& options);
 
-// Errors besides those of the formats: duplicates, unless they are merged (weighted: into the one with
-// the largest weight, since all others are submerged below it); weights asked for and not there;
-// neighbours asked for and not there, or of another mesh.
+// Errors besides those of the formats: duplicates, unless they are merged (oracle/merged_points.hpp says
+// how); weights asked for and not there;
+// neighbours asked for and not there.
 
 // The points alone, as a mesh without simplices. If `merged` is given, it receives the duplicates
 // that were merged, by places in the file counted from 0.

@@ -16,6 +16,12 @@ std::size_t vertices_of_each(const Triangulation& triangulation) {
   return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
 }
 
+// Simplices are numbered as the points are, but never −1, which means none, nor beyond 64 bits.
+Vertex first_index_of_simplices(const Mesh& mesh, const Triangulation& triangulation) {
+  const std::size_t count = triangulation.simplices().size();
+  return mesh.first_index >= 0 && has_room(mesh.first_index, count) ? mesh.first_index : 0;
+}
+
 bool is_there_and_no_file(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status there = std::filesystem::status(path, error);
@@ -39,7 +45,7 @@ std::string output_name_fault(const std::string& path,
 
 formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
   formats::SimplexFile file;
-  file.first_index = mesh.first_index;
+  file.first_index = first_index_of_simplices(mesh, triangulation);
   file.vertices_per_simplex = vertices_of_each(triangulation);
   for (const Simplex& simplex : triangulation.simplices()) {
     Simplex own = positively_oriented(mesh.points, simplex);
@@ -55,14 +61,14 @@ formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& trian
     simplices.push_back(positively_oriented(mesh.points, simplex));
   }
   formats::NeighborFile file;
-  file.first_index = mesh.first_index;
+  file.first_index = first_index_of_simplices(mesh, triangulation);
   file.neighbors_per_simplex = vertices_of_each(triangulation);
   for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
   for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
     if (group.size() != 2) return;
     const auto link = [&](const FacetUse& from, const FacetUse& to) {
       file.neighbors[from.simplex][from.opposite] =
-          static_cast<Vertex>(to.simplex) + mesh.first_index;
+          static_cast<Vertex>(to.simplex) + file.first_index;
     };
     link(group[0], group[1]);
     link(group[1], group[0]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/formats/lines.hpp"
+#include "oracle/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -218,6 +219,12 @@ Status JsonEvents::check_whole() const {
         kDimension,
         "the dimension " + std::to_string(points.points.front().size()) + ", which the points have",
         std::to_string(points.dimension));
+  }
+  if (!has_room(points.first_index, points.points.size())) {
+    return fail_at(kFirstIndex,
+                   "an index of the first point that leaves room for " +
+                       std::to_string(points.points.size()) + " points in 64 bits",
+                   std::to_string(points.first_index));
   }
   if (line_of_[kWeights] > 0 && file_.weights.size() != points.points.size()) {
     return fail_at(kWeights,

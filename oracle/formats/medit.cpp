@@ -5,6 +5,7 @@
 
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/rows.hpp"
+#include "oracle/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -237,7 +238,7 @@ void write_medit(std::ostream& out, const MeditFile& file) {
     if (cells.simplices.empty()) return;
     out << keyword << " " + std::to_string(cells.simplices.size()) + "\n";
     for (Simplex cell : cells.simplices) {
-      for (Vertex& v : cell) v += 1 - file.points.first_index;
+      for (Vertex& v : cell) v = index_of_place(place_of_index(v, file.points.first_index), 1);
       out << joined(cell) + " 0\n";
     }
   };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <limits>
 #include <string_view>
 
 #include "oracle/formats/ele.hpp"
@@ -16,6 +15,7 @@
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/qhull.hpp"
+#include "oracle/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -254,12 +254,6 @@ Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
       FormatError{path, 0, "a file with the simplices of " + request.mesh, "no file of that name"});
 }
 
-Vertex difference_or_nearest(Vertex a, Vertex b) {
-  Vertex difference = 0;
-  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
-  return a < 0 ? std::numeric_limits<Vertex>::min() : std::numeric_limits<Vertex>::max();
-}
-
 // What has more vertices than any simplex of this dimension is none, and not meant as one. Fewer
 // vertices, or differing numbers of them, are the mesh's own fault and left to the checkers.
 Status check_sizes(const RawMesh& mesh) {
@@ -307,7 +301,7 @@ Status read_faces(const std::string& mesh, std::vector<Simplex>& faces) {
 
 void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
   for (Simplex& simplex : simplices) {
-    for (Vertex& v : simplex) v = difference_or_nearest(v, first_index);
+    for (Vertex& v : simplex) v = place_of_index(v, first_index);
   }
 }
 

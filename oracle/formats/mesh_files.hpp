@@ -62,8 +62,8 @@ std::string_view format_of_mesh(const std::string& path, const Source* text, boo
 struct RawMesh {
   PointFile points;
   std::vector<Rational> weights = {};
-  // Vertices are counted from 0, by taking the index of the first point from each; one that names
-  // no point still names none. No simplex has more vertices than the points have coordinates, plus
+  // Vertices are counted from 0, by taking the index of the first point from each (listed_index.hpp);
+  // one that names no point still names none. No simplex has more vertices than the points have coordinates, plus
   // one.
   SimplexFile simplices = {};
   Vertex first_index = 0;  // the user's index of the first point

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/formats/scratch_folder_test.hpp"
+#include "oracle/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -97,9 +98,12 @@ TEST_CASE("an index that names no point still names none") {
   const auto mesh =
       mesh_of(folder.write("x.ele", "3 1\n0 -9223372036854775808\n1 9223372036854775807\n2 4\n"));
   REQUIRE(mesh);
-  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{std::numeric_limits<Vertex>::min()},
+  // The smallest goes round, and comes back from there.
+  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{std::numeric_limits<Vertex>::max() - 4},
                                                           {std::numeric_limits<Vertex>::max() - 5},
                                                           {-1}});
+  CHECK(index_of_place(mesh->simplices.simplices[0][0], mesh->first_index) ==
+        std::numeric_limits<Vertex>::min());
 }
 
 TEST_CASE("json, off and qhull") {

@@ -60,18 +60,21 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   const Witness& witness = broken.witness;
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
-  Json simplices = Json::array();
-  for (const Simplex& simplex : witness.simplices) simplices.push_back(labels_of(mesh, simplex));
-  object["simplices"] = simplices;
-  if (witness.face) object["face"] = labels_of(mesh, *witness.face);
+  const NamedCells named = named_cells(witness, mesh);
+  object["simplices"] = named.simplices;
+  if (named.face) object["face"] = *named.face;
   object["vertices"] = labels_of(mesh, witness.vertices);
   if (witness.point) object["point"] = point(*witness.point);
   if (witness.ball) object["ball"] = ball(*witness.ball);
   Json values = Json::object();
-  for (const NamedValue& named : witness.values) values[named.name] = value(named.value);
+  for (const NamedValue& exact : witness.values) values[exact.name] = value(exact.value);
   object["values"] = values;
   if (witness.nearest) object["nearest"] = nearest(*witness.nearest, mesh);
   object["coordinates"] = coordinates_of(witness, mesh);
+  for (const auto& [own, left] : named.merged) {
+    object["merged"][std::to_string(own)] = left;
+    object["coordinates"][std::to_string(own)] = object["coordinates"][std::to_string(left)];
+  }
   if (domain != nullptr && (witness.domain_cell || witness.polygon)) {
     object["domain"] = cell_of(witness, *domain);
   }

@@ -53,12 +53,16 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   const Witness& witness = violation.witness;
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "{}: {}\n", identifier(violation.rule), meaning(violation.rule));
-  for (const Simplex& simplex : witness.simplices) {
-    fmt::format_to(to, "  simplex  {}\n", labels(mesh, simplex));
+  const NamedCells named = named_cells(witness, mesh);
+  for (const Simplex& simplex : named.simplices) {
+    fmt::format_to(to, "  simplex  {}\n", joined(simplex));
   }
-  if (witness.face) {
+  if (named.face) {
     fmt::format_to(to, "  face     {}\n",
-                   witness.face->empty() ? "(the empty one)" : labels(mesh, *witness.face));
+                   named.face->empty() ? "(the empty one)" : joined(*named.face));
+  }
+  for (const auto& [own, left] : named.merged) {
+    fmt::format_to(to, "  equal    points {} and {}\n", own, left);
   }
   for (const Vertex v : witness.vertices) {
     fmt::format_to(to, "  vertex   {}{}\n", mesh.label(v),
@@ -92,10 +96,11 @@ std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain
     if (violation.rule != rule) continue;
     const Witness& witness = violation.witness;
     std::string text;
-    if (witness.face) {
-      text += " face " + labels(mesh, *witness.face);
-    } else if (!witness.simplices.empty()) {
-      text += " simplex " + labels(mesh, witness.simplices.front());
+    const NamedCells named = named_cells(witness, mesh);
+    if (named.face) {
+      text += " face " + joined(*named.face);
+    } else if (!named.simplices.empty()) {
+      text += " simplex " + joined(named.simplices.front());
     }
     if (!witness.vertices.empty()) text += " vertex " + labels(mesh, witness.vertices);
     return text + cell_text(witness, domain);

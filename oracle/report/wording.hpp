@@ -1,7 +1,10 @@
 // The words that texts and JSON share.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "oracle/check/check.hpp"
 #include "oracle/mesh.hpp"
@@ -14,6 +17,18 @@ std::string simplices_noun(int dimension);
 
 // The vertices by the user's own indices: "3 7 9".
 std::string labels(const Mesh& mesh, const Simplex& simplex);
+
+// What a witness names, by the user's own indices.
+struct NamedCells {
+  std::vector<Simplex> simplices = {};  // as they are listed
+  std::optional<Simplex> face = {};     // as the first of these that has it lists it
+  // Indices that stand above for points which were merged into equal ones, and the indices of those.
+  std::map<Vertex, Vertex> merged = {};
+};
+NamedCells named_cells(const Witness& witness, const Mesh& mesh);
+
+// Indices with blanks between them.
+std::string joined(const Simplex& indices);
 
 std::string name(check::By by);
 
