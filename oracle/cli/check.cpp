@@ -189,8 +189,8 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "  circumspect check points.1.ele          # exit 0: Delaunay; 1: not, with a witness\n"
       "  tetgen -pq part.poly                    # part.1.node, part.1.ele, part.1.face\n"
       "  circumspect check part.1.ele --domain part.poly\n\n"
-      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault,\n"
-      "5 internal error.");
+      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also if it\n"
+      "has neither points nor simplices), 5 internal error.");
   command
       ->add_option("mesh", options->meshes,
                    "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i, "
@@ -234,6 +234,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_allow_empty_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

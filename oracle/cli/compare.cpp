@@ -152,6 +152,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
       ->option_text("N");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_allow_empty_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     Output output(options->output);

@@ -100,6 +100,13 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
       ->option_text("reject|merge");
 }
 
+void add_allow_empty_option(CLI::App& command, InputOptions& options) {
+  command.add_flag(
+      "--allow-empty", options.allow_empty,
+      "Take a file without points and simplices for a mesh of no points; otherwise it is "
+      "the input's fault, exit code 3");
+}
+
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options,
                                                 std::optional<std::size_t> domain_dimension) {
@@ -117,6 +124,12 @@ tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::
                         std::move(raw.simplices.simplices), std::move(faces)},
                        options);
   if (!mesh) return tl::unexpected(mesh.error());
+  if (mesh->points.empty() && mesh->simplices.empty() && !options.allow_empty) {
+    return tl::unexpected(fmt::format(
+        "{}: expected a mesh, found neither points nor simplices, as where a program wrote nothing "
+        "(check and compare accept that with --allow-empty)",
+        path));
+  }
   if (options.neighbors) {
     const std::string fault = attach_neighbors(*mesh, path, std::move(raw.neighbors));
     if (!fault.empty()) return tl::unexpected(fault);

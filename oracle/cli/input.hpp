@@ -26,11 +26,13 @@ struct InputOptions {
   std::optional<std::string> points = {};  // --points FILE
   bool neighbors = false;                  // --neighbors
   bool faces = false;                      // read .face and .edge too, and their like
+  bool allow_empty = false;                // --allow-empty
   bool weighted = false;                   // the claim or the construction is about weights
 };
 
 void add_coordinates_option(CLI::App& command, InputOptions& options);
 void add_duplicates_option(CLI::App& command, InputOptions& options);
+void add_allow_empty_option(CLI::App& command, InputOptions& options);
 
 // A mesh that can be judged, or one line that says what is wrong with the input.
 struct LoadedMesh {
@@ -49,7 +51,7 @@ tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::
                                               const InputOptions& options);
 
 // Errors besides those of the formats: duplicates, unless they are merged (oracle/merged_points.hpp says
-// how); weights asked for and not there;
+// how); a mesh without points and simplices, unless that is allowed; weights asked for and not there;
 // neighbours asked for and not there.
 
 // The points alone, as a mesh without simplices. If `merged` is given, it receives the duplicates

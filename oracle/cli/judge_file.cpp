@@ -37,7 +37,9 @@ tl::expected<FileVerdict, std::string> judge_file(const std::string& path, Claim
     return judge_loaded(std::move(*loaded), claim, options);
   }
   request.loaded.clear();
-  if (!options.whole_mesh) {
+  const bool is_empty =
+      flat->points.coordinates.rows() == 0;  // whether that will do is asked below
+  if (!options.whole_mesh && !is_empty) {
     auto judged = check::judge_flat(claim, *flat, options.check, options.threads);
     if (judged) return FileVerdict{std::move(judged->verdict), std::move(judged->named)};
   }
