@@ -105,13 +105,16 @@ void find_incidences(Certificate& certificate) {
       if (!found[v]) found[v] = Incidence{static_cast<std::uint32_t>(s), place};
     }
   }
-  std::uint32_t near = 0;
+  std::vector<std::size_t> others;
   for (std::size_t v = 0; v < found.size(); ++v) {
-    if (!found[v]) {
-      near = simplex_that_contains(certificate, static_cast<Vertex>(v), near);
-      found[v] = Incidence{near, std::nullopt};
-    }
-    certificate.incidences.push_back(*found[v]);
+    if (!found[v]) others.push_back(v);
+  }
+  const std::vector<std::uint32_t> simplices = simplices_that_contain(certificate, others);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    found[others[i]] = Incidence{simplices[i], std::nullopt};
+  }
+  for (const std::optional<Incidence>& incidence : found) {
+    certificate.incidences.push_back(*incidence);
   }
 }
 

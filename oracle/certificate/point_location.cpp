@@ -3,36 +3,51 @@
 #include <cassert>
 
 #include "oracle/certificate/sidedness.hpp"
+#include "reference/exact/point_search.hpp"
 
 namespace circumspect::certificate {
 namespace {
 
-std::span<const Vertex> vertices_of(const Certificate& certificate, std::size_t simplex) {
-  const std::size_t size = certificate.points.dimension + 1;
-  return std::span<const Vertex>(certificate.simplices[simplex].vertices).first(size);
-}
+// A certificate as the search for points wants it.
+class Located {
+ public:
+  explicit Located(const Certificate& certificate)
+      : certificate_(certificate), sidedness_(certificate.points) {}
+
+  std::size_t size() const { return certificate_.simplices.size(); }
+  std::size_t row_size() const { return certificate_.points.dimension + 1; }
+  std::size_t points() const { return certificate_.points.size(); }
+  std::size_t vertex(std::size_t s, std::size_t place) const {
+    return static_cast<std::size_t>(certificate_.simplices[s].vertices[place]);
+  }
+  // Simplices of a certificate are positively oriented.
+  int side(std::size_t s, std::size_t place, std::size_t point) const {
+    std::array<Vertex, 4> moved = certificate_.simplices[s].vertices;
+    moved[place] = static_cast<Vertex>(point);
+    return sidedness_.orientation(std::span<const Vertex>(moved).first(row_size()));
+  }
+  std::size_t across(std::size_t s, std::size_t place) const {
+    const Across& beyond = certificate_.simplices[s].across[place];
+    return beyond.place == Across::kHull ? kNoSimplex : beyond.cell;
+  }
+
+ private:
+  const Certificate& certificate_;
+  mutable Sidedness sidedness_;  // keeps the memory of its numbers
+};
 
 }  // namespace
 
-std::uint32_t simplex_that_contains(const Certificate& certificate, Vertex point,
-                                    std::uint32_t start) {
-  Sidedness sidedness(certificate.points);
-  const HomogeneousPoint q = barycentre(certificate.points, {point});
-  // Where the claim is about balls, the walk ends in the simplex that contains the point; in other
-  // triangulations it could go round in circles.
-  std::uint32_t current = start;
-  for (std::size_t steps = 0; steps <= certificate.simplices.size(); ++steps) {
-    const auto place = sidedness.separating_place(vertices_of(certificate, current), 1, q);
-    if (!place) return current;
-    const Across& across = certificate.simplices[current].across[*place];
-    assert(across.place != Across::kHull);
-    current = across.cell;
+std::vector<std::uint32_t> simplices_that_contain(const Certificate& certificate,
+                                                  std::span<const std::size_t> points) {
+  const Located located(certificate);
+  std::vector<std::uint32_t> simplices;
+  simplices.reserve(points.size());
+  for (const std::size_t s : PointSearch(located).simplices_with(points)) {
+    assert(s != kNoSimplex);
+    simplices.push_back(static_cast<std::uint32_t>(s));
   }
-  for (current = 0; current < certificate.simplices.size(); ++current) {
-    if (!sidedness.separating_place(vertices_of(certificate, current), 1, q)) return current;
-  }
-  assert(false);
-  return start;
+  return simplices;
 }
 
 }  // namespace circumspect::certificate

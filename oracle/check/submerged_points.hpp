@@ -2,6 +2,7 @@
 // Section 5.2 (weighted Delaunay triangulations).
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "oracle/check/ambiguity.hpp"
@@ -13,9 +14,10 @@ namespace circumspect::check {
 
 // Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
 // outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
-// that simplex (else weighted.point-below-plane). Requires: the mesh is a triangulation of its
-// vertices, and `uses` are those of its facets.
-void judge_submerged_points(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict,
-                            Ambiguity& ambiguity);
+// that simplex (else weighted.point-below-plane). Returns how many orientations it took to find the
+// simplices (reference/exact/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
+// and `uses` are those of its facets.
+std::uint64_t judge_submerged_points(const Mesh& mesh, const std::vector<FacetUse>& uses,
+                                     Verdict& verdict, Ambiguity& ambiguity);
 
 }  // namespace circumspect::check

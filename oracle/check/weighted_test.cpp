@@ -1,10 +1,12 @@
 // The claim weighted-delaunay: each of its rules broken alone, by the smallest mesh.
 // Book: Sections 4.1 and 5.2.
+#include <random>
 #include <set>
 
 #include <doctest/doctest.h>
 
 #include "oracle/check/check.hpp"
+#include "oracle/check/submerged_points.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -114,6 +116,37 @@ TEST_CASE("weighted: a walk to the points left out, in a fan around a centre") {
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.violations()[0].witness.simplices == std::vector<Simplex>{{0, 1, 2}});
   CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{8});
+}
+
+// The orientations that it takes to find n submerged points in a fan of n triangles.
+std::uint64_t work_in_fan(int n) {
+  std::vector<Point> points;
+  std::vector<Simplex> fan;
+  for (int x = 0; x <= n; ++x) points.push_back({Rational(x) / 3, 0});
+  points.push_back({Rational(n) / 6, n});
+  for (int x = 0; x < n; ++x) fan.push_back({x, x + 1, n + 1});
+  std::vector<Rational> weights(points.size(), Rational(0));
+  std::mt19937 random(7);
+  const auto next = [&]() -> Rational {
+    return Rational(1 + static_cast<int>(random() % 1000000)) / 1000001;
+  };
+  for (int i = 0; i < n; ++i) {
+    const Rational y = next() * n;
+    points.push_back({y / 6 + (n - y) / 3 * next(), y});
+    weights.push_back(-4 * n * n);
+  }
+  const Mesh mesh{PointSet(points, weights), fan};
+  Verdict verdict(Claim::kWeightedDelaunay, mesh, 0);
+  Ambiguity ambiguity;
+  const std::uint64_t work =
+      judge_submerged_points(mesh, facet_uses(mesh.simplices), verdict, ambiguity);
+  CHECK(verdict.holds());
+  return work;
+}
+
+TEST_CASE("weighted: as many submerged points as triangles, in a fan, take near-linear work") {
+  CHECK(work_in_fan(2000) < 2000 * 150);
+  CHECK(work_in_fan(4000) < 5 * work_in_fan(1000));
 }
 
 TEST_CASE("weighted: without weights it is the claim delaunay, if every point is a vertex") {

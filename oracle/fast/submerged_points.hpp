@@ -11,6 +11,7 @@
 #include "oracle/fast/row_predicates.hpp"
 #include "oracle/fast/sweep.hpp"
 #include "oracle/fast/undecided.hpp"
+#include "reference/exact/point_search.hpp"
 
 namespace circumspect::fast {
 
@@ -26,12 +27,13 @@ class SubmergedPoints {
   // Adds to `swept` what that says about other triangulations.
   std::optional<Undecided> judge(const std::vector<std::size_t>& unused, Swept& swept) const {
     if (any_equal(unused)) return Undecided::kEqualPoints;
-    std::size_t place = 0;
-    for (const std::size_t q : unused) {
-      const Site<kDimension> site = mesh_.template site<true>(static_cast<Index>(q));
-      const std::optional<std::size_t> found = locate(place, site, swept.stages);
-      if (!found) return Undecided::kUnusedPoint;
-      place = *found;
+    const Located located{*this, swept.stages};
+    PointSearch search(located);
+    const std::vector<std::size_t> simplices = search.simplices_with(unused);
+    for (std::size_t i = 0; i < unused.size(); ++i) {
+      const std::size_t place = simplices[i];
+      if (place == kNoSimplex) return Undecided::kUnusedPoint;
+      const Site<kDimension> site = mesh_.template site<true>(static_cast<Index>(unused[i]));
       const SiteRow<kDimension> row = row_of(place);
       for (const Site<kDimension>& vertex : row) {
         if (vertex.at == site.at) return Undecided::kEqualPoints;
@@ -71,25 +73,27 @@ class SubmergedPoints {
            }) != order.end();
   }
 
-  // The simplex that contains the point, by a walk (Book: Section 5.5), which comes to no simplex twice
-  // in a weighted Delaunay triangulation; none beyond the hull.
-  std::optional<std::size_t> locate(std::size_t start, const Site<kDimension>& site,
-                                    Stages& stages) const {
-    std::size_t s = start;
-    for (std::size_t steps = 0; steps <= mesh_.size(); ++steps) {
-      const SiteRow<kDimension> row = row_of(s);
-      std::size_t place = 0;
-      while (place < kVertices &&
-             orientation_with<kDimension>(row, place, site, stages) * orientations_.of(s) >= 0) {
-        ++place;
-      }
-      if (place == kVertices) return s;
-      const Link beyond = links_[s * kVertices + place];
-      if (beyond < 0) return std::nullopt;
-      s = static_cast<std::size_t>(beyond);
+  // The mesh as the search for points wants it.
+  struct Located {
+    const SubmergedPoints& mesh;
+    Stages& stages;
+
+    std::size_t size() const { return mesh.mesh_.size(); }
+    std::size_t row_size() const { return kVertices; }
+    std::size_t points() const { return mesh.mesh_.points(); }
+    std::size_t vertex(std::size_t s, std::size_t place) const {
+      return static_cast<std::size_t>(mesh.mesh_.row(s)[place]);
     }
-    return std::nullopt;
-  }
+    int side(std::size_t s, std::size_t place, std::size_t point) const {
+      const Site<kDimension> site = mesh.mesh_.template site<true>(static_cast<Index>(point));
+      return orientation_with<kDimension>(mesh.row_of(s), place, site, stages) *
+             mesh.orientations_.of(s);
+    }
+    std::size_t across(std::size_t s, std::size_t place) const {
+      const Link beyond = mesh.links_[s * kVertices + place];
+      return beyond < 0 ? kNoSimplex : static_cast<std::size_t>(beyond);
+    }
+  };
 
   const MeshView<kDimension, Index>& mesh_;
   Links<Link> links_;
