@@ -86,6 +86,9 @@ class Verdict {
   // Which (as many as there is room for violations) is known sooner than where they lie.
   std::optional<SteinerPoints> steiner_points = {};
   std::optional<ExtraVertices> extra_vertices = {};
+  // For a claim about a domain that holds: how many of the listed triangles and edges are faces of no
+  // larger simplex, listed ones included.
+  std::size_t dangling = 0;
 
   std::size_t points = 0;
   std::size_t simplices = 0;

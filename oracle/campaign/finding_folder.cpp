@@ -13,6 +13,7 @@
 
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -83,7 +84,7 @@ void copy_output(const std::string& folder, const Subject& subject, const Runner
 
 std::string count_of(const Input& input) {
   const std::size_t count = point_count(input);
-  return std::to_string(count) + (count == 1 ? " point" : " points");
+  return report::counted(count, "point");
 }
 
 report::Json verdict_document(const Subject& subject, const Origin& origin, const Input& found,

@@ -42,11 +42,12 @@ std::string statistics_text(const delaunay::Statistics& statistics) {
   return fmt::format(
       "created: {} solid and {} ghost simplices\n"
       "deleted: {} solid and {} ghost simplices\n"
-      "point location: {} conflicts filed, {} walk steps\n"
+      "point location: {} filed, {}\n"
       "conflict tests: {}\n",
       statistics.solid_simplices_created, statistics.ghost_simplices_created,
       statistics.solid_simplices_deleted, statistics.ghost_simplices_deleted,
-      statistics.conflicts_created, statistics.walk_steps, statistics.conflict_tests);
+      report::counted(statistics.conflicts_created, "conflict"),
+      report::counted(statistics.walk_steps, "walk step"), statistics.conflict_tests);
 }
 
 // The points of a weighted set that are no vertices: submerged, or on the lower hull without being
@@ -112,10 +113,11 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   if (!output.wants_text()) return;
   if (options.statistics) output.text(statistics_text(statistics));
   if (mesh.points.is_weighted()) output.text(not_vertices_text(mesh, triangulation));
-  output.text(fmt::format("built: {} {} {} points {} {}{}\n", options.what, loaded->name,
-                          mesh.points.size(), triangulation.simplices().size(),
-                          report::simplices_noun(triangulation.dimension()),
-                          facts(options, mesh, triangulation)));
+  output.text(fmt::format(
+      "built: {} {} {} {}{}\n", options.what, loaded->name,
+      report::counted(mesh.points.size(), "point"),
+      report::counted_simplices(triangulation.simplices().size(), triangulation.dimension()),
+      facts(options, mesh, triangulation)));
 }
 
 // What is wrong with the name of the file that is to be written; empty if nothing is.

@@ -54,10 +54,10 @@ std::string text(const LoadedMesh& input, const std::vector<Listed>& all) {
     out += fmt::format("{}{}{}\n", line, listed.is_delaunay ? " delaunay" : "",
                        listed.is_regular ? " regular" : "");
   }
-  return out + fmt::format(
-                   "built: all-triangulations {} {} points {} triangulations {} regular {} "
-                   "delaunay\n",
-                   input.name, input.mesh.points.size(), all.size(), regular_ones, delaunay_ones);
+  return out + fmt::format("built: all-triangulations {} {} {} {} regular {} delaunay\n",
+                           input.name, report::counted(input.mesh.points.size(), "point"),
+                           report::counted(all.size(), "triangulation"), regular_ones,
+                           delaunay_ones);
 }
 
 report::Json json(const LoadedMesh& input, const std::vector<Listed>& all) {
@@ -85,10 +85,11 @@ ExitCode run(const AllTriangulationsOptions& options) {
   }
   const PointSet& points = loaded->mesh.points;
   if (options.max_points != 0 && points.size() > options.max_points) {
-    output.error(ExitCode::kUndecided, "points", options.points,
-                 fmt::format("{}: expected at most {} points, found {}; --max-points N allows "
-                             "more, and takes exponential time",
-                             options.points, options.max_points, points.size()));
+    output.error(
+        ExitCode::kUndecided, "points", options.points,
+        fmt::format("{}: expected at most {}, found {}; --max-points N allows "
+                    "more, and takes exponential time",
+                    options.points, report::counted(options.max_points, "point"), points.size()));
     return output.finish();
   }
   const auto all = list_all(points, options.some_points ? optimality::VertexUse::kSomePoints

@@ -186,8 +186,7 @@ TEST_CASE("inspect: dimension, duplicates, genericity with a witness, uniqueness
   const Run text = run({"inspect", square});
   CHECK(text.exit_code == 0);
   CHECK(text.out.substr(text.out.rfind('\n', text.out.size() - 2) + 1) ==
-        "inspected: " + square +
-            " 6 points 1 duplicates dimension 2 of 3 not-generic not-unique\n");
+        "inspected: " + square + " 6 points 1 duplicate dimension 2 of 3 not-generic not-unique\n");
   CHECK(has(text.out, "duplicate: points 2 and 5 are equal\n"));
   CHECK(has(text.out, "cospherical: points 1 2 3 4 on an empty sphere"));
   const nlohmann::json facts = document(run({"inspect", "--format", "json", square}))["results"][0];

@@ -49,14 +49,15 @@ std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh
   const auto& simplices = mesh.triangulation.simplices;
   const std::size_t size =
       simplices.empty() ? mesh.points.ambient_dimension() + 1 : simplices.front().size();
-  std::string line = fmt::format("built: {} {} {} points {} {}", options.what, options.input_file,
-                                 mesh.points.size(), simplices.size(),
-                                 report::simplices_noun(static_cast<int>(size) - 1));
+  std::string line =
+      fmt::format("built: {} {} {} {}", options.what, options.input_file,
+                  report::counted(mesh.points.size(), "point"),
+                  report::counted_simplices(simplices.size(), static_cast<int>(size) - 1));
   if (!mesh.triangulation.dangling.empty()) {
     line += fmt::format(" {} dangling", mesh.triangulation.dangling.size());
   }
   if (options.what == "steiner-cdt" || options.what == "conforming-delaunay") {
-    return line + fmt::format(" {} steiner-points\n", mesh.steiner_points.size());
+    return line + " " + report::counted(mesh.steiner_points.size(), "steiner-point") + "\n";
   }
   return line + " canonical\n";
 }

@@ -60,8 +60,9 @@ std::string text(const LoadedMesh& input, const PolyhedralComplex& complex) {
   for (const Face& cell : complex.cells()) {
     out += fmt::format("cell {}\n", report::labels(input.mesh, cell));
   }
-  return out + fmt::format("built: delaunay-subdivision {} {} points {} cells {}\n", input.name,
-                           input.mesh.points.size(), complex.cells().size(),
+  return out + fmt::format("built: delaunay-subdivision {} {} {} {}\n", input.name,
+                           report::counted(input.mesh.points.size(), "point"),
+                           report::counted(complex.cells().size(), "cell"),
                            complex.is_simplicial() ? "simplicial" : "not-simplicial");
 }
 

@@ -18,6 +18,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -95,8 +96,10 @@ class Narrator {
                  is_terminal_ ? "\r" : "", progress.seconds, progress.minimising, until());
     }
     if (!is_terminal_) return;
-    fmt::print(stderr, "\r{} cases, {} signatures, {} to make small, {:.0f} s ", progress.cases,
-               progress.signatures, progress.minimising, progress.seconds);
+    fmt::print(stderr, "\r{}, {}, {} to make small, {:.0f} s ",
+               report::counted(progress.cases, "case"),
+               report::counted(progress.signatures, "signature"), progress.minimising,
+               progress.seconds);
     std::fflush(stderr);
   }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/exit_code.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -45,10 +46,6 @@ report::Json details_of(const Finding& finding) {
   return document["results"][0];
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -73,13 +70,14 @@ std::string finding_text(const Finding& finding) {
   const std::string text = details.value("text", "not made small yet: run the command again");
   std::string sizes;
   if (details.contains("minimal_points")) {
-    sizes = fmt::format(", {} points made {}{}", details["points"].get<std::size_t>(),
+    sizes = fmt::format(", {} made {}{}",
+                        report::counted(details["points"].get<std::size_t>(), "point"),
                         details["minimal_points"].get<std::size_t>(),
                         finding.cut_off ? " so far (the same command again goes on)" : "");
   }
   return fmt::format("{}: {}, first case {} of {}{}\n  {}\n  {}/reproduce.sh\n", finding.signature,
-                     plural(finding.count, "case"), finding.case_number, finding.family, sizes,
-                     text, finding.folder);
+                     report::counted(finding.count, "case"), finding.case_number, finding.family,
+                     sizes, text, finding.folder);
 }
 
 }  // namespace
@@ -103,10 +101,11 @@ std::string campaign_text(const Result& result) {
                         count_of(counts, "skipped"));
   }
   const std::size_t now = result.cases - result.cases_before;
-  text += fmt::format("{} in {:.1f} s{}\n", plural(now, "case"), result.seconds,
-                      result.cases_before == 0
-                          ? ""
-                          : fmt::format(", {} before that", plural(result.cases_before, "case")));
+  text += fmt::format(
+      "{} in {:.1f} s{}\n", report::counted(now, "case"), result.seconds,
+      result.cases_before == 0
+          ? ""
+          : fmt::format(", {} before that", report::counted(result.cases_before, "case")));
   for (const Finding& finding : result.findings) text += finding_text(finding);
   return text;
 }
@@ -114,13 +113,13 @@ std::string campaign_text(const Result& result) {
 std::string campaign_verdict(const Result& result, const std::string& program) {
   const std::string end = result.interrupted ? " interrupted" : "";
   if (!result.findings.empty()) {
-    return fmt::format("fails: campaign {} {} {}{}", program, plural(result.cases, "case"),
-                       plural(result.findings.size(), "signature"), end);
+    return fmt::format("fails: campaign {} {} {}{}", program, report::counted(result.cases, "case"),
+                       report::counted(result.findings.size(), "signature"), end);
   }
   const bool holds = !result.interrupted && judged_cases(result) > 0;
   const std::string none = judged_cases(result) == 0 ? " none of them judged" : "";
   return fmt::format("{}: campaign {} {}{}{}", holds ? "holds" : "undecided", program,
-                     plural(result.cases, "case"), none, end);
+                     report::counted(result.cases, "case"), none, end);
 }
 
 report::Json campaign_json(const Result& result, const campaign::Plan& plan,
@@ -160,7 +159,7 @@ std::string campaign_junit(const Result& result, const std::string& program) {
   for (const auto& [family, counts] : result.statistics) {
     ++tests;
     cases += fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\"/>\n", escaped(program),
-                         escaped(family), plural(total(counts), "case"));
+                         escaped(family), report::counted(total(counts), "case"));
     for (const auto& [what, count] : counts) {
       if (is_no_finding(what)) continue;
       ++tests;
@@ -169,7 +168,7 @@ std::string campaign_junit(const Result& result, const std::string& program) {
           "    <testcase classname=\"{}\" name=\"{}: {}\">\n"
           "      <failure type=\"{}\" message=\"{} of {}\">{}</failure>\n    </testcase>\n",
           escaped(program), escaped(family), escaped(what), escaped(what), count,
-          plural(total(counts), "case"), escaped(texts[what]));
+          report::counted(total(counts), "case"), escaped(texts[what]));
     }
   }
   return fmt::format(

@@ -1,6 +1,6 @@
 // circumspect certify MESH -o CERT
-#include <map>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,15 +22,19 @@ namespace {
 struct CertifyOptions {
   std::string mesh;
   std::string certificate;
-  Claim claim = Claim::kDelaunay;
+  std::optional<Claim> asked;
+  std::optional<std::string> domain;       // understood, so that the answer says why there is none
+  std::optional<std::string> domain_kind;  // likewise
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
+
+  Claim claim() const { return asked.value_or(Claim::kDelaunay); }
 };
 
 void certify(const CertifyOptions& options, Output& output) {
   const JudgeFileOptions judging{{}, options.input, true, thread_count(options.threads)};
-  const auto judged = judge_file(options.mesh, options.claim, judging);
+  const auto judged = judge_file(options.mesh, options.claim(), judging);
   if (!judged) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, judged.error());
     return;
@@ -48,7 +52,28 @@ void certify(const CertifyOptions& options, Output& output) {
   }
 }
 
+// What was asked for that certificates are not about; empty if nothing was.
+std::string usage_fault(const CertifyOptions& options) {
+  const std::string about =
+      ": certificates are about the claims triangulation, delaunay and weighted-delaunay, of a "
+      "mesh "
+      "without a domain; circumspect check judges the others";
+  if (options.domain || options.domain_kind) {
+    return fmt::format("expected no {} for certify, found one{}",
+                       options.domain ? "--domain" : "--domain-kind", about);
+  }
+  if (is_about_a_domain(options.claim())) {
+    return fmt::format("expected a claim without a domain, found {}{}", name(options.claim()),
+                       about);
+  }
+  return "";
+}
+
 ExitCode run(CertifyOptions& options) {
+  if (const std::string fault = usage_fault(options); !fault.empty()) {
+    fmt::print(stderr, "circumspect: {}\n", fault);
+    return ExitCode::kUsage;
+  }
   OutputOptions spoken = options.output;
   if (options.certificate == "-") {
     if (spoken.format == OutputFormat::kJson) {
@@ -57,7 +82,7 @@ ExitCode run(CertifyOptions& options) {
     }
     spoken.quiet = true;
   }
-  options.input.weighted = options.claim == Claim::kWeightedDelaunay;
+  options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
   Output output(spoken);
   certify(options, output);
   return output.finish();
@@ -84,14 +109,12 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
                    "nothing else")
       ->option_text("FILE")
       ->required();
-  const std::map<std::string, Claim> claims = {{"triangulation", Claim::kTriangulation},
-                                               {"delaunay", Claim::kDelaunay},
-                                               {"weighted-delaunay", Claim::kWeightedDelaunay}};
-  command
-      ->add_option("--claim", options->claim,
+  // The other claims are understood, so that the answer says why there is no certificate of them.
+  add_claim_option(*command, options->asked,
                    "What is claimed of the mesh (default: delaunay); weights as for check")
-      ->transform(one_of(claims))
       ->option_text("triangulation|delaunay|weighted-delaunay");
+  command->add_option("--domain", options->domain)->group("");
+  command->add_option("--domain-kind", options->domain_kind)->group("");
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   add_threads_option(*command, options->threads);

@@ -139,6 +139,12 @@ void check_against_domain(const CheckOptions& options, Output& output) {
 // What a claim needs and did not get, or got and does not need; empty if all is well.
 std::string usage_fault(const CheckOptions& options) {
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
+  if (options.certificate && (about_domain || options.domain)) {
+    return fmt::format(
+        "expected no {} beside --certificate, found one: certificates are about the claims "
+        "triangulation, delaunay and weighted-delaunay, of a mesh without a domain",
+        options.domain ? "--domain" : "claim about a domain");
+  }
   if (about_domain && !options.domain) {
     return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.claim));
   }
@@ -150,10 +156,6 @@ std::string usage_fault(const CheckOptions& options) {
   }
   if (options.certificate && options.meshes.size() != 1) {
     return fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size());
-  }
-  if (options.certificate && options.domain) {
-    return "expected no --domain beside --certificate, found one: certificates are of the claims "
-           "triangulation, delaunay and weighted-delaunay";
   }
   if (options.certificate == "-") {
     return "expected a file for --certificate, found -; circumspect certify writes to standard "

@@ -183,7 +183,7 @@ TEST_CASE("check: a mesh on standard input, and points elsewhere") {
       R"({"circumspect": 1, "dimension": 2, "points": [[0,0],[1,0],[0,1]], "simplices": [[0,1,2]]})";
   const Run result = run({"check", "-"}, triangle);
   CHECK(result.exit_code == 0);
-  CHECK(result.out == "holds: delaunay - 3 points 1 triangles unique canonical\n");
+  CHECK(result.out == "holds: delaunay - 3 points 1 triangle unique canonical\n");
   const Run garbage = run({"check", "-"}, "\xff\n\n{");
   CHECK(garbage.exit_code == 3);
   CHECK(is_error_line(garbage.err));

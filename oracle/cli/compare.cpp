@@ -10,6 +10,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/report/wording.hpp"
 #include "reference/exact/write_number.hpp"
 
 namespace circumspect::cli {
@@ -92,8 +93,8 @@ report::Json json_of(const Side& side, std::size_t most) {
 }
 
 std::string counts(const Side& side) {
-  return fmt::format("{} points {} simplices only in {}", side.points.size(), side.simplices.size(),
-                     side.name);
+  return fmt::format("{} {} only in {}", report::counted(side.points.size(), "point"),
+                     report::counted(side.simplices.size(), "simplex", "simplices"), side.name);
 }
 
 void compare(const CompareOptions& options, Output& output) {
@@ -113,8 +114,9 @@ void compare(const CompareOptions& options, Output& output) {
   if (output.wants_text()) {
     output.text(text_of(only_a, options.most) + text_of(only_b, options.most));
     output.text(found.empty()
-                    ? fmt::format("same: {} {} {} points {} simplices\n", options.a, options.b,
-                                  a->mesh.points.size(), a->mesh.simplices.size())
+                    ? fmt::format("same: {} {} {} {}\n", options.a, options.b,
+                                  report::counted(a->mesh.points.size(), "point"),
+                                  report::counted(a->mesh.simplices.size(), "simplex", "simplices"))
                     : fmt::format("differ: {}, {}\n", counts(only_a), counts(only_b)));
   }
   if (output.wants_json()) {

@@ -45,7 +45,7 @@ TEST_CASE("check --domain: the default claim is cdt, or steiner-cdt with more ve
   CHECK(cdt.exit_code == 0);
   CHECK(begins_with(cdt.out, "domain: " + files.domain +
                                  " enclosed, what its polygons enclose\nholds: cdt " + files.mesh +
-                                 " 4 points 1 tetrahedra"));
+                                 " 4 points 1 tetrahedron"));
   CHECK(cdt.err.empty());
   files.folder.write("s.node", "5 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .125 .125 .125\n");
   const std::string steiner =
@@ -183,8 +183,8 @@ TEST_CASE("a domain at fault: duplicates, unless they are merged") {
   CHECK(has(reject.out, "plc.duplicate-vertex"));
   const Run merge = run({"inspect", twice, "--duplicates", "merge"});
   CHECK_MESSAGE(merge.exit_code == 0, (merge.out + merge.err));
-  CHECK(has(merge.out, "note: " + twice + ": 1 points merged with equal ones\n"));
-  CHECK(has(merge.out, " 4 vertices 6 segments 4 polygons 1 polyhedra enclosed "));
+  CHECK(has(merge.out, "note: " + twice + ": 1 point merged with an equal one\n"));
+  CHECK(has(merge.out, " 4 vertices 6 segments 4 polygons 1 polyhedron enclosed "));
 }
 
 TEST_CASE("inspect: what a domain is made of, and its canonical CDT") {
@@ -195,14 +195,14 @@ TEST_CASE("inspect: what a domain is made of, and its canonical CDT") {
   CHECK(has(result.out, "segment 0 1: strongly-delaunay, present\n"));
   CHECK(has(result.out, "constrained Delaunay triangulation: canonical (proved)\n"));
   CHECK(last_line(result.out) == "inspected: " + domain +
-                                     " 8 vertices 12 segments 6 polygons 1 polyhedra enclosed "
+                                     " 8 vertices 12 segments 6 polygons 1 polyhedron enclosed "
                                      "edge-protected cdt canonical\n");
   const auto json = document(run({"inspect", domain, "--format", "json"}));
   CHECK(json["results"][0]["cdt"] == "canonical");
   CHECK(json["results"][0]["protection"].size() == 12);
   const std::string off = folder.write("cube.off", kSchonhardt);
   CHECK(has(run({"inspect", off}).out, "generic"));
-  CHECK(has(run({"inspect", off, "--domain"}).out, " 1 polyhedra "));
+  CHECK(has(run({"inspect", off, "--domain"}).out, " 1 polyhedron "));
 }
 
 TEST_CASE("inspect: adopted cells and hole seeds outside are told") {
@@ -214,7 +214,7 @@ TEST_CASE("inspect: adopted cells and hole seeds outside are told") {
   const Run plane = run({"inspect", domain});
   CHECK(plane.exit_code == 0);
   CHECK(has(plane.out, "hole seed 1 at (9, 9): ignored, it is in nothing enclosed\n"));
-  CHECK(has(plane.out, " 6 vertices 5 segments 1 regions enclosed "));
+  CHECK(has(plane.out, " 6 vertices 5 segments 1 region enclosed "));
   const std::string space =
       folder.write("b.poly", "4 3\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 1 1 0\n1\n1\n3 1 2 3\n0\n");
   const Run adopts = run({"inspect", space});

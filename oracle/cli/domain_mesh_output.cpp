@@ -11,6 +11,7 @@
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -107,9 +108,13 @@ std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh) {
   const std::size_t dangling = dangling_faces(mesh).size();
   const std::size_t steiner_points = mesh.steiner_points.size();
   std::vector<std::string> lost;
-  if (dangling > 0) lost.push_back(fmt::format("{} dangling triangles and edges", dangling));
+  if (dangling > 0) {
+    lost.push_back(
+        report::counted(dangling, "dangling triangle or edge", "dangling triangles and edges"));
+  }
   if (steiner_points > 0) {
-    lost.push_back(fmt::format("the places of {} Steiner points", steiner_points));
+    lost.push_back((steiner_points == 1 ? "the place of " : "the places of ") +
+                   report::counted(steiner_points, "Steiner point"));
   }
   if (lost.empty()) return "";
   return fmt::format(

@@ -145,8 +145,8 @@ void note_seeds(const Regions& regions, const Domain& domain, std::vector<std::s
   }
 }
 
-// Something is enclosed, and something else may have leaked: walls between the outside and itself.
-void note_dangling(const Regions& regions, const Domain& domain, std::vector<std::string>& notes) {
+// The walls with the outside on both sides.
+std::set<Simplex> dangling_walls(const Regions& regions) {
   std::set<Simplex> dangling;
   for (const Simplex& wall : regions.walls().simplices()) {
     const OrientedFacet front{wall, false};
@@ -155,22 +155,53 @@ void note_dangling(const Regions& regions, const Domain& domain, std::vector<std
       dangling.insert(wall);
     }
   }
-  if (dangling.empty()) return;
-  std::size_t count = dangling.size();
-  if (!is_planar(domain)) {
-    const auto& polygons = domain.complex.polygons;
-    count = static_cast<std::size_t>(
-        std::count_if(polygons.begin(), polygons.end(), [&](const Polygon& polygon) {
-          return std::any_of(polygon.triangles.begin(), polygon.triangles.end(),
-                             [&](const Simplex& t) { return dangling.contains(t); });
-        }));
+  return dangling;
+}
+
+// Which polygons consist of such walls, and which of these and of others: a bridge over the mouth of a
+// tunnel bounds what is beside the tunnel.
+struct Dangling {
+  std::size_t whole = 0;
+  std::vector<std::size_t> in_part = {};
+};
+
+Dangling dangling_polygons(const Domain& domain, const std::set<Simplex>& walls) {
+  Dangling dangling;
+  const auto dangles = [&](const Simplex& triangle) { return walls.contains(triangle); };
+  for (std::size_t p = 0; p < domain.complex.polygons.size(); ++p) {
+    const std::vector<Simplex>& triangles = domain.complex.polygons[p].triangles;
+    const auto found = std::count_if(triangles.begin(), triangles.end(), dangles);
+    if (found == 0) continue;
+    if (static_cast<std::size_t>(found) < triangles.size()) {
+      dangling.in_part.push_back(p);
+    } else {
+      ++dangling.whole;
+    }
   }
-  std::map<Simplex, Simplex> open = open_ridges(regions.walls().simplices());
-  std::erase_if(open, [&](const auto& of_wall) { return !dangling.contains(of_wall.second); });
-  notes.push_back(fmt::format(
-      "{} {} with the outside on both sides {} nothing: {}; --domain-kind enclosed says that this "
-      "is meant",
-      count, wall_noun(domain, count), count == 1 ? "bounds" : "bound", open_place(open, domain)));
+  return dangling;
+}
+
+constexpr std::string_view kIsMeant = "; --domain-kind enclosed says that this is meant";
+
+// Something is enclosed, and something else may have leaked: walls between the outside and itself.
+void note_dangling(const Regions& regions, const Domain& domain, std::vector<std::string>& notes) {
+  const std::set<Simplex> walls = dangling_walls(regions);
+  const Dangling dangling =
+      is_planar(domain) ? Dangling{walls.size()} : dangling_polygons(domain, walls);
+  if (dangling.whole > 0) {
+    std::map<Simplex, Simplex> open = open_ridges(regions.walls().simplices());
+    std::erase_if(open, [&](const auto& of_wall) { return !walls.contains(of_wall.second); });
+    notes.push_back(fmt::format("{} {} with the outside on both sides {} nothing: {}{}",
+                                dangling.whole, wall_noun(domain, dangling.whole),
+                                dangling.whole == 1 ? "bounds" : "bound", open_place(open, domain),
+                                kIsMeant));
+  }
+  for (const std::size_t p : dangling.in_part) {
+    notes.push_back(fmt::format(
+        "polygon {}: a part of it has the outside on both sides and bounds nothing, the rest of it "
+        "bounds what is enclosed{}",
+        domain.polygon_name(p), kIsMeant));
+  }
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/report/wording.hpp"
 #include "properties/generators/in_doubles.hpp"
 #include "properties/triangulations/domain_families.hpp"
 
@@ -148,8 +149,8 @@ void write(const Draw& draw, const GenerateOptions& options, Output& output) {
       return;
     }
     if (output.wants_text()) {
-      output.text(fmt::format("generated: {} {} {} points seed {}\n", options.family, path,
-                              input.points, seed));
+      output.text(fmt::format("generated: {} {} {} seed {}\n", options.family, path,
+                              report::counted(input.points, "point"), seed));
     }
     output.json(
         {{"family", options.family}, {"seed", seed}, {"points", input.points}, {"output", path}});

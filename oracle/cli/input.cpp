@@ -17,7 +17,9 @@ std::string duplicates_message(const std::string& name, const std::vector<Duplic
       "{}: expected distinct points, found points {} and {} equal{}; --duplicates merge treats "
       "them as one",
       name, repeated.front().kept + first_index, repeated.front().again + first_index,
-      repeated.size() > 1 ? fmt::format(" and {} more duplicates", repeated.size() - 1) : "");
+      repeated.size() > 1 ? fmt::format(" and {} more duplicate{}", repeated.size() - 1,
+                                        repeated.size() == 2 ? "" : "s")
+                          : "");
 }
 
 // The weights of the points: what JSON says, or the first attribute, as TetGen's option -w reads it.

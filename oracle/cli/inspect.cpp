@@ -97,10 +97,11 @@ struct Facts {
 std::string counts_text(const std::vector<SimplexCount>& counts) {
   std::string text;
   for (const SimplexCount& count : counts) {
-    text += fmt::format("{}{}{} {}", text.empty() ? "simplices: " : ", ", count.count,
+    const std::string noun =
+        report::simplices_noun(count.dimension, count.bound.value_or(count.count));
+    text += fmt::format("{}{}{} {}{}", text.empty() ? "simplices: " : ", ", count.count,
                         count.bound ? fmt::format(" of at most {}", *count.bound) : "",
-                        count.dimension > 3 ? fmt::format("{}-simplices", count.dimension)
-                                            : report::simplices_noun(count.dimension));
+                        count.dimension > 3 ? fmt::format("{}-", count.dimension) : "", noun);
   }
   return text.empty() ? "" : text + "\n";
 }
@@ -126,8 +127,9 @@ std::string text(const Facts& facts) {
     out += "generic: undecided, more subsets than --subsets; no empty ball has too many points\n";
   }
   out += counts_text(facts.counts);
-  return out + fmt::format("inspected: {} {} points {} duplicates dimension {} of {} {} {}\n",
-                           facts.input.name, facts.points_read, facts.duplicates.size(),
+  return out + fmt::format("inspected: {} {} {} dimension {} of {} {} {}\n", facts.input.name,
+                           report::counted(facts.points_read, "point"),
+                           report::counted(facts.duplicates.size(), "duplicate"),
                            mesh.points.dimension(), mesh.points.ambient_dimension(),
                            answer_word(genericity.answer),
                            genericity.unique ? "unique" : "not-unique");

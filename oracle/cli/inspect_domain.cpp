@@ -9,6 +9,7 @@
 #include "oracle/cli/labels.hpp"
 #include "oracle/cli/refutation_files.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -69,10 +70,14 @@ std::string cdt_line(const DomainFacts& facts) {
 std::string summary(const LoadedDomain& loaded, const DomainFacts& facts) {
   const PiecewiseLinearComplex& complex = loaded.domain.complex;
   const bool in_plane = complex.ambient_dimension() == 2;
-  const std::string polygons = in_plane ? "" : fmt::format(" {} polygons", complex.polygons.size());
-  return fmt::format("inspected: {} {} vertices {} segments{} {} {} {} {} cdt {}\n", loaded.name,
-                     complex.points.size(), complex.segments.size(), polygons, facts.polyhedra,
-                     in_plane ? "regions" : "polyhedra", word(complex.kind),
+  const std::string polygons =
+      in_plane ? "" : " " + report::counted(complex.polygons.size(), "polygon");
+  return fmt::format("inspected: {} {} {}{} {} {} {} cdt {}\n", loaded.name,
+                     report::counted(complex.points.size(), "vertex", "vertices"),
+                     report::counted(complex.segments.size(), "segment"), polygons,
+                     in_plane ? report::counted(facts.polyhedra, "region")
+                              : report::counted(facts.polyhedra, "polyhedron", "polyhedra"),
+                     word(complex.kind),
                      facts.is_edge_protected                      ? "edge-protected"
                      : facts.is_edge_protected_under_perturbation ? "perturbed-edge-protected"
                                                                   : "not-edge-protected",

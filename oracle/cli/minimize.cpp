@@ -14,6 +14,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -50,8 +51,8 @@ void report(const MinimizeOptions& options, const campaign::Subject& subject,
   const std::string program = std::filesystem::path(subject.command.front()).filename();
   output.text(outcome.explanation);
   output.text(outcome.text + "\n");
-  output.text(fmt::format("minimized: {} {} {} points to {} {}\n", program, outcome.signature,
-                          before, after, options.output_file));
+  output.text(fmt::format("minimized: {} {} {} to {} {}\n", program, outcome.signature,
+                          report::counted(before, "point"), after, options.output_file));
   if (!output.wants_json()) return;
   report::Json result = {{"minimized", options.output_file},
                          {"signature", outcome.signature},

@@ -49,8 +49,8 @@ inline CLI::Validator one_of_words(const std::vector<std::string>& words) {
 }
 
 // Adds --claim with all claims that there are.
-inline void add_claim_option(CLI::App& command, std::optional<Claim>& claim,
-                             const std::string& about) {
+inline CLI::Option* add_claim_option(CLI::App& command, std::optional<Claim>& claim,
+                                     const std::string& about) {
   std::map<std::string, Claim> words;
   std::string text;
   for (const Claim one : {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay,
@@ -59,7 +59,7 @@ inline void add_claim_option(CLI::App& command, std::optional<Claim>& claim,
     words[std::string(name(one))] = one;
     text += (text.empty() ? "" : "|") + std::string(name(one));
   }
-  command.add_option("--claim", claim, about)->transform(one_of(words))->option_text(text);
+  return command.add_option("--claim", claim, about)->transform(one_of(words))->option_text(text);
 }
 
 }  // namespace circumspect::cli

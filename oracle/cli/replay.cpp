@@ -8,6 +8,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/source.hpp"
+#include "oracle/report/wording.hpp"
 #include "reference/existence/dimacs.hpp"
 
 namespace circumspect::cli {
@@ -44,8 +45,10 @@ void replay(const ReplayOptions& options, Output& output) {
 
   const auto replayed = existence::replay(*formula, *refutation);
   std::string verdict =
-      fmt::format("refuted: {} {} variables {} clauses by {} steps", options.formula,
-                  formula->variables, formula->clauses.size(), refutation->size());
+      fmt::format("refuted: {} {} {} by {}", options.formula,
+                  report::counted(static_cast<std::size_t>(formula->variables), "variable"),
+                  report::counted(formula->clauses.size(), "clause"),
+                  report::counted(refutation->size(), "step"));
   if (!replayed) {
     output.exit_with(ExitCode::kFails);
     const std::size_t step = replayed.error().step;

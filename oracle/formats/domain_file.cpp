@@ -121,7 +121,8 @@ DomainFile with_duplicates_merged(DomainFile file) {
     merged.labels.push_back(file.label(static_cast<Vertex>(v)));
   }
   merged.notes.push_back(file.name + ": " + std::to_string(repeated.size()) +
-                         " points merged with equal ones");
+                         (repeated.size() == 1 ? " point merged with an equal one"
+                                               : " points merged with equal ones"));
   const auto renumber = [&place](std::vector<Vertex>& vertices) {
     for (Vertex& v : vertices) v = place[static_cast<std::size_t>(v)];
   };

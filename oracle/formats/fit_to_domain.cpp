@@ -25,10 +25,11 @@ void take_for_faces(RawMesh& mesh) {
   const std::size_t size = size_of_each(simplices);
   const std::size_t dimension = mesh.points.dimension;
   if (size < 2 || size > dimension || dimension > 3) return;
-  const std::string kind = size == 3 ? " triangles" : " edges";
+  const std::string kind = size == 3 ? "triangle" : "edge";
+  const bool is_one = simplices.size() == 1;
   mesh.notes.push_back(mesh.mesh_name + ": no " + (dimension == 3 ? "tetrahedra" : "triangles") +
-                       "; the " + std::to_string(simplices.size()) + kind +
-                       " are judged as dangling ones");
+                       "; the " + std::to_string(simplices.size()) + " " + kind +
+                       (is_one ? " is judged as a dangling one" : "s are judged as dangling ones"));
   mesh.faces.insert(mesh.faces.end(), std::make_move_iterator(simplices.begin()),
                     std::make_move_iterator(simplices.end()));
   simplices.clear();

@@ -68,7 +68,7 @@ TEST_CASE("triangles without tetrahedra, and edges without triangles, are taken 
   REQUIRE(plane);
   CHECK(plane->faces == std::vector<Simplex>{{0, 1}});
   CHECK(plane->notes.size() == 2);
-  CHECK(plane->notes.back() == edges + ": no triangles; the 1 edges are judged as dangling ones");
+  CHECK(plane->notes.back() == edges + ": no triangles; the 1 edge is judged as a dangling one");
 }
 
 TEST_CASE(

@@ -6,6 +6,7 @@
 
 #include "oracle/harness/answer.hpp"
 #include "oracle/harness/node_text.hpp"
+#include "oracle/report/wording.hpp"
 #include "properties/generators/arrays.hpp"
 #include "reference/exact/affine_hull.hpp"
 
@@ -30,8 +31,8 @@ int fuzz_once(const Triangulator& subject, const FuzzOptions& options, const std
   Judgement judgement{false, given.failure, "the program threw: " + given.text + "\n"};
   if (given.failure.empty()) judgement = judge(options.claim, points, given.simplices);
   if (judgement.holds) return 0;
-  fmt::print(stderr, "{}: {} on {} points\n{}{}", options.claim, judgement.rule, points.size(),
-             harness::node_text(points), judgement.report);
+  fmt::print(stderr, "{}: {} on {}\n{}{}", options.claim, judgement.rule,
+             report::counted(points.size(), "point"), harness::node_text(points), judgement.report);
   std::abort();
 }
 

@@ -7,6 +7,7 @@
 #include "oracle/harness/cases.hpp"
 #include "oracle/harness/node_text.hpp"
 #include "oracle/harness/property_rule.hpp"
+#include "oracle/report/wording.hpp"
 #include "properties/generators/arrays.hpp"
 #include "reference/exact/affine_hull.hpp"
 
@@ -39,8 +40,9 @@ Finding finding(const Triangulator& subject, Property property, const PropertyOp
                  rule,
                  ""};
   std::ostringstream report;
-  report << name(property) << ": " << rule << " on " << smallest.points.size()
-         << " points, made of " << drawn.set.points.size() << ":\n"
+  report << name(property) << ": " << rule << " on "
+         << report::counted(smallest.points.size(), "point") << ", made of "
+         << drawn.set.points.size() << ":\n"
          << "  circumspect generate " << drawn.family << " --fewer --points " << options.max_points
          << " --dimension " << options.dimension << " --seed " << drawn.seed << "\n"
          << harness::node_text(result.points) << broken.report;

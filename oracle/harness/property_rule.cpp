@@ -9,6 +9,7 @@
 #include "oracle/check/check.hpp"
 #include "oracle/harness/answer.hpp"
 #include "oracle/harness/cases.hpp"
+#include "oracle/report/wording.hpp"
 #include "properties/generators/arrays.hpp"
 
 namespace circumspect::harness {
@@ -111,8 +112,8 @@ Broken compared(Property property, const Answer& first, const Answer& again,
     return {};
   }
   return {std::string(name(property)),
-          "two answers differ: " + std::to_string(first.simplices.size()) + " simplices and " +
-              std::to_string(again.simplices.size()) + ", not the same ones\n"};
+          "two answers differ: " + report::counted(first.simplices.size(), "simplex", "simplices") +
+              " and " + std::to_string(again.simplices.size()) + ", not the same ones\n"};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "oracle/harness/cases.hpp"
 #include "oracle/harness/sequence_cases.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect {
 namespace {
@@ -264,10 +265,10 @@ std::optional<SequenceFinding> find_wrong_sequence(const Make& make,
     steps = Shortener(make, options, first->rule, std::move(steps)).result();
     // A structure that is wrong now and then may be right again.
     const Failure last = failure_of(make, options, steps).value_or(*first);
-    return SequenceFinding{
-        steps, first->rule,
-        fmt::format("{} after {} steps (family {}, case {}):\n{}{}", first->rule, steps.size(),
-                    drawn.family, index, text_of(steps), last.report)};
+    return SequenceFinding{steps, first->rule,
+                           fmt::format("{} after {} (family {}, case {}):\n{}{}", first->rule,
+                                       report::counted(steps.size(), "step"), drawn.family, index,
+                                       text_of(steps), last.report)};
   }
   return std::nullopt;
 }

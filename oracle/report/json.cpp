@@ -110,6 +110,9 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
                  {"points", verdict.points},
                  {"simplices", verdict.simplices},
                  {"dimension", verdict.dimension}};
+  if (verdict.holds() && is_about_a_domain(verdict.claim())) {
+    object["dangling"] = verdict.dangling;
+  }
   if (verdict.steiner_points) {
     object["steiner_points"] = {{"on_segments", verdict.steiner_points->on_segments},
                                 {"in_polygons", verdict.steiner_points->in_polygons},

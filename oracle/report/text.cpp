@@ -113,16 +113,20 @@ std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain) {
   if (verdict.holds()) {
-    std::string line =
-        fmt::format("holds: {} {} {} points {} {}", circumspect::name(verdict.claim()), mesh_name,
-                    verdict.points, verdict.simplices, simplices_noun(verdict.dimension));
+    // Of a domain in space a mesh has tetrahedra, be they none, though all its points be in a plane.
+    const int dimension = domain == nullptr ? verdict.dimension
+                                            : static_cast<int>(domain->complex.ambient_dimension());
+    std::string line = fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
+                                   mesh_name, counted(verdict.points, "point"),
+                                   counted_simplices(verdict.simplices, dimension));
+    if (verdict.dangling > 0) line += fmt::format(" {} dangling", verdict.dangling);
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
     if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
     if (verdict.steiner_points && verdict.steiner_points->count() > 0) {
       const SteinerPoints& steiner = *verdict.steiner_points;
-      line += fmt::format(" {} steiner-points {} on-segments {} in-polygons {} in-polyhedra",
-                          steiner.count(), steiner.on_segments, steiner.in_polygons,
-                          steiner.in_polyhedra);
+      line += fmt::format(" {} {} on-segments {} in-polygons {} in-polyhedra",
+                          counted(steiner.count(), "steiner-point"), steiner.on_segments,
+                          steiner.in_polygons, steiner.in_polyhedra);
     }
     return line;
   }

@@ -28,7 +28,7 @@ TEST_CASE("verdict line: what holds, with numbers and facts") {
         "holds: delaunay - 0 points 0 simplices unique canonical");
   const Mesh point{PointSet({{0, 0, 0}}), {{0}}};
   CHECK(verdict_line(check::delaunay(point), point, "p") ==
-        "holds: delaunay p 1 points 1 vertices unique canonical");
+        "holds: delaunay p 1 point 1 vertex unique canonical");
 }
 
 TEST_CASE("verdict line: what fails, with the first rule's first witness in the user's indices") {
@@ -141,8 +141,13 @@ TEST_CASE("claims about a domain: Steiner points, and cells of the domain by its
   Verdict verdict(Claim::kSteinerCdt, mesh, 20);
   verdict.steiner_points = SteinerPoints{2, 0, 1};
   CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
-        "holds: steiner-cdt x.ele 3 points 1 triangles 3 steiner-points 2 on-segments "
+        "holds: steiner-cdt x.ele 3 points 1 triangle 3 steiner-points 2 on-segments "
         "0 in-polygons 1 in-polyhedra");
+  verdict.steiner_points = SteinerPoints{1, 0, 0};
+  verdict.dangling = 2;
+  CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
+        "holds: steiner-cdt x.ele 3 points 1 triangle 2 dangling 1 steiner-point 1 on-segments "
+        "0 in-polygons 0 in-polyhedra");
   verdict.add(Rule::kSegmentMissing, {.face = Simplex{0, 1}, .domain_cell = Simplex{0, 1}});
   verdict.add(Rule::kPolygonNotTiled, {.face = Simplex{0, 1}, .polygon = 2});
   CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
@@ -154,12 +159,21 @@ TEST_CASE("claims about a domain: Steiner points, and cells of the domain by its
 }
 
 TEST_CASE("wording: simplices by dimension, the two ways by name") {
-  CHECK(simplices_noun(-1) == "simplices");
-  CHECK(simplices_noun(0) == "vertices");
-  CHECK(simplices_noun(1) == "edges");
-  CHECK(simplices_noun(2) == "triangles");
-  CHECK(simplices_noun(3) == "tetrahedra");
-  CHECK(simplices_noun(4) == "simplices");
+  CHECK(counted_simplices(0, -1) == "0 simplices");
+  CHECK(counted_simplices(0, 0) == "0 vertices");
+  CHECK(counted_simplices(2, 1) == "2 edges");
+  CHECK(counted_simplices(2, 2) == "2 triangles");
+  CHECK(counted_simplices(2, 3) == "2 tetrahedra");
+  CHECK(counted_simplices(2, 4) == "2 simplices");
+  CHECK(counted_simplices(1, 0) == "1 vertex");
+  CHECK(counted_simplices(1, 1) == "1 edge");
+  CHECK(counted_simplices(1, 2) == "1 triangle");
+  CHECK(counted_simplices(1, 3) == "1 tetrahedron");
+  CHECK(counted_simplices(1, 4) == "1 simplex");
+  CHECK(counted(0, "point") == "0 points");
+  CHECK(counted(1, "point") == "1 point");
+  CHECK(counted(1, "polyhedron", "polyhedra") == "1 polyhedron");
+  CHECK(counted(3, "polyhedron", "polyhedra") == "3 polyhedra");
   CHECK(name(check::By::kLemma) == "lemma");
   CHECK(name(check::By::kDefinition) == "definition");
 }

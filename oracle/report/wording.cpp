@@ -5,22 +5,31 @@
 
 namespace circumspect::report {
 
-std::string simplices_noun(int dimension) {
+std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+  if (count == 1) return fmt::format("1 {}", one);
+  return several.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, several);
+}
+
+std::string simplices_noun(int dimension, std::size_t count) {
+  const bool one = count == 1;
   switch (dimension) {
     case 0:
-      return "vertices";
+      return one ? "vertex" : "vertices";
     case 1:
-      return "edges";
+      return one ? "edge" : "edges";
     case 2:
-      return "triangles";
+      return one ? "triangle" : "triangles";
     case 3:
-      return "tetrahedra";
+      return one ? "tetrahedron" : "tetrahedra";
     default:
-      return "simplices";
+      return one ? "simplex" : "simplices";
   }
 }
 
 std::string joined(const Simplex& indices) { return fmt::format("{}", fmt::join(indices, " ")); }
+std::string counted_simplices(std::size_t count, int dimension) {
+  return fmt::format("{} {}", count, simplices_noun(dimension, count));
+}
 
 std::string labels(const Mesh& mesh, const Simplex& simplex) {
   Simplex own;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <string_view>
 
 #include "oracle/check/check.hpp"
 #include "oracle/mesh.hpp"
@@ -12,8 +13,15 @@
 
 namespace circumspect::report {
 
-// "vertices", "edges", "triangles", "tetrahedra", "simplices" for dimension 0, 1, 2, 3 and above.
-std::string simplices_noun(int dimension);
+// "1 point", "2 points". `several` is for words that take more than an s.
+std::string counted(std::size_t count, std::string_view one, std::string_view several = {});
+
+// "vertices", "edges", "triangles", "tetrahedra", "simplices" for dimension 0, 1, 2, 3 and above;
+// "vertex" and so on for one.
+std::string simplices_noun(int dimension, std::size_t count);
+
+// "1 tetrahedron", "2 tetrahedra".
+std::string counted_simplices(std::size_t count, int dimension);
 
 // The vertices by the user's own indices: "3 7 9".
 std::string labels(const Mesh& mesh, const Simplex& simplex);

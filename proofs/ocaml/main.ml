@@ -60,8 +60,12 @@ let context source claim dimension =
   ({ Reading.source; numeral = Reading.numerals source; d; weighted = claimed = WeightedDelaunay },
    claimed, space)
 
+let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
+
 let counts d points simplices =
-  Printf.sprintf "%d points, %d %s" points simplices (if d = 2 then "triangles" else "tetrahedra")
+  counted points "point" "points" ^ ", "
+  ^ (if d = 2 then counted simplices "triangle" "triangles"
+     else counted simplices "tetrahedron" "tetrahedra")
 
 let number numeral = Big.to_int (Big.of_numeral numeral)
 

@@ -38,6 +38,8 @@ bool lies_in_polygon(const Mesh& mesh, const PiecewiseLinearComplex& complex,
   return area == measure(mesh.points, polygon.axes, triangle);
 }
 
+}  // namespace
+
 void insert_faces(const Simplex& simplex, std::size_t size, std::set<Simplex>& faces) {
   if (simplex.size() < size) return;
   Simplex subset = first_subset(size);
@@ -47,8 +49,6 @@ void insert_faces(const Simplex& simplex, std::size_t size, std::set<Simplex>& f
     faces.insert(sorted(face));
   } while (next_subset(subset, simplex.size()));
 }
-
-}  // namespace
 
 std::set<Simplex> faces_of_size(const Mesh& mesh, std::size_t size) {
   std::set<Simplex> faces;

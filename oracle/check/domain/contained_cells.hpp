@@ -25,4 +25,7 @@ PiecewiseLinearComplex augmented_complex(const Mesh& mesh, const PiecewiseLinear
 // All faces of `size` vertices of the simplices and the listed faces of a mesh.
 std::set<Simplex> faces_of_size(const Mesh& mesh, std::size_t size);
 
+// Adds all faces of `size` vertices of one simplex.
+void insert_faces(const Simplex& simplex, std::size_t size, std::set<Simplex>& faces);
+
 }  // namespace circumspect::check

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
+#include "reference/complex/proper_intersection.hpp"
+#include "reference/exact/enclosing_box.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
@@ -57,11 +61,65 @@ void cross_off(const Simplex& simplex, const std::vector<Simplex>& edges,
   }
 }
 
-void add_stray(const MeshedDomain& in, const Simplex& face, Verdict& verdict) {
+// What listed faces may run into: the simplices, and the pieces of walls. Seldom wanted, so that what
+// finds them is made when it is.
+class Obstacles {
+ public:
+  Obstacles(const MeshedDomain& in, const std::vector<WallPiece>& pieces)
+      : in_(in), pieces_(pieces) {}
+
+  // The first one that meets a face in more than a common face, and the face itself before it; with a
+  // point of both. The face and its barycentre alone if there is none.
+  Witness witness(const Simplex& face) {
+    const Box box = box_of(face);
+    for (const Simplex& simplex : in_.mesh.simplices) {
+      if (auto found = meeting(face, box, simplex)) return *found;
+    }
+    for (const WallPiece& piece : pieces_) {
+      if (auto found = meeting(face, box, piece.facet)) return *found;
+    }
+    return {.simplices = {face}, .point = barycentre(coordinates(in_.mesh.points, face))};
+  }
+
+ private:
+  Box box_of(const Simplex& simplex) {
+    if (boxes_.empty()) {
+      for (const Point& point : in_.mesh.points.points()) boxes_.push_back(box_around(point));
+    }
+    Box box = boxes_[VertexPlaces::place(simplex.front())];
+    for (const Vertex v : simplex) box = box_around(box, boxes_[VertexPlaces::place(v)]);
+    return box;
+  }
+
+  std::optional<Witness> meeting(const Simplex& face, const Box& box, const Simplex& other) {
+    if (!may_meet(box, box_of(other))) return std::nullopt;
+    const auto common = improper_intersection(in_.mesh.points, face, other);
+    if (!common) return std::nullopt;
+    return Witness{.simplices = {face, other}, .point = common};
+  }
+
+  const MeshedDomain& in_;
+  const std::vector<WallPiece>& pieces_;
+  std::vector<Box> boxes_;  // of points
+};
+
+void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles,
+               Verdict& verdict) {
   const Point middle = barycentre(coordinates(in.mesh.points, face));
   const Where where = in.regions.locate(middle);
-  const bool is_outside = where == Where::kOutside || where == Where::kHole;
-  verdict.add(is_outside ? Rule::kOutside : Rule::kOverlap, {.simplices = {face}, .point = middle});
+  if (where == Where::kOutside || where == Where::kHole) {
+    verdict.add(Rule::kOutside, {.simplices = {face}, .point = middle});
+  } else if (verdict.keeps_more()) {
+    verdict.add(Rule::kOverlap, obstacles.witness(face));
+  } else {
+    verdict.count(Rule::kOverlap);
+  }
+}
+
+std::vector<Simplex> without_repetitions(std::vector<Simplex> simplices) {
+  std::sort(simplices.begin(), simplices.end());
+  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  return simplices;
 }
 
 }  // namespace
@@ -103,18 +161,29 @@ bool judge_listed_faces(const Mesh& mesh, std::size_t ambient_dimension, Verdict
 
 void judge_stray_faces(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                        Verdict& verdict) {
+  Obstacles obstacles(in, pieces);
+  std::vector<Simplex> dangling;
   std::vector<Simplex> edges;
   for (const Simplex& listed : in.mesh.faces) {
     const Simplex face = sorted(listed);
-    if (face.size() == in.complex.ambient_dimension()) {
-      if (!is_facet(in.uses, face) && !is_piece(pieces, face)) add_stray(in, face, verdict);
-    } else if (!in.chains.is_link(face[0], face[1])) {
+    if (face.size() < in.complex.ambient_dimension()) {
       edges.push_back(face);
+    } else if (is_facet(in.uses, face)) {
+      continue;
+    } else if (is_piece(pieces, face)) {
+      dangling.push_back(face);
+    } else {
+      add_stray(in, face, obstacles, verdict);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  for (const Simplex& edge : edges_of_nothing(in, pieces, edges)) add_stray(in, edge, verdict);
+  for (const Simplex& edge : edges_of_nothing(in, pieces, without_repetitions(std::move(edges)))) {
+    if (in.chains.is_link(edge[0], edge[1])) {
+      dangling.push_back(edge);
+    } else {
+      add_stray(in, edge, obstacles, verdict);
+    }
+  }
+  verdict.dangling = without_repetitions(std::move(dangling)).size();
 }
 
 }  // namespace circumspect::check

@@ -12,7 +12,9 @@ bool judge_listed_faces(const Mesh& mesh, std::size_t ambient_dimension, Verdict
 
 // Every listed face must be a face of a simplex, a piece of a wall, an edge of such a piece or a link
 // of a segment; others are domain.outside where there is no domain, else complex.overlap: where
-// there is, space is filled with simplices whose face they are not. `pieces` ascending.
+// there is, space is filled with simplices whose face they are not. Such a simplex is named, if there is one,
+// with a point of both. Counts those that rightly are faces of no simplex: Verdict::dangling.
+// `pieces` ascending.
 void judge_stray_faces(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                        Verdict& verdict);
 

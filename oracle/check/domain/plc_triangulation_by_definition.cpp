@@ -99,6 +99,23 @@ void judge_inside(const Mesh& mesh, const PiecewiseLinearComplex& complex, const
                                             {"that of the simplices", found}}});
 }
 
+// Listed triangles and edges that are faces of nothing larger that is listed.
+std::size_t count_dangling(const Mesh& mesh) {
+  std::set<Simplex> larger;
+  for (const Simplex& simplex : mesh.simplices) {
+    for (const std::size_t size : {std::size_t{2}, std::size_t{3}}) {
+      if (size < simplex.size()) insert_faces(simplex, size, larger);
+    }
+  }
+  std::set<Simplex> listed;
+  for (const Simplex& face : mesh.faces) {
+    listed.insert(sorted(face));
+    if (face.size() == 3) insert_faces(face, 2, larger);
+  }
+  return static_cast<std::size_t>(std::count_if(
+      listed.begin(), listed.end(), [&](const Simplex& face) { return !larger.contains(face); }));
+}
+
 // "|T| = |P|", of the rest: what is listed in lower dimensions is a face of a simplex or lies in a
 // segment or polygon.
 void judge_faces(const Mesh& mesh, const ContainedCells& cells, Verdict& verdict) {
@@ -114,6 +131,7 @@ void judge_faces(const Mesh& mesh, const ContainedCells& cells, Verdict& verdict
   for (const Simplex& face : mesh.faces) {
     if (!allowed.contains(sorted(face))) verdict.add(Rule::kOutside, {.simplices = {face}});
   }
+  verdict.dangling = count_dangling(mesh);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "oracle/check/domain/domain_cases_test.hpp"
 #include "properties/generators/named_complexes.hpp"
+#include "reference/complex/proper_intersection.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -275,6 +276,71 @@ TEST_CASE("listed faces that belong to nothing") {
   CHECK(broken(Claim::kPlcTriangulation, mesh, cube()) == std::set{Rule::kRepeatedVertex});
   mesh.faces = {{0, 1, 2, 3}};
   CHECK(broken(Claim::kPlcTriangulation, mesh, cube()) == std::set{Rule::kWrongDimension});
+}
+
+TEST_CASE("a stray listed face: what it meets is named, with a point of both") {
+  Mesh mesh = cube_mesh(kCubeInFive);
+  for (const Simplex& stray : {Simplex{0, 3, 7}, Simplex{0, 7}}) {
+    mesh.faces = {stray};
+    const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, cube());
+    REQUIRE(verdict.violations().size() == 1);
+    const Witness& witness = verdict.violations()[0].witness;
+    REQUIRE(witness.simplices.size() == 2);
+    CHECK(witness.simplices[0] == stray);
+    CHECK(witness.simplices[1] == Simplex{0, 3, 5, 6});
+    CHECK(witness.point == improper_intersection(mesh.points, stray, {0, 3, 5, 6}));
+  }
+  // In the plane of a square that dangles alone there is nothing but its triangles to meet.
+  Mesh flag = flag_mesh({{1, 8, 9}, {3, 1, 9}, {1, 3, 8}});
+  const Verdict verdict = judge_domain(Claim::kPlcTriangulation, flag, domain_of(cube_with_flag()));
+  REQUIRE(verdict.violations().size() == 1);
+  const Witness& witness = verdict.violations()[0].witness;
+  CHECK(verdict.violations()[0].rule == Rule::kOverlap);
+  REQUIRE(witness.simplices.size() == 2);
+  CHECK(witness.point ==
+        improper_intersection(flag.points, witness.simplices[0], witness.simplices[1]));
+}
+
+TEST_CASE("what dangles is counted: triangles and edges that are faces of nothing larger") {
+  const auto dangling = [](const Mesh& mesh, const Domain& domain, By by) {
+    const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, domain, {.by = by});
+    CHECK(verdict.holds());
+    return verdict.dangling;
+  };
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    Mesh mesh = cube_mesh(kCubeInFive);
+    mesh.faces = {{0, 3, 5}, {0, 1, 3}, {3, 7}};
+    CHECK(dangling(mesh, cube(), by) == 0);
+    // Listed twice is listed once; the edge 8 9 belongs to a triangle.
+    const Mesh flag = flag_mesh({{1, 8, 9}, {3, 1, 9}, {9, 1, 8}, {8, 9}});
+    CHECK(dangling(flag, domain_of(cube_with_flag()), by) == 2);
+    PiecewiseLinearInput antenna = box(0, 2);
+    antenna.points.push_back({4, 0, 0});
+    antenna.segments = {{1, 8}};
+    Mesh with_edge{PointSet(antenna.points), kCubeInFive};
+    with_edge.faces = {{8, 1}, {1, 3}, {1, 8}};
+    CHECK(dangling(with_edge, domain_of(antenna), by) == 1);
+  }
+}
+
+TEST_CASE(
+    "domain.vertex-in-edge: halves that are listed, and no edges of simplices, are not missing "
+    "too") {
+  std::vector<Point> points = box(0, 2).points;
+  points.push_back({1, 0, 0});
+  PiecewiseLinearInput border = box(0, 2);
+  border.polygons.clear();
+  border.segments = {{0, 1}};
+  border.kind = DomainKind::kHull;
+  Mesh mesh{PointSet(points), kCubeInFive};
+  mesh.faces = {{0, 8}, {1, 8}};
+  CHECK(rules(mesh, domain_of(border)) == std::set{Rule::kVertexInEdge});
+  PiecewiseLinearInput inner = border;
+  inner.segments = {{0, 7}};
+  points.back() = {1, 1, 1};
+  Mesh diagonal{PointSet(points), kCubeInSix};
+  diagonal.faces = {{0, 8}, {7, 8}};
+  CHECK(rules(diagonal, domain_of(inner)) == std::set{Rule::kVertexInEdge});
 }
 
 TEST_CASE("the kind hull: what is convex is covered, whatever the polygons are") {

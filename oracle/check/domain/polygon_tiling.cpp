@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "reference/complex/proper_intersection.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
@@ -241,7 +242,10 @@ class Tiling {
     return false;
   }
   bool overlap(std::size_t a, std::size_t b, Verdict& verdict) const {
-    verdict.add(Rule::kOverlap, {.simplices = {triangles_[a], triangles_[b]}, .polygon = number_});
+    verdict.add(Rule::kOverlap,
+                {.simplices = {triangles_[a], triangles_[b]},
+                 .point = improper_intersection(in_.mesh.points, triangles_[a], triangles_[b]),
+                 .polygon = number_});
     return false;
   }
 

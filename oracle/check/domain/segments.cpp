@@ -6,8 +6,9 @@
 namespace circumspect::check {
 namespace {
 
-// What is known of a link of a chain.
-enum class Link { kAbsent, kSkipped, kListed, kEdgeOfSimplex };
+// What is known of a link of a chain. An edge that skips vertices of the chain is a fault of its own,
+// and the reason why there is no simplex at the links that it covers.
+enum class Link { kAbsent, kListed, kEdgeOfSimplex, kSkipped };
 
 class Links {
  public:

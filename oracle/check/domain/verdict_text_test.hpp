@@ -55,6 +55,7 @@ inline std::string text_of(const Verdict& verdict) {
     out << verdict.steiner_points->on_segments << " " << verdict.steiner_points->in_polygons << " "
         << verdict.steiner_points->in_polyhedra << " Steiner points\n";
   }
+  if (verdict.holds()) out << verdict.dangling << " dangling\n";
   if (verdict.extra_vertices) {
     out << verdict.extra_vertices->count << " extra:";
     write_vertices(out, verdict.extra_vertices->first);
