@@ -53,9 +53,11 @@ std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh
       fmt::format("built: {} {} {} {}", options.what, options.input_file,
                   report::counted(mesh.points.size(), "point"),
                   report::counted_simplices(simplices.size(), static_cast<int>(size) - 1));
-  if (!mesh.triangulation.dangling.empty()) {
-    line += fmt::format(" {} dangling", mesh.triangulation.dangling.size());
-  }
+  // Vertices that belong to nothing are among the points.
+  const auto dangling =
+      std::count_if(mesh.triangulation.dangling.begin(), mesh.triangulation.dangling.end(),
+                    [](const Simplex& simplex) { return simplex.size() > 1; });
+  if (dangling > 0) line += fmt::format(" {} dangling", dangling);
   if (options.what == "steiner-cdt" || options.what == "conforming-delaunay") {
     return line + " " + report::counted(mesh.steiner_points.size(), "steiner-point") + "\n";
   }

@@ -55,6 +55,29 @@ TEST_CASE("certify: to standard output, which then holds nothing else") {
   CHECK(run({"certify", meshes.good, "-o", "-", "--format", "json"}).exit_code == 2);
 }
 
+TEST_CASE("certify: about a domain there are no certificates, and the answer says so") {
+  const Meshes meshes;
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& found) {
+    const Run result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(is_error_line(result.err));
+    CHECK(begins_with(result.err, "circumspect: expected " + found +
+                                      ": certificates are about the claims triangulation, delaunay "
+                                      "and weighted-delaunay, of a mesh without a domain"));
+    CHECK(!meshes.has_cert());
+  };
+  refused({"certify", meshes.good, "-o", meshes.cert, "--domain", "x.poly"},
+          "no --domain for certify, found one");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
+          "no --domain-kind for certify, found one");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt"},
+          "a claim without a domain, found cdt");
+  refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},
+          "no --domain beside --certificate, found one");
+  refused({"check", meshes.good, "--certificate", meshes.cert, "--claim", "cdt"},
+          "no claim about a domain beside --certificate, found one");
+}
+
 TEST_CASE("certify: JSON, and nothing at all") {
   const Meshes meshes;
   const auto json =
