@@ -1,10 +1,12 @@
 #include "oracle/campaign/finding_folder.hpp"
 
+#include <cctype>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -13,6 +15,7 @@
 
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::campaign {
@@ -114,14 +117,31 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n\n"
       "{}",
-      outcome.signature, outcome.text, command_line(subject), name(subject.claim), origin.seed,
-      origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
+      outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
+      origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
       outcome.explanation);
 }
 
+// "$(printf 'a\012b')": a word with control characters that shows none. The shell cuts off line ends at the end
+// of what is printed.
+std::string printed_by_shell(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n') + 1;
+  std::string word = "\"$(printf '";
+  for (const char c : std::string_view(text).substr(0, end)) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    word += is_plain
+                ? std::string(1, c)
+                : fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  }
+  return word + "')\"" + (end < text.size() ? "'" + text.substr(end) + "'" : "");
+}
+
+// A name of a file in the folder of the script that no program takes for an option.
+std::string in_folder(const std::string& name) { return name[0] == '-' ? "./" + name : name; }
+
 std::string check_line(const Subject& subject, const Input& minimal) {
   std::string line = "\"${CIRCUMSPECT:-circumspect}\" check " +
-                     quoted_for_shell(subject.mesh_name) + " --claim " +
+                     quoted_for_shell(in_folder(subject.mesh_name)) + " --claim " +
                      std::string(name(subject.claim));
   if (subject.is_about_domains()) {
     return line + " --domain \"$here/minimal.poly\" --domain-kind " +
@@ -156,10 +176,9 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
                    const Runner& runner) {
   write_input_as(folder + "/minimal", subject, minimal);
   copy_output(folder, subject, runner);
-  write_durably(folder + "/said.txt", runner.said());
+  write_durably(folder + "/said.txt", on_lines(runner.said()));
   const report::Json document = verdict_document(subject, origin, found, minimal, outcome);
-  write_durably(folder + "/verdict.json",
-                document.dump(2, ' ', false, report::Json::error_handler_t::replace) + "\n");
+  write_durably(folder + "/verdict.json", report::document_text(document));
   write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
   write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));
   fs::permissions(folder + "/reproduce.sh", fs::perms::owner_exec, fs::perm_options::add);
@@ -185,6 +204,7 @@ std::string quoted_for_shell(const std::string& text) {
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                           "0123456789_-+./=:,@%") == std::string::npos;
   if (plain) return text;
+  if (on_one_line(text) != text) return printed_by_shell(text);
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
@@ -201,7 +221,8 @@ std::string command_line(const Subject& subject) {
 std::string reproduction(const Subject& subject, const Input& minimal, const Outcome& outcome) {
   // The paths in the arguments are those of the folder that the script makes: names without it do.
   Subject own = subject;
-  own.command = filled_in(subject, {".", subject.input_name, subject.mesh_name});
+  own.command =
+      filled_in(subject, {".", in_folder(subject.input_name), in_folder(subject.mesh_name)});
   const std::string extension = formats::extension(subject.input_name);
   std::string limit;
   if (subject.limits.memory != 0) {
@@ -224,7 +245,7 @@ std::string reproduction(const Subject& subject, const Input& minimal, const Out
       "code=$?\n"
       "if [ $code -ne 0 ]; then echo \"the program ended with exit code $code\"; exit $code; fi\n"
       "{}\n",
-      outcome.signature, extension, quoted_for_shell(subject.input_name), run,
+      outcome.signature, extension, quoted_for_shell(in_folder(subject.input_name)), run,
       check_line(subject, minimal));
 }
 

@@ -19,6 +19,7 @@
 #include "oracle/campaign/judge_mesh.hpp"
 #include "oracle/campaign/replace_all.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/printable.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -99,15 +100,6 @@ bool is_full(const std::string& folder) {
   return statvfs(folder.c_str(), &status) == 0 && status.f_bavail * status.f_frsize < kNeeded;
 }
 
-// Without what would move the cursor, ring the bell or change the title of the window.
-std::string for_terminals(std::string text) {
-  for (char& c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) c = '?';
-  }
-  return text;
-}
-
 }  // namespace
 
 Runner::Runner(const Subject& subject, Turn turn)
@@ -182,15 +174,14 @@ Outcome Runner::run_on(const Input& input, const std::string& text) {
   request.stderr_file = scratch_ + "/stderr";
   const Ended ended = supervisor_.run(request, subject_.limits);
   Outcome outcome = outcome_of(ended, input);
-  outcome.text = without_places(std::move(outcome.text));
-  outcome.explanation = for_terminals(without_places(std::move(outcome.explanation)));
+  outcome.text = on_one_line(without_places(std::move(outcome.text)));
+  outcome.explanation = on_lines(without_places(std::move(outcome.explanation)));
   return outcome;
 }
 
 Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
   const auto named = [&](OutcomeKind kind, const std::string& detail, const std::string& text) {
-    const std::string what = said();
-    return Outcome{kind, word(kind) + detail, text, what};
+    return Outcome{kind, word(kind) + detail, text, indented(said())};
   };
   switch (ended.ending) {
     case Ending::kInterrupted:

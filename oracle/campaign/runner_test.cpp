@@ -81,9 +81,9 @@ TEST_CASE("what is kept of a run does not hold the path of the scratch folder") 
   Runner runner(subject);
   const Outcome outcome = runner.run(kTetrahedron);
   CHECK(outcome.text == "it ended with exit code 3: \"error: cannot open x.node\"");
-  CHECK(outcome.explanation == "error: cannot open x.node\n");
+  CHECK(outcome.explanation == "  error: cannot open x.node\n");
   const Subject colourful = shell("printf 'a\\033[2Jb\\n'; exit 3");
-  CHECK(Runner(colourful).run(kTetrahedron).explanation == "a?[2Jb\n");
+  CHECK(Runner(colourful).run(kTetrahedron).explanation == "  a\\x1b[2Jb\n");
   const Subject unreadable = shell("echo nonsense > $1");
   CHECK(Runner(unreadable).run(kTetrahedron).text.rfind("x.ele:1: expected", 0) == 0);
 }

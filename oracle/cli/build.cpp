@@ -1,5 +1,4 @@
 // circumspect build WHAT INPUT: one triangulation. What is more than that has files of its own.
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -14,10 +13,12 @@
 #include "oracle/cli/mesh_output.hpp"
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lexicographic.hpp"
@@ -114,41 +115,38 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   if (options.statistics) output.text(statistics_text(statistics));
   if (mesh.points.is_weighted()) output.text(not_vertices_text(mesh, triangulation));
   output.text(fmt::format(
-      "built: {} {} {} {}{}\n", options.what, loaded->name,
+      "built: {} {} {} {}{}\n", options.what, on_one_line(loaded->name),
       report::counted(mesh.points.size(), "point"),
       report::counted_simplices(triangulation.simplices().size(), triangulation.dimension()),
       facts(options, mesh, triangulation)));
 }
 
-// What is wrong with the name of the file that is to be written; empty if nothing is.
+// What is wrong with the names of the files that are to be written; empty if nothing is.
 std::string output_fault(const BuildOptions& options) {
-  if (options.output_file.empty()) return "";
-  std::error_code ignored;
-  if (std::filesystem::equivalent(options.output_file, options.points, ignored)) {
-    return "expected another name for the mesh, found that of its points";
+  std::vector<Written> written;
+  if (!options.output_file.empty()) written.push_back({"the mesh", options.output_file});
+  if (!options.neighbors_file.empty()) {
+    written.push_back({"the neighbours", options.neighbors_file});
   }
+  std::string fault = overwriting_fault(written, {options.points});
+  if (!fault.empty() || options.output_file.empty()) return fault;
   return output_name_fault(options.output_file, {".ele", ".json"});
 }
 
 ExitCode run(const BuildOptions& options) {
   if (options.output_file.empty() && options.output.format == OutputFormat::kText) {
-    fmt::print(stderr,
-               "circumspect: expected -o OUT.ele, -o OUT.json or --format json, found none\n");
-    return ExitCode::kUsage;
+    return usage_error("expected -o OUT.ele, -o OUT.json or --format json, found none");
   }
   if (const std::string fault = output_fault(options); !fault.empty()) {
-    fmt::print(stderr, "circumspect: {}\n", fault);
-    return ExitCode::kUsage;
+    return usage_error(fault);
   }
   const int on_stdout = (options.output_file == "-" ? 1 : 0) +
                         (options.neighbors_file == "-" ? 1 : 0) +
                         (options.output.format == OutputFormat::kJson ? 1 : 0);
   if (on_stdout > 1) {
-    fmt::print(stderr,
-               "circumspect: expected one thing for standard output, found {} of -o -, "
-               "--neighbors - and --format json\n",
-               on_stdout);
-    return ExitCode::kUsage;
+    return usage_error(fmt::format(
+        "expected one thing for standard output, found {} of -o -, --neighbors - and --format json",
+        on_stdout));
   }
   OutputOptions spoken = options.output;
   // The mesh itself goes to stdout: then nothing else does.

@@ -9,6 +9,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/optimality/all_triangulations.hpp"
@@ -54,10 +55,10 @@ std::string text(const LoadedMesh& input, const std::vector<Listed>& all) {
     out += fmt::format("{}{}{}\n", line, listed.is_delaunay ? " delaunay" : "",
                        listed.is_regular ? " regular" : "");
   }
-  return out + fmt::format("built: all-triangulations {} {} {} {} regular {} delaunay\n",
-                           input.name, report::counted(input.mesh.points.size(), "point"),
-                           report::counted(all.size(), "triangulation"), regular_ones,
-                           delaunay_ones);
+  return out +
+         fmt::format("built: all-triangulations {} {} {} {} regular {} delaunay\n",
+                     on_one_line(input.name), report::counted(input.mesh.points.size(), "point"),
+                     report::counted(all.size(), "triangulation"), regular_ones, delaunay_ones);
 }
 
 report::Json json(const LoadedMesh& input, const std::vector<Listed>& all) {

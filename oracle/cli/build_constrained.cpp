@@ -1,6 +1,5 @@
 // circumspect build planar-cdt|cdt|steiner-cdt|conforming-delaunay INPUT
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -14,8 +13,10 @@
 #include "oracle/cli/domain_mesh_output.hpp"
 #include "oracle/cli/mesh_output.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -50,7 +51,7 @@ std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh
   const std::size_t size =
       simplices.empty() ? mesh.points.ambient_dimension() + 1 : simplices.front().size();
   std::string line =
-      fmt::format("built: {} {} {} {}", options.what, options.input_file,
+      fmt::format("built: {} {} {} {}", options.what, on_one_line(options.input_file),
                   report::counted(mesh.points.size(), "point"),
                   report::counted_simplices(simplices.size(), static_cast<int>(size) - 1));
   // Vertices that belong to nothing are among the points.
@@ -81,8 +82,8 @@ std::string steiner_text(const DomainMesh& mesh, Vertex first_index) {
 void say_no_mesh(const ConstrainedOptions& options, const NoMesh& none, Output& output) {
   output.exit_with(none.is_proved ? ExitCode::kFails : ExitCode::kUndecided);
   const std::string answer = none.is_proved ? "impossible" : "undecided";
-  output.text(
-      fmt::format("{}: {} {}: {}\n", answer, options.what, options.input_file, none.reason));
+  output.text(fmt::format("{}: {} {}: {}\n", answer, options.what, on_one_line(options.input_file),
+                          none.reason));
   if (output.wants_json()) {
     output.json({{"domain", options.input_file},
                  {"what", options.what},
@@ -94,15 +95,12 @@ void say_no_mesh(const ConstrainedOptions& options, const NoMesh& none, Output& 
 // Writes the files asked for. Returns an error message, or an empty string.
 std::string write(const ConstrainedOptions& options, const std::string& points_name,
                   const DomainMesh& mesh, Vertex first_index) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(options.output_file, options.input_file, ignored)) {
-    return "expected another name for the mesh, found that of the domain";
+  std::vector<Written> written;
+  for (const std::string& path : files_of_domain_mesh(options.output_file, mesh)) {
+    written.push_back({"the mesh", path});
   }
-  if (writes_to(options.output_file, points_name)) {
-    return "expected another name for the mesh, found one whose points would replace " +
-           points_name;
-  }
-  std::string fault = domain_mesh_fault(options.output_file, mesh);
+  std::string fault = overwriting_fault(written, {options.input_file, points_name});
+  if (fault.empty()) fault = domain_mesh_fault(options.output_file, mesh);
   return fault.empty() ? write_domain_mesh(options.output_file, mesh, first_index) : fault;
 }
 
@@ -114,8 +112,8 @@ void build(const ConstrainedOptions& options, Output& output) {
   }
   for (const std::string& note : loaded->file.notes) {
     // The JSON document is the mesh alone.
-    if (output.wants_json()) fmt::print(stderr, "note: {}\n", note);
-    output.text("note: " + note + "\n");
+    if (output.wants_json()) fmt::print(stderr, "note: {}\n", on_one_line(note));
+    output.note(note);
   }
   const Domain& domain = loaded->domain;
   const auto algorithm = algorithm_of(options, domain.complex.ambient_dimension());
@@ -150,19 +148,15 @@ void build(const ConstrainedOptions& options, Output& output) {
 ExitCode run(const ConstrainedOptions& options) {
   const bool to_json = options.output.format == OutputFormat::kJson;
   if (options.output_file.empty() && !to_json) {
-    fmt::print(stderr,
-               "circumspect: expected -o OUT.ele, -o OUT.mesh, -o OUT.json or --format json, found "
-               "none\n");
-    return ExitCode::kUsage;
+    return usage_error(
+        "expected -o OUT.ele, -o OUT.mesh, -o OUT.json or --format json, found none");
   }
   const std::string name_fault = output_name_fault(options.output_file, {".ele", ".mesh", ".json"});
   if (!options.output_file.empty() && !name_fault.empty()) {
-    fmt::print(stderr, "circumspect: {}\n", name_fault);
-    return ExitCode::kUsage;
+    return usage_error(name_fault);
   }
   if (options.output_file == "-" && to_json) {
-    fmt::print(stderr, "circumspect: expected one thing for standard output, found two\n");
-    return ExitCode::kUsage;
+    return usage_error("expected one thing for standard output, found two");
   }
   OutputOptions spoken = options.output;
   if (options.output_file == "-") spoken.quiet = true;

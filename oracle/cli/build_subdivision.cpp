@@ -9,6 +9,7 @@
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/gift_wrapping_cells.hpp"
@@ -60,7 +61,7 @@ std::string text(const LoadedMesh& input, const PolyhedralComplex& complex) {
   for (const Face& cell : complex.cells()) {
     out += fmt::format("cell {}\n", report::labels(input.mesh, cell));
   }
-  return out + fmt::format("built: delaunay-subdivision {} {} {} {}\n", input.name,
+  return out + fmt::format("built: delaunay-subdivision {} {} {} {}\n", on_one_line(input.name),
                            report::counted(input.mesh.points.size(), "point"),
                            report::counted(complex.cells().size(), "cell"),
                            complex.is_simplicial() ? "simplicial" : "not-simplicial");

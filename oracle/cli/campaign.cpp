@@ -16,6 +16,7 @@
 #include "oracle/cli/campaign_report.hpp"
 #include "oracle/cli/campaign_stop.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/report/wording.hpp"
@@ -135,10 +136,31 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
   if (output.wants_json()) output.json(campaign_json(result, plan, program));
 }
 
+// What a campaign would write over something that it reads; empty if nothing.
+std::string overwriting_fault_of(const CampaignOptions& options, const campaign::Plan& plan) {
+  std::vector<Written> written = {{"the journal", plan.output + "/journal.tsv"}};
+  if (!options.junit.empty()) written.push_back({"the report", options.junit});
+  std::vector<std::string> read = plan.subject.command;
+  const std::string findings = plan.output + "/findings";
+  for (const campaign::Replayed& replayed : plan.replayed) {
+    read.push_back(replayed.name);
+    if (!lies_in(replayed.name, findings)) continue;
+    return fmt::format(
+        "expected another name for the folder of --output, found {}, among whose findings {} is "
+        "read",
+        options.folder, replayed.name);
+  }
+  if (!options.junit.empty() && lies_in(options.junit, findings)) {
+    return fmt::format("expected another name for the report, found {}, among the findings",
+                       options.junit);
+  }
+  return overwriting_fault(written, read);
+}
+
 // What is to be done; errors are printed.
 tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   const auto fault = [](const std::string& message, ExitCode code) {
-    fmt::print(stderr, "circumspect: {}\n", message);
+    usage_error(message);
     return tl::unexpected(code);
   };
   bool not_found = false;
@@ -164,6 +186,8 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   plan.output = std::filesystem::absolute(options.folder).lexically_normal().string();
   plan.minimise = options.subject.minimise();
   plan.settings = settings_of(options, plan);
+  const std::string overwriting = overwriting_fault_of(options, plan);
+  if (!overwriting.empty()) return fault(overwriting, ExitCode::kUsage);
   return plan;
 }
 

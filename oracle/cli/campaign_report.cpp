@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/exit_code.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -46,9 +47,10 @@ report::Json details_of(const Finding& finding) {
   return document["results"][0];
 }
 
-std::string escaped(const std::string& text) {
+// XML has no way to say a control character, nor bytes that are no UTF-8: those have been written otherwise.
+std::string for_xml(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : on_lines(text)) {
     if (c == '<') {
       result += "&lt;";
     } else if (c == '>') {
@@ -58,8 +60,7 @@ std::string escaped(const std::string& text) {
     } else if (c == '"') {
       result += "&quot;";
     } else {
-      // XML has no way to say a control character, and bytes beyond ASCII may be no UTF-8.
-      result += (c < ' ' && c != '\n' && c != '\t') || c == '\x7f' ? '?' : c;
+      result += c;
     }
   }
   return result;
@@ -77,7 +78,7 @@ std::string finding_text(const Finding& finding) {
   }
   return fmt::format("{}: {}, first case {} of {}{}\n  {}\n  {}/reproduce.sh\n", finding.signature,
                      report::counted(finding.count, "case"), finding.case_number, finding.family,
-                     sizes, text, finding.folder);
+                     sizes, on_one_line(text), on_one_line(finding.folder));
 }
 
 }  // namespace
@@ -113,12 +114,13 @@ std::string campaign_text(const Result& result) {
 std::string campaign_verdict(const Result& result, const std::string& program) {
   const std::string end = result.interrupted ? " interrupted" : "";
   if (!result.findings.empty()) {
-    return fmt::format("fails: campaign {} {} {}{}", program, report::counted(result.cases, "case"),
+    return fmt::format("fails: campaign {} {} {}{}", on_one_line(program),
+                       report::counted(result.cases, "case"),
                        report::counted(result.findings.size(), "signature"), end);
   }
   const bool holds = !result.interrupted && judged_cases(result) > 0;
   const std::string none = judged_cases(result) == 0 ? " none of them judged" : "";
-  return fmt::format("{}: campaign {} {}{}{}", holds ? "holds" : "undecided", program,
+  return fmt::format("{}: campaign {} {}{}{}", holds ? "holds" : "undecided", on_one_line(program),
                      report::counted(result.cases, "case"), none, end);
 }
 
@@ -158,8 +160,9 @@ std::string campaign_junit(const Result& result, const std::string& program) {
   std::size_t failures = 0;
   for (const auto& [family, counts] : result.statistics) {
     ++tests;
-    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\"/>\n", escaped(program),
-                         escaped(family), report::counted(total(counts), "case"));
+    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\"/>\n",
+                         for_xml(on_one_line(program)), for_xml(family),
+                         report::counted(total(counts), "case"));
     for (const auto& [what, count] : counts) {
       if (is_no_finding(what)) continue;
       ++tests;
@@ -167,15 +170,15 @@ std::string campaign_junit(const Result& result, const std::string& program) {
       cases += fmt::format(
           "    <testcase classname=\"{}\" name=\"{}: {}\">\n"
           "      <failure type=\"{}\" message=\"{} of {}\">{}</failure>\n    </testcase>\n",
-          escaped(program), escaped(family), escaped(what), escaped(what), count,
-          report::counted(total(counts), "case"), escaped(texts[what]));
+          for_xml(on_one_line(program)), for_xml(family), for_xml(what), for_xml(what), count,
+          report::counted(total(counts), "case"), for_xml(texts[what]));
     }
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       "  <testsuite name=\"circumspect campaign {}\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
       "time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
-      escaped(program), tests, failures, result.seconds, cases);
+      for_xml(on_one_line(program)), tests, failures, result.seconds, cases);
 }
 
 }  // namespace circumspect::cli

@@ -11,6 +11,7 @@
 #include "oracle/cli/judge_file.hpp"
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/threads_option.hpp"
 #include "oracle/report/json.hpp"
@@ -39,7 +40,7 @@ void certify(const CertifyOptions& options, Output& output) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, judged.error());
     return;
   }
-  for (const std::string& note : judged->notes) output.text("note: " + note + "\n");
+  for (const std::string& note : judged->notes) output.note(note);
   const Mesh& mesh = judged->mesh;
   const Verdict& verdict = judged->verdict;
   if (!write_certificate(options.certificate, options.mesh, mesh, verdict, output)) return;
@@ -77,11 +78,14 @@ ExitCode run(CertifyOptions& options) {
   OutputOptions spoken = options.output;
   if (options.certificate == "-") {
     if (spoken.format == OutputFormat::kJson) {
-      fmt::print(stderr, "circumspect: expected one of -o - and --format json, found both\n");
-      return ExitCode::kUsage;
+      return usage_error("expected one of -o - and --format json, found both");
     }
     spoken.quiet = true;
   }
+  std::vector<std::string> read = files_of_mesh(options.mesh);
+  if (options.input.points) read.push_back(*options.input.points);
+  const std::string fault = overwriting_fault({{"the certificate", options.certificate}}, read);
+  if (!fault.empty()) return usage_error(fault);
   options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
   Output output(spoken);
   certify(options, output);

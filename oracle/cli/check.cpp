@@ -15,9 +15,11 @@
 #include "oracle/cli/judge_file.hpp"
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/threads_option.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 
@@ -60,7 +62,7 @@ std::string domain_line(const LoadedDomain& domain) {
   const std::string_view filled = complex.kind == DomainKind::kHull  ? "the convex hull"
                                   : complex.ambient_dimension() == 2 ? "what its segments enclose"
                                                                      : "what its polygons enclose";
-  return fmt::format("domain: {} {}, {}\n", domain.name, word(complex.kind), filled);
+  return fmt::format("domain: {} {}, {}\n", on_one_line(domain.name), word(complex.kind), filled);
 }
 
 // Says what a mesh was found to be. `mesh` is what the witnesses of the verdict name.
@@ -95,7 +97,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, judged.error());
     return;
   }
-  for (const std::string& note : judged->notes) output.text("note: " + note + "\n");
+  for (const std::string& note : judged->notes) output.note(note);
   report_verdict(path, judged->verdict, judged->mesh, judged->notes, options, nullptr, output);
   if (options.certificate) {
     write_certificate(*options.certificate, path, judged->mesh, judged->verdict, output);
@@ -110,7 +112,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  for (const std::string& note : loaded->notes) output.text("note: " + note + "\n");
+  for (const std::string& note : loaded->notes) output.note(note);
   const Mesh& mesh = loaded->mesh;
   if (!mesh.points.empty() && mesh.points.ambient_dimension() != dimension) {
     output.error(
@@ -132,7 +134,7 @@ void check_against_domain(const CheckOptions& options, Output& output) {
     output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
     return;
   }
-  for (const std::string& note : domain->file.notes) output.text("note: " + note + "\n");
+  for (const std::string& note : domain->file.notes) output.note(note);
   for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, *domain, output);
 }
 
@@ -161,13 +163,15 @@ std::string usage_fault(const CheckOptions& options) {
     return "expected a file for --certificate, found -; circumspect certify writes to standard "
            "output";
   }
-  return "";
+  if (!options.certificate) return "";
+  std::vector<std::string> read = files_of_mesh(options.meshes.front());
+  if (options.input.points) read.push_back(*options.input.points);
+  return overwriting_fault({{"the certificate", *options.certificate}}, read);
 }
 
 ExitCode run(CheckOptions& options) {
   if (const std::string fault = usage_fault(options); !fault.empty()) {
-    fmt::print(stderr, "circumspect: {}\n", fault);
-    return ExitCode::kUsage;
+    return usage_error(fault);
   }
   Output output(options.output);
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;

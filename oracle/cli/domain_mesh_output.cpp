@@ -1,7 +1,5 @@
 #include "oracle/cli/domain_mesh_output.hpp"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -153,10 +151,12 @@ std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, V
   });
 }
 
-bool writes_to(const std::string& path, const std::string& points_name) {
-  if (points_name.empty() || !has_files_beside(path)) return false;
-  std::error_code ignored;
-  return std::filesystem::equivalent(stem_of(path) + ".node", points_name, ignored);
+std::vector<std::string> files_of_domain_mesh(const std::string& path, const DomainMesh& mesh) {
+  if (!has_files_beside(path)) return {path};
+  const std::string stem = stem_of(path);
+  std::vector<std::string> paths = {path, stem + ".node", stem + ".edge"};
+  if (mesh.points.ambient_dimension() == 3) paths.push_back(stem + ".face");
+  return paths;
 }
 
 formats::JsonFile json_file(const DomainMesh& mesh, Vertex first_index) {

@@ -18,8 +18,8 @@ std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh);
 // string.
 std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index);
 
-// Would the points of a mesh at this path take the place of that file?
-bool writes_to(const std::string& path, const std::string& points_name);
+// The files that write_domain_mesh writes.
+std::vector<std::string> files_of_domain_mesh(const std::string& path, const DomainMesh& mesh);
 
 // The points, the simplices, and for faces the dangling triangles and edges.
 formats::JsonFile json_file(const DomainMesh& mesh, Vertex first_index);

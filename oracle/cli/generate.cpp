@@ -15,6 +15,7 @@
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "properties/generators/in_doubles.hpp"
 #include "properties/triangulations/domain_families.hpp"
@@ -108,23 +109,20 @@ bool is_json(const std::string& path) { return std::filesystem::path(path).exten
 // To stdout alone.
 ExitCode print(const Draw& draw, const GenerateOptions& options) {
   if (options.count != 1) {
-    fmt::print(stderr, "circumspect: expected -o FOLDER for {} inputs, found {}\n", options.count,
-               options.output_file.empty() ? "none" : "-o -");
-    return ExitCode::kUsage;
+    return usage_error(fmt::format("expected -o FOLDER for {} inputs, found {}", options.count,
+                                   options.output_file.empty() ? "none" : "-o -"));
   }
   const Generated input = draw(options.seed);
   const bool json = options.output.format == OutputFormat::kJson;
   if (json && !input.write_json) {
-    fmt::print(
-        stderr,
-        "circumspect: expected points for --format json, found the domain family {}: our JSON "
-        "has no domains; leave --format out for a .poly file\n",
-        options.family);
-    return ExitCode::kUsage;
+    return usage_error(
+        fmt::format("expected points for --format json, found the domain family {}: our JSON has "
+                    "no domains; leave --format out for a .poly file",
+                    options.family));
   }
   const std::string failure = write_file("-", json ? input.write_json : input.write);
   if (failure.empty()) return ExitCode::kHolds;
-  fmt::print(stderr, "circumspect: {}\n", failure);
+  usage_error(failure);
   return ExitCode::kInternalError;
 }
 
@@ -149,7 +147,7 @@ void write(const Draw& draw, const GenerateOptions& options, Output& output) {
       return;
     }
     if (output.wants_text()) {
-      output.text(fmt::format("generated: {} {} {} seed {}\n", options.family, path,
+      output.text(fmt::format("generated: {} {} {} seed {}\n", options.family, on_one_line(path),
                               report::counted(input.points, "point"), seed));
     }
     output.json(
@@ -165,8 +163,7 @@ ExitCode run(const GenerateOptions& options) {
     return output.finish();
   }
   if (options.family.empty()) {
-    fmt::print(stderr, "circumspect: expected the name of a family or --list, found neither\n");
-    return ExitCode::kUsage;
+    return usage_error("expected the name of a family or --list, found neither");
   }
   const auto drawing = draw(options);
   if (!drawing) {

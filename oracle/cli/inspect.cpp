@@ -9,9 +9,12 @@
 #include "oracle/cli/inspect_domain.hpp"
 #include "oracle/cli/inspect_simplex.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
+#include "oracle/cli/refutation_files.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/cli/whole_number.hpp"
 #include "oracle/formats/domain_files.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/complex/circumball.hpp"
@@ -127,12 +130,12 @@ std::string text(const Facts& facts) {
     out += "generic: undecided, more subsets than --subsets; no empty ball has too many points\n";
   }
   out += counts_text(facts.counts);
-  return out + fmt::format("inspected: {} {} {} dimension {} of {} {} {}\n", facts.input.name,
-                           report::counted(facts.points_read, "point"),
-                           report::counted(facts.duplicates.size(), "duplicate"),
-                           mesh.points.dimension(), mesh.points.ambient_dimension(),
-                           answer_word(genericity.answer),
-                           genericity.unique ? "unique" : "not-unique");
+  return out +
+         fmt::format("inspected: {} {} {} dimension {} of {} {} {}\n",
+                     on_one_line(facts.input.name), report::counted(facts.points_read, "point"),
+                     report::counted(facts.duplicates.size(), "duplicate"), mesh.points.dimension(),
+                     mesh.points.ambient_dimension(), answer_word(genericity.answer),
+                     genericity.unique ? "unique" : "not-unique");
 }
 
 report::Json json(const Facts& facts) {
@@ -211,6 +214,19 @@ void inspect_one(const std::string& path, const InspectOptions& options, Output&
   }
 }
 
+// What is wrong with the names of the proofs that are to be written; empty if nothing is.
+std::string refutations_fault(const InspectOptions& options) {
+  const std::string& prefix = options.domain.refutations;
+  if (prefix.empty()) return "";
+  if (options.inputs.size() != 1) {
+    return fmt::format("expected one domain beside --refutations, found {} inputs",
+                       options.inputs.size());
+  }
+  std::vector<Written> proofs;
+  for (const std::string& path : refutation_files(prefix)) proofs.push_back({"the proofs", path});
+  return overwriting_fault(proofs, files_of_domain(options.inputs.front()));
+}
+
 }  // namespace
 
 void add_inspect(CLI::App& app, ExitCode& exit_code) {
@@ -253,6 +269,10 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
+    if (const std::string fault = refutations_fault(*options); !fault.empty()) {
+      exit_code = usage_error(fault);
+      return;
+    }
     Output output(options->output);
     for (const std::string& input : options->inputs) inspect_one(input, *options, output);
     exit_code = output.finish();

@@ -9,6 +9,7 @@
 #include "oracle/cli/labels.hpp"
 #include "oracle/cli/refutation_files.hpp"
 #include "oracle/cli/whole_number.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -72,7 +73,7 @@ std::string summary(const LoadedDomain& loaded, const DomainFacts& facts) {
   const bool in_plane = complex.ambient_dimension() == 2;
   const std::string polygons =
       in_plane ? "" : " " + report::counted(complex.polygons.size(), "polygon");
-  return fmt::format("inspected: {} {} {}{} {} {} {} cdt {}\n", loaded.name,
+  return fmt::format("inspected: {} {} {}{} {} {} {} cdt {}\n", on_one_line(loaded.name),
                      report::counted(complex.points.size(), "vertex", "vertices"),
                      report::counted(complex.segments.size(), "segment"), polygons,
                      in_plane ? report::counted(facts.polyhedra, "region")
@@ -87,7 +88,7 @@ std::string summary(const LoadedDomain& loaded, const DomainFacts& facts) {
 std::string text(const LoadedDomain& loaded, const DomainFacts& facts, bool all_segments) {
   const Domain& domain = loaded.domain;
   std::string out;
-  for (const std::string& note : loaded.file.notes) out += "note: " + note + "\n";
+  for (const std::string& note : loaded.file.notes) out += "note: " + on_one_line(note) + "\n";
   if (facts.holes > 0) out += fmt::format("holes: {}\n", facts.holes);
   for (const Adoption& adoption : facts.adoptions) out += adoption_line(domain, adoption);
   for (const SegmentProtection& protection : facts.segments) {
@@ -175,7 +176,7 @@ void report_breaches(const std::string& path, const DomainFault& fault, Output& 
   output.text(
       lines +
       fmt::format("inspected: {} no piecewise linear complex, {}{} {} of which the first is {}\n",
-                  path, fault.truncated ? "more than " : "", fault.breaches.size(),
+                  on_one_line(path), fault.truncated ? "more than " : "", fault.breaches.size(),
                   fault.breaches.size() == 1 && !fault.truncated ? "breach" : "breaches",
                   identifier(fault.breaches.front().kind)));
   if (output.wants_json()) {

@@ -7,8 +7,9 @@
 
 #include "oracle/cli/exit_code.hpp"
 #include "oracle/cli/subcommands.hpp"
-#include "oracle/cli/unknown_words.hpp"
 #include "oracle/cli/unfinished_file.hpp"
+#include "oracle/cli/unknown_words.hpp"
+#include "oracle/printable.hpp"
 #include "reference/exact/write_number.hpp"
 #include "reference/existence/solver.hpp"
 
@@ -63,7 +64,13 @@ ExitCode run(int argc, char** argv) {
   } catch (const CLI::ExtrasError& error) {
     return usage_fault(app, error);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? ExitCode::kHolds : ExitCode::kUsage;
+    if (error.get_exit_code() == 0) {  // --help, --version
+      app.exit(error);
+      return ExitCode::kHolds;
+    }
+    // The words of the user's that a message repeats may hold anything.
+    app.exit(CLI::ParseError(circumspect::on_one_line(error.what()), error.get_exit_code()));
+    return ExitCode::kUsage;
   }
   return exit_code;
 }
@@ -77,7 +84,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "circumspect: out of memory\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "circumspect: internal error, please report it: {}\n", error.what());
+    fmt::print(stderr, "circumspect: internal error, please report it: {}\n",
+               circumspect::on_one_line(error.what()));
   }
   return static_cast<int>(ExitCode::kInternalError);
 }

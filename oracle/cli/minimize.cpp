@@ -12,8 +12,10 @@
 #include "oracle/cli/campaign_options.hpp"
 #include "oracle/cli/campaign_stop.hpp"
 #include "oracle/cli/output.hpp"
+#include "oracle/cli/overwriting.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -51,8 +53,9 @@ void report(const MinimizeOptions& options, const campaign::Subject& subject,
   const std::string program = std::filesystem::path(subject.command.front()).filename();
   output.text(outcome.explanation);
   output.text(outcome.text + "\n");
-  output.text(fmt::format("minimized: {} {} {} to {} {}\n", program, outcome.signature,
-                          report::counted(before, "point"), after, options.output_file));
+  output.text(fmt::format("minimized: {} {} {} to {} {}\n", on_one_line(program), outcome.signature,
+                          report::counted(before, "point"), after,
+                          on_one_line(options.output_file)));
   if (!output.wants_json()) return;
   report::Json result = {{"minimized", options.output_file},
                          {"signature", outcome.signature},
@@ -108,6 +111,11 @@ ExitCode run(const MinimizeOptions& options) {
     return fault(ExitCode::kUsage,
                  options.output_file + ": expected the extension of a file of inputs");
   }
+  std::vector<std::string> read = files_of_domain(options.input);
+  read.insert(read.end(), subject->command.begin(), subject->command.end());
+  const std::string overwriting =
+      overwriting_fault({{"the small input", options.output_file}}, read);
+  if (!overwriting.empty()) return fault(ExitCode::kUsage, overwriting);
   const auto input = campaign_input(*subject, options.input);
   if (!input) return fault(ExitCode::kInputFault, input.error());
   const auto runner = new_runner(*subject);

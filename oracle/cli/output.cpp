@@ -11,6 +11,7 @@
 
 #include "oracle/cli/one_of.hpp"
 #include "oracle/cli/unfinished_file.hpp"
+#include "oracle/printable.hpp"
 
 namespace circumspect::cli {
 
@@ -25,12 +26,14 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 }
 
 void Output::text(const std::string& text) const {
-  if (wants_text()) fmt::print("{}", text);
+  if (wants_text()) fmt::print("{}", on_lines(text));
 }
+
+void Output::note(const std::string& note) const { text("note: " + on_one_line(note) + "\n"); }
 
 void Output::error(ExitCode code, const std::string& subject, const std::string& name,
                    const std::string& message) {
-  fmt::print(stderr, "circumspect: {}\n", message);
+  usage_error(message);
   if (wants_json()) json({{subject, name}, {"error", message}});
   exit_with(code);
 }
@@ -38,14 +41,18 @@ void Output::error(ExitCode code, const std::string& subject, const std::string&
 ExitCode Output::finish() const {
   if (wants_json()) {
     const report::Json document = {{"circumspect", 1}, {"results", results_}};
-    // Names of files may be any bytes; what is not UTF-8 is replaced.
-    fmt::print("{}\n", document.dump(2, ' ', false, report::Json::error_handler_t::replace));
+    fmt::print("{}", report::document_text(document));
   }
   if (std::fflush(stdout) != 0) {
     fmt::print(stderr, "circumspect: could not write to standard output\n");
     return ExitCode::kInternalError;
   }
   return code_;
+}
+
+ExitCode usage_error(const std::string& message) {
+  fmt::print(stderr, "circumspect: {}\n", on_one_line(message));
+  return ExitCode::kUsage;
 }
 
 std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {

@@ -32,7 +32,10 @@ class Output {
   bool wants_text() const { return options_.format == OutputFormat::kText && !options_.quiet; }
   bool wants_json() const { return options_.format == OutputFormat::kJson && !options_.quiet; }
 
+  // Lines; what would move a cursor is escaped. Names in them have been put on one line (printable.hpp).
   void text(const std::string& text) const;
+  // One line: what was read otherwise than it stands there.
+  void note(const std::string& note) const;
   void json(report::Json result) { results_.push_back(std::move(result)); }
   // One line on stderr, and in JSON {subject: name, "error": message}.
   void error(ExitCode code, const std::string& subject, const std::string& name,
@@ -49,6 +52,9 @@ class Output {
   report::Json results_ = report::Json::array();
   ExitCode code_ = ExitCode::kHolds;
 };
+
+// Says what is wrong with a command line, in one line on stderr.
+ExitCode usage_error(const std::string& message);
 
 // Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message, or an empty string.
 std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write);

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "oracle/cli/domain_facts.hpp"
 
 namespace circumspect::cli {
+
+// The files that write_refutations may write.
+std::vector<std::string> refutation_files(const std::string& prefix);
 
 // Writes PREFIX-cdt.cnf and .drat if it is proved that there is no CDT, and PREFIX-triangulation.cnf
 // and .drat if there is no triangulation at all. A formula says in comments which tetrahedron each

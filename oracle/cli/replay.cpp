@@ -8,6 +8,7 @@
 #include "oracle/cli/output.hpp"
 #include "oracle/cli/subcommands.hpp"
 #include "oracle/formats/source.hpp"
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/existence/dimacs.hpp"
 
@@ -45,7 +46,7 @@ void replay(const ReplayOptions& options, Output& output) {
 
   const auto replayed = existence::replay(*formula, *refutation);
   std::string verdict =
-      fmt::format("refuted: {} {} {} by {}", options.formula,
+      fmt::format("refuted: {} {} {} by {}", on_one_line(options.formula),
                   report::counted(static_cast<std::size_t>(formula->variables), "variable"),
                   report::counted(formula->clauses.size(), "clause"),
                   report::counted(refutation->size(), "step"));
@@ -53,7 +54,7 @@ void replay(const ReplayOptions& options, Output& output) {
     output.exit_with(ExitCode::kFails);
     const std::size_t step = replayed.error().step;
     verdict =
-        fmt::format("fails: {} {}", options.refutation,
+        fmt::format("fails: {} {}", on_one_line(options.refutation),
                     step == refutation->size() ? std::string("the empty clause does not follow")
                                                : fmt::format("step {} does not follow", step + 1));
   }

@@ -40,8 +40,10 @@ void set_handlers(bool ours) {
 
 }  // namespace
 
+std::string name_until_complete(const std::string& path) { return path + ".unfinished"; }
+
 UnfinishedFile::UnfinishedFile(std::string path)
-    : path_(std::move(path)), unfinished_(path_ + ".unfinished") {
+    : path_(std::move(path)), unfinished_(name_until_complete(path_)) {
   assert(name_to_remove == nullptr);
   name_to_remove = unfinished_.c_str();
   set_handlers(true);

@@ -7,6 +7,9 @@
 
 namespace circumspect::cli {
 
+// Under which name a file is written until it is complete: beside it, so that it can be renamed.
+std::string name_until_complete(const std::string& path);
+
 // While there is one, a signal that ends the command removes it first. One at a time.
 class UnfinishedFile {
  public:

@@ -1,7 +1,13 @@
 #include "oracle/report/json.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <set>
+#include <string_view>
 
+#include <fmt/format.h>
+
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/exact/write_number.hpp"
 
@@ -82,6 +88,22 @@ Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) 
 }
 
 }  // namespace
+
+// Beyond ASCII only strings hold anything, so that what stands there may be escaped anywhere.
+std::string document_text(const Json& document) {
+  const std::string whole = document.dump(2, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  for (std::string_view rest = whole; !rest.empty();) {
+    const Character character = first_character(rest);
+    if (character.code < 0x7F || is_printable(character.code)) {
+      text += rest.substr(0, character.size);
+    } else {
+      text += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(character.code));
+    }
+    rest.remove_prefix(std::max<std::size_t>(character.size, 1));
+  }
+  return text + "\n";
+}
 
 Json value(const Rational& value) {
   return {{"exact", to_string(value)}, {"decimal", to_decimal(value)}};

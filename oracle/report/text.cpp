@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/exact/write_number.hpp"
 
@@ -117,7 +118,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
     const int dimension = domain == nullptr ? verdict.dimension
                                             : static_cast<int>(domain->complex.ambient_dimension());
     std::string line = fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
-                                   mesh_name, counted(verdict.points, "point"),
+                                   on_one_line(mesh_name), counted(verdict.points, "point"),
                                    counted_simplices(verdict.simplices, dimension));
     if (verdict.dangling > 0) line += fmt::format(" {} dangling", verdict.dangling);
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
@@ -130,7 +131,8 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
     }
     return line;
   }
-  std::string line = fmt::format("fails: {} {}", circumspect::name(verdict.claim()), mesh_name);
+  std::string line =
+      fmt::format("fails: {} {}", circumspect::name(verdict.claim()), on_one_line(mesh_name));
   bool first = true;
   for (const auto& [rule, tally] : verdict.tallies()) {
     line += fmt::format("{}{} {}", first ? " " : " also ", identifier(rule), tally.count);
