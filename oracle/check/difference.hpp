@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "oracle/check/cells.hpp"
 #include "oracle/mesh.hpp"
 
 namespace circumspect::check {
@@ -22,6 +23,9 @@ struct Difference {
            simplices_only_in_b.empty();
   }
 };
+
+// The cells that are compared: the simplices, and the faces beside them that dangle.
+Cells cells_of(const Mesh& mesh);
 
 // Compares the simplices, and of the faces that a mesh lists beside them those that dangle: the others
 // say nothing new.

@@ -58,6 +58,8 @@ tl::expected<Mesh, std::string> assemble(RawInput raw, const InputOptions& optio
     auto found = weights_of(raw.points_name, raw.points, raw.weights);
     if (!found) return tl::unexpected(found.error());
     weights = std::move(*found);
+  } else if (options.listed_weights) {
+    weights = std::move(raw.weights);
   }
   std::vector<Point>& points = raw.points.points;
   const Vertex first_index = raw.points.first_index;

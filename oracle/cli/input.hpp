@@ -28,6 +28,7 @@ struct InputOptions {
   bool faces = false;                      // read .face and .edge too, and their like
   bool allow_empty = false;                // --allow-empty
   bool weighted = false;                   // the claim or the construction is about weights
+  bool listed_weights = false;  // without being asked for, what a file calls weights (JSON) counts
 };
 
 void add_coordinates_option(CLI::App& command, InputOptions& options);

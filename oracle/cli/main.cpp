@@ -28,7 +28,7 @@ std::string version() {
 ExitCode usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = circumspect::cli::unknown_word_text(app);
   fmt::print(stderr, "{}\nRun with --help for more information.\n",
-             text.empty() ? error.what() : text);
+             circumspect::on_one_line(text.empty() ? error.what() : text));
   return ExitCode::kUsage;
 }
 

@@ -1,7 +1,9 @@
 #include "oracle/formats/flat_mesh.hpp"
 
 #include <new>
+#include <utility>
 
+#include "oracle/formats/face.hpp"
 #include "oracle/formats/npy.hpp"
 
 namespace circumspect::formats {
@@ -75,9 +77,27 @@ bool read_neighbors(const std::string& ele, const PlainReading& reading, FlatMes
       mesh.simplices);
 }
 
+// The triangles and edges beside an .ele file, as far as there are files of them.
+bool read_faces(const std::string& ele, FlatMesh& mesh) {
+  for (const auto& [end, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
+    const std::string path = beside(ele, end);
+    if (!exists(path)) continue;
+    const Result<Source> source = load(path);
+    if (!source) return false;
+    Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
+    if (!file) return false;
+    for (Simplex& face : file->simplices) {
+      for (Vertex& v : face) {
+        if (__builtin_sub_overflow(v, mesh.points.first_index, &v)) return false;
+      }
+      mesh.faces.push_back(std::move(face));
+    }
+  }
+  return true;
+}
+
 std::optional<FlatMesh> read(const MeshRequest& request, const PlainReading& reading) {
-  if (request.reading != NumberReading::kDouble || request.with_faces || request.domain_dimension ||
-      request.own_points) {
+  if (request.reading != NumberReading::kDouble || request.domain_dimension || request.own_points) {
     return std::nullopt;
   }
   std::string path = request.mesh;
@@ -98,6 +118,7 @@ std::optional<FlatMesh> read(const MeshRequest& request, const PlainReading& rea
       std::visit([](const auto& rows) { return rows.columns(); }, mesh.simplices);
   if (vertices > mesh.dimension() + 1) return std::nullopt;
   if (request.with_neighbors && !read_neighbors(path, reading, mesh)) return std::nullopt;
+  if (request.with_faces && has_files_beside && !read_faces(path, mesh)) return std::nullopt;
   return mesh;
 }
 
@@ -135,6 +156,7 @@ RawMesh raw_mesh(const FlatMesh& mesh) {
   raw.points.first_index = mesh.points.first_index;
   raw.points_name = mesh.points_name;
   raw.first_index = mesh.points.first_index;
+  raw.faces = mesh.faces;
   std::visit(
       [&raw](const auto& rows) {
         raw.simplices.simplices = index_rows(rows);

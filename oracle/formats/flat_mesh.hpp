@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/plain_files.hpp"
@@ -20,6 +21,8 @@ struct FlatMesh {
   // If they were asked for: as many as simplices, each with k; counted from 0, −1 for none.
   std::optional<FlatRows<std::int32_t>> neighbors = {};
   Vertex first_neighbor = 0;  // the user's index of the first simplex where neighbours are listed
+  // Triangles and edges listed beside the simplices, if they were asked for; counted from 0 as these.
+  std::vector<Simplex> faces = {};
   std::string points_name = {};  // of the file with the points, for messages
 
   std::size_t dimension() const { return points.coordinates.columns(); }

@@ -37,6 +37,7 @@ void check_same(const RawMesh& raw, const RawMesh& read) {
   CHECK(raw.first_index == read.first_index);
   CHECK(raw.points_name == read.points_name);
   CHECK(raw.neighbors == read.neighbors);
+  CHECK(raw.faces == read.faces);
 }
 
 // What both readers read is the same; true if the flat one has an answer.
@@ -119,15 +120,28 @@ TEST_CASE("flat meshes: .npy for points, for simplices, and for both") {
   CHECK(!is_read({folder.write("low.npy", npy<std::int32_t>("<i4", "(1, 1)", {INT32_MIN})), far}));
 }
 
+TEST_CASE("flat meshes: triangles and edges beside them, if they are asked for") {
+  const ScratchFolder folder;
+  folder.write("x.node", kNode);
+  MeshRequest request{folder.write("x.ele", kEle)};
+  request.with_faces = true;
+  CHECK(is_read(request));
+  folder.write("x.edge", "2\n1 3 2\n2 9 -5\n");
+  folder.write("x.face", "1 1\n1 1 2 3 7\n");
+  CHECK(is_read(request));
+  CHECK(read_flat_mesh(request)->faces == std::vector<Simplex>{{0, 1, 2}, {2, 1}, {8, -6}});
+  CHECK(read_flat_mesh({request.mesh})->faces.empty());
+  folder.write("x.face", "1 1\n1 1 2\n");
+  CHECK(!is_read(request));
+  CHECK(is_read({request.mesh}));
+}
+
 TEST_CASE("flat meshes: all else is read as ever") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);
   const std::string ele = folder.write("x.ele", kEle);
   CHECK(!is_read({ele, {}, NumberReading::kDecimal}));
   MeshRequest request{ele};
-  request.with_faces = true;
-  CHECK(!is_read(request));
-  request = {ele};
   request.domain_dimension = 2;
   CHECK(!is_read(request));
   request = {ele};

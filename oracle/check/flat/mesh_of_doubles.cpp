@@ -1,6 +1,7 @@
 #include "oracle/check/flat/mesh_of_doubles.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace circumspect::check {
 namespace {
@@ -55,15 +56,23 @@ bool read_indices(const std::vector<std::vector<Vertex>>& lists, std::size_t col
 
 }  // namespace
 
+std::optional<formats::FlatPoints> points_of_doubles(const PointSet& points) {
+  formats::FlatPoints flat;
+  if (!read_coordinates(points, flat.coordinates)) return std::nullopt;
+  if (!read_weights(points, flat.weights)) return std::nullopt;
+  return flat;
+}
+
 std::optional<formats::FlatMesh> mesh_of_doubles(const Mesh& mesh) {
   if (mesh.simplices.empty()) return std::nullopt;
   const std::size_t columns = mesh.simplices.front().size();
   formats::FlatMesh flat;
-  flat.points.first_index = mesh.first_index;
   FlatRows<std::int32_t>& simplices = flat.simplices.emplace<FlatRows<std::int32_t>>();
   if (!read_indices(mesh.simplices, columns, 0, simplices)) return std::nullopt;
-  if (!read_coordinates(mesh.points, flat.points.coordinates)) return std::nullopt;
-  if (!read_weights(mesh.points, flat.points.weights)) return std::nullopt;
+  auto points = points_of_doubles(mesh.points);
+  if (!points) return std::nullopt;
+  flat.points = std::move(*points);
+  flat.points.first_index = mesh.first_index;
   if (mesh.neighbors) {
     FlatRows<std::int32_t>& neighbors = flat.neighbors.emplace();
     if (mesh.neighbors->rows.size() != mesh.simplices.size()) return std::nullopt;
