@@ -17,12 +17,6 @@ struct ConformingDelaunay {
   std::vector<PointInPolygon> in_polygons;
 };
 
-// So many Steiner points did not suffice. That says nothing about whether more would.
-struct SteinerLimitReached {
-  std::size_t on_segments;
-  std::size_t in_polygons;
-};
-
 // Adds vertices until every segment is a union of edges, and every polygon of triangles, of the
 // canonical Delaunay triangulation of all vertices. (Under the perturbation these are strongly
 // Delaunay.) Then what of that triangulation is in the domain is a Steiner Delaunay triangulation

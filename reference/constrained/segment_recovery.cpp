@@ -1,5 +1,7 @@
 #include "reference/constrained/segment_recovery.hpp"
 
+#include <limits>
+
 #include "reference/constrained/edge_protection.hpp"
 
 namespace circumspect::constrained {
@@ -22,6 +24,11 @@ std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& p
 }
 
 RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex) {
+  return *recover_segments(complex, std::numeric_limits<std::size_t>::max());
+}
+
+tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
+    const PiecewiseLinearComplex& complex, std::size_t most_steiner_points) {
   SplitSegments segments(complex);
   PointSet points = complex.points;
   while (true) {
@@ -33,9 +40,12 @@ RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex) {
       all.push_back(segments.point_at(point.segment, point.parameter));
       segments.add(point);
     }
+    if (segments.added().size() > most_steiner_points) {
+      return tl::unexpected(SteinerLimitReached{.on_segments = segments.added().size()});
+    }
     points = PointSet(std::move(all));
   }
-  return {segments.augmented(points), segments.added()};
+  return RecoveredSegments{segments.augmented(points), segments.added()};
 }
 
 }  // namespace circumspect::constrained

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include "reference/complex/star_index.hpp"
 #include "reference/constrained/split_segments.hpp"
 
@@ -53,6 +55,10 @@ struct RecoveredSegments {
 // many of them: for two parallel segments in the proportion of their length to their distance.
 // Requires: the complex is valid.
 RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex);
+
+// The same, given up after the round that makes them more than so many.
+tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
+    const PiecewiseLinearComplex& complex, std::size_t most_steiner_points);
 
 // What is asked of a subsegment: to be strongly Delaunay, or only to be so under the canonical
 // perturbation, that is, an edge of the canonical Delaunay triangulation. What is said above holds

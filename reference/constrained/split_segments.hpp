@@ -33,6 +33,12 @@ struct PointInPolygon {
   bool operator==(const PointInPolygon&) const = default;
 };
 
+// So many Steiner points did not suffice. That says nothing about whether more would.
+struct SteinerLimitReached {
+  std::size_t on_segments = 0;
+  std::size_t in_polygons = 0;
+};
+
 // How subsegments are split so that it comes to an end: a subsegment one end of which is an acute
 // end of its segment at a shell (see ProtectingShells), every other in its middle. So a segment
 // with two acute ends is halved first. (Splitting beside the point that is in the way, instead of

@@ -1,5 +1,6 @@
 #include "reference/constrained/steiner_cdt.hpp"
 
+#include <limits>
 #include <stdexcept>
 
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
@@ -35,11 +36,18 @@ PlcTriangulation cdt_of_edge_protected(const PiecewiseLinearComplex& complex,
 }
 
 SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex, CdtAlgorithm algorithm) {
-  if (complex.ambient_dimension() == 2) return {complex, planar_cdt(complex), {}};
-  RecoveredSegments recovered = recover_segments(complex);
-  PlcTriangulation triangulation = cdt_of_edge_protected(recovered.complex, algorithm);
-  return {std::move(recovered.complex), std::move(triangulation),
-          std::move(recovered.steiner_points)};
+  return *steiner_cdt(complex, algorithm, std::numeric_limits<std::size_t>::max());
+}
+
+tl::expected<SteinerCdt, SteinerLimitReached> steiner_cdt(const PiecewiseLinearComplex& complex,
+                                                          CdtAlgorithm algorithm,
+                                                          std::size_t most_steiner_points) {
+  if (complex.ambient_dimension() == 2) return SteinerCdt{complex, planar_cdt(complex), {}};
+  auto recovered = recover_segments(complex, most_steiner_points);
+  if (!recovered) return tl::unexpected(recovered.error());
+  PlcTriangulation triangulation = cdt_of_edge_protected(recovered->complex, algorithm);
+  return SteinerCdt{std::move(recovered->complex), std::move(triangulation),
+                    std::move(recovered->steiner_points)};
 }
 
 }  // namespace circumspect::constrained

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
 
@@ -29,5 +31,10 @@ struct SteinerCdt {
 // Throws std::logic_error if the augmented complex has no CDT, which would refute Theorem 4.9.
 SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex,
                        CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips);
+
+// The same, unless more than so many Steiner points are needed.
+tl::expected<SteinerCdt, SteinerLimitReached> steiner_cdt(const PiecewiseLinearComplex& complex,
+                                                          CdtAlgorithm algorithm,
+                                                          std::size_t most_steiner_points);
 
 }  // namespace circumspect::constrained
