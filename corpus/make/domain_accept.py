@@ -16,6 +16,9 @@ def cubes():
     squares = facets(CUBE_SQUARES)
     yield accept("cube-five", "a cube in five tetrahedra", CUBE, squares, FIVE, DELAUNAY)
     yield accept("cube-six", "a cube in six tetrahedra", CUBE, squares, canonical_delaunay(CUBE), DELAUNAY)
+    around = [0, 2, 3, 7, 5, 4]
+    yield accept("cube-around-diagonal", "a cube in six tetrahedra around a diagonal that is not the canonical one", CUBE,
+                 squares + facets([(1, 6)]), [(1, 6, a, around[i - 1]) for i, a in enumerate(around)], DELAUNAY)
     turned = [7 - v for v in range(8)]
     yield accept("cube-renumbered", "vertices in another order and counted from 1: they are matched by coordinates", CUBE,
                  squares, [tuple(turned[v] for v in t) for t in FIVE], DELAUNAY, [CUBE[turned[v]] for v in range(8)], base=1)

@@ -8,6 +8,9 @@ NOTES = {
     "tetgen/figure-4-10-schonhardt.1.ele": OFF_SEGMENT.format("7.3e-16"),
     "tetgen/figure-4-10-schonhardt--hull.1.ele": OFF_SEGMENT.format("7.3e-16"),
     "tetgen/figure-4-10-schonhardt--quality.1.ele": "the same, 27 on segments and 2 in polygons, by at most 1.7e-15",
+    "tetgen/cube-with-diagonal.1.ele": OFF_SEGMENT.format("1.9e-16") + " (without Steiner points there is a CDT, "
+                                       "`accept/cube-around-diagonal`)",
+    "tetgen/cube-with-diagonal-and-floor.1.ele": "the part of the floor outside, and its two vertices, are discarded",
     "tetgen/schonhardt-with-centre.1.ele": OFF_SEGMENT.format("6.8e-16") + " (without Steiner points there is a triangulation, "
                                            "`accept/schonhardt-with-centre`, which is not constrained Delaunay)",
     "tetgen/figure-4-13-chazelle-2.1.ele": OFF_SEGMENT.format("1.7e-16"),
@@ -25,6 +28,7 @@ NOTES = {
     "gmsh/chazelle-outer-notches.failed": "the same",
     "tetgen/unlisted-vertex.failed": "an assertion fails: see below",
     "tetgen/segment-listed-twice.failed": "an assertion fails: see below",
+    "tetgen/needle.failed": "its triangle encloses nothing, and `-c` was not asked for",
     "tetgen/two-triangles.failed": "an assertion fails: see below",
     "tetgen/one-segment--quality.1.ele": "after refinement TetGen optimizes the shapes of tetrahedra and gives the property up; "
                                          "without (`O0`: `one-segment--unoptimized`) it holds",

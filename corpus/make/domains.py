@@ -145,6 +145,11 @@ def octahedral_sphere(radius, depth):
 def space():
     points, polygons = box((0, 0, 0), (4, 4, 4))
     yield Domain("cube", "a cube: six squares", points, facets(polygons))
+    yield Domain("cube-with-diagonal", "a cube with the diagonal 1 6: CDTs, and not the canonical one", points,
+                 facets([*polygons, (1, 6)]), rooms=[])
+    floor = points + [(8, 0, 0), (8, 4, 0)]
+    yield Domain("cube-with-diagonal-and-floor", "the same on a floor that reaches out from under it, and dangles there", floor,
+                 [([(0, 1, 8, 9, 3, 2), (1, 3)], []), *facets([*polygons[1:], (1, 6)])], rooms=[])
     nested = joined(box((0, 0, 0), (9, 9, 9)), box((3, 3, 3), (6, 6, 6)))
     yield Domain("cube-in-cube", "a solid cube with an internal cube", nested[0], facets(nested[1]), rooms=[[range(6), range(6, 12)], [range(6, 12)]])
     yield Domain("hollow-cube", "the same with a hole seed in the inner cube", nested[0], facets(nested[1]),
@@ -211,6 +216,8 @@ def space():
                  wall[0] + [(5, 0, 0), (5, 2, 0), (5, 0, 2), (5, 2, 2)],
                  facets([*wall[1], (1, 8, 9, 3), (5, 10, 11, 7), (1, 8, 10, 5), (3, 9, 11, 7), (8, 9, 11, 10)]), rooms=[[range(6)], [[5, *range(6, 11)]]])
     yield Domain("thin-wedge", "a wedge of one part in a thousand", *parts(prism([(0, 0), (1024, 0), (1024, 1)], 0, 64)))
+    yield Domain("needle", "a triangle of one part in 10^8; its two long segments come ever closer", [(0, 0, 0), (100, 0, 0),
+                 (100, 1e-6, 0), (50, 50, 0), (50, -50, 0), (50, 0, 50)], facets([(0, 1, 2)]), rooms=[])
     fan = [(0, 0)] + [(256, y) for y in range(0, 9)]
     fan_points, _ = prism(fan, 0, 32)
     n = len(fan)

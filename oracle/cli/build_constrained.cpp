@@ -28,22 +28,23 @@ struct ConstrainedOptions {
   std::string output_file;
   std::optional<std::string> algorithm;
   std::optional<DomainKind> domain_kind;
+  SearchLimits search;
   std::size_t most_steiner_points = 10'000;
   InputOptions input;
   OutputOptions output;
 };
 
-// The algorithm asked for, or the default; an error if there is none of that name for the domain.
-tl::expected<std::string, std::string> algorithm_of(const ConstrainedOptions& options,
-                                                    std::size_t dimension) {
+// What is wrong with the algorithm asked for; empty if nothing is.
+std::string algorithm_fault(const ConstrainedOptions& options, std::size_t dimension) {
+  if (!options.algorithm) return "";
   const std::vector<std::string> known = algorithms_for(options.what, dimension);
-  if (!options.algorithm) return known.empty() ? "" : known.front();
-  if (std::find(known.begin(), known.end(), *options.algorithm) != known.end()) {
-    return *options.algorithm;
-  }
-  return tl::unexpected(fmt::format("expected --algorithm {} for {} in dimension {}, found {}",
-                                    fmt::join(known, "|"), options.what, dimension,
-                                    *options.algorithm));
+  if (std::find(known.begin(), known.end(), *options.algorithm) != known.end()) return "";
+  return fmt::format("expected --algorithm {} for {} in dimension {}, found {}",
+                     fmt::join(known, "|"), options.what, dimension, *options.algorithm);
+}
+
+bool has_steiner_points(const std::string& what) {
+  return what == "steiner-cdt" || what == "conforming-delaunay";
 }
 
 std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh) {
@@ -59,10 +60,10 @@ std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh
       std::count_if(mesh.triangulation.dangling.begin(), mesh.triangulation.dangling.end(),
                     [](const Simplex& simplex) { return simplex.size() > 1; });
   if (dangling > 0) line += fmt::format(" {} dangling", dangling);
-  if (options.what == "steiner-cdt" || options.what == "conforming-delaunay") {
+  if (has_steiner_points(options.what)) {
     return line + " " + report::counted(mesh.steiner_points.size(), "steiner-point") + "\n";
   }
-  return line + " canonical\n";
+  return line + (mesh.not_canonical ? " not-canonical\n" : " canonical\n");
 }
 
 // "steiner point 9 on segment 1 2 at (0.5, 0, 0)", a line each.
@@ -104,24 +105,29 @@ std::string write(const ConstrainedOptions& options, const std::string& points_n
   return fault.empty() ? write_domain_mesh(options.output_file, mesh, first_index) : fault;
 }
 
+// Standard output holds the mesh alone, as a JSON document or, for "-", as an .ele.
+void say_note(const ConstrainedOptions& options, const std::string& note, Output& output) {
+  if (output.wants_json() || (options.output_file == "-" && !options.output.quiet)) {
+    fmt::print(stderr, "note: {}\n", on_one_line(note));
+  }
+  output.note(note);
+}
+
 void build(const ConstrainedOptions& options, Output& output) {
   const auto loaded = load_domain(options.input_file, options.input, options.domain_kind);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
     return;
   }
-  for (const std::string& note : loaded->file.notes) {
-    // The JSON document is the mesh alone.
-    if (output.wants_json()) fmt::print(stderr, "note: {}\n", on_one_line(note));
-    output.note(note);
-  }
+  for (const std::string& note : loaded->file.notes) say_note(options, note, output);
   const Domain& domain = loaded->domain;
-  const auto algorithm = algorithm_of(options, domain.complex.ambient_dimension());
-  if (!algorithm) {
-    output.error(ExitCode::kUsage, "domain", options.input_file, algorithm.error());
+  const std::string fault = algorithm_fault(options, domain.complex.ambient_dimension());
+  if (!fault.empty()) {
+    output.error(ExitCode::kUsage, "domain", options.input_file, fault);
     return;
   }
-  const auto mesh = construct({options.what, *algorithm, options.most_steiner_points}, domain);
+  const auto mesh = construct(
+      {options.what, options.algorithm, options.search, options.most_steiner_points}, domain);
   if (!mesh) {
     say_no_mesh(options, mesh.error(), output);
     return;
@@ -137,6 +143,11 @@ void build(const ConstrainedOptions& options, Output& output) {
       output.error(ExitCode::kUsage, "domain", options.input_file, failure);
       return;
     }
+  }
+  if (mesh->not_canonical) {
+    say_note(options,
+             "there is no canonical CDT, for " + *mesh->not_canonical + "; this is another one",
+             output);
   }
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(*mesh, domain.first_index));
@@ -166,14 +177,27 @@ ExitCode run(const ConstrainedOptions& options) {
   return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
 }
 
+std::string usual_algorithm(const std::string& what) {
+  if (what == "planar-cdt") return "gift-wrapping";
+  if (what == "steiner-cdt") return "polygon-flips, in the plane gift-wrapping";
+  return fmt::format("gift-wrapping, for more than {} vertices in space polygon-flips",
+                     kFewVertices);
+}
+
+const std::string kOfPolygons =
+    "The mesh of a domain in the plane is its CDT. That of one in space has only the triangles of\n"
+    "its polygons and the segments in none of them, which is a CDT of the domain, and for check\n"
+    "one, where nothing is to be filled: all of the domain lies in one plane.\n\n";
+
+const std::string kOfAnother =
+    "Where vertices are cospherical, a domain may have a CDT and not the canonical one. Without\n"
+    "--algorithm another one is built then, not-canonical, as inspect finds it (cdt another). "
+    "Exit\n"
+    "code 1 means that there is none (proved); a search that reaches its limit is exit code 4.\n\n";
+
 std::string footer(const std::string& what) {
   const bool is_planar = what == "planar-cdt";
   const std::string part = is_planar ? "plan" : "part";
-  const std::string of_polygons =
-      "The mesh of a domain in the plane is its CDT. That of one in space has only the triangles "
-      "of\n"
-      "its polygons and the segments in none of them, which is a CDT of the domain, and for check\n"
-      "one, where nothing is to be filled: all of the domain lies in one plane.\n\n";
   return fmt::format(
       "Example:\n"
       "  circumspect build {0} {1}.poly -o {1}.1.ele\n"
@@ -182,9 +206,13 @@ std::string footer(const std::string& what) {
       "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the triangles and "
       "edges\n"
       "that are faces of nothing; or all in one OUT.mesh or OUT.json. Steiner points come last.\n\n"
-      "Exit codes: 0 built, 1 there is none, and why, 2 usage, 3 the input is at fault, 4 this\n"
-      "algorithm cannot tell, 5 internal error.",
-      what, part, is_planar ? "cdt" : what, is_planar ? of_polygons : "");
+      "Exit codes: 0 built, {4}2 usage, 3 the input is at fault, 4 undecided: the\n"
+      "algorithm that was asked for cannot tell, or a limit was reached; 5 internal error.",
+      what, part, is_planar ? "cdt" : what,
+      is_planar       ? kOfPolygons
+      : what == "cdt" ? kOfAnother
+                      : "",
+      what == "cdt" ? "1 there is none (proved), and why, " : "");
 }
 
 void add_one(CLI::App& build, const std::string& what, const std::string& description,
@@ -205,10 +233,12 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   if (!algorithms.empty()) {
     command
         ->add_option("--algorithm", options->algorithm,
-                     "All give the same mesh, if they give one (default: gift-wrapping)")
+                     "All give the same mesh, the canonical one, if they give one (default: " +
+                         usual_algorithm(what) + ")")
         ->option_text(algorithms);
   }
-  if (what == "conforming-delaunay") {
+  if (what == "cdt") add_search_options(*command, options->search);
+  if (has_steiner_points(what)) {
     command
         ->add_option("--steiner-points", options->most_steiner_points,
                      "Give up, with exit code 4, when more are needed (default 10000)")
@@ -230,7 +260,8 @@ void add_build_constrained(CLI::App& build, ExitCode& exit_code) {
           "polygons of one in space",
           "gift-wrapping|segment-insertion", exit_code);
   add_one(build, "cdt",
-          "The canonical constrained Delaunay triangulation of a domain without Steiner points",
+          "The canonical constrained Delaunay triangulation of a domain without Steiner points, or "
+          "another one where there is no canonical one",
           "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
           "segment-insertion)",
           exit_code);

@@ -10,7 +10,6 @@
 #include "reference/constrained/carve.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
-#include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 
@@ -46,24 +45,58 @@ DomainMesh mesh_of(const Domain& domain, PlcTriangulation triangulation) {
   return {domain.complex.points, std::move(triangulation)};
 }
 
-tl::expected<DomainMesh, NoMesh> by_gift_wrapping(const Domain& domain) {
-  auto cdt = constrained::gift_wrapping_cdt(domain.complex);
-  if (cdt) return mesh_of(domain, std::move(*cdt));
-  return tl::unexpected(NoMesh{true, in_words(cdt.error(), domain)});
+// By insertion, or nothing: where insertion fails there may be a CDT all the same.
+std::optional<DomainMesh> by_polygon_insertion(const Domain& domain,
+                                               constrained::PolygonInsertion by) {
+  auto cdt = constrained::cdt_by_polygon_insertion(domain.complex, {by, {}});
+  if (!cdt) return std::nullopt;
+  return mesh_of(domain, std::move(*cdt));
 }
 
-// Where insertion fails there may be a CDT all the same: gift-wrapping knows.
-tl::expected<DomainMesh, NoMesh> by_polygon_insertion(const Domain& domain,
-                                                      constrained::PolygonInsertion by) {
-  auto cdt = constrained::cdt_by_polygon_insertion(domain.complex, {by, {}});
-  if (cdt) return mesh_of(domain, std::move(*cdt));
-  const auto wrapped = by_gift_wrapping(domain);
-  if (!wrapped) return wrapped;
-  const std::string what = cdt.error().polygon
-                               ? "polygon " + domain.polygon_name(*cdt.error().polygon)
-                               : "segment " + labels(domain, cdt.error().cause.witness);
-  return tl::unexpected(
-      NoMesh{false, what + " could not be inserted; --algorithm gift-wrapping finds the CDT"});
+tl::expected<DomainMesh, NoMesh> cdt(const Domain& domain, const DomainConstruction& construction) {
+  const std::optional<std::string>& asked_for = construction.algorithm;
+  const bool is_large = domain.complex.points.size() > kFewVertices;
+  const std::string algorithm = asked_for.value_or(is_large ? "polygon-flips" : "gift-wrapping");
+  if (algorithm != "gift-wrapping") {
+    auto mesh = by_polygon_insertion(domain, algorithm == "polygon-flips"
+                                                 ? constrained::PolygonInsertion::kFlips
+                                                 : constrained::PolygonInsertion::kCavities);
+    if (mesh) return *std::move(mesh);
+  }
+  CdtDecision decision = decide_cdt(domain.complex, Regions(domain.complex), construction.search);
+  if (decision.answer == CdtAnswer::kCanonical) {
+    if (!asked_for || algorithm == "gift-wrapping")
+      return mesh_of(domain, *std::move(decision.cdt));
+    return tl::unexpected(NoMesh{
+        false, fmt::format("{} cannot insert every polygon; gift-wrapping finds the canonical one",
+                           algorithm)});
+  }
+  const std::string why = in_words(*decision.not_canonical, domain);
+  switch (decision.answer) {
+    case CdtAnswer::kCanonical:
+      break;
+    case CdtAnswer::kAnother: {
+      if (asked_for) {
+        return tl::unexpected(NoMesh{
+            false, fmt::format("there is one, but no canonical one, and {} makes no other; without "
+                               "--algorithm it is built; {}",
+                               algorithm, why)});
+      }
+      DomainMesh mesh = mesh_of(domain, *std::move(decision.cdt));
+      mesh.not_canonical = why;
+      return mesh;
+    }
+    case CdtAnswer::kNone:
+      return tl::unexpected(NoMesh{true, fmt::format("none (proved); {}", why)});
+    case CdtAnswer::kUnknown:
+      break;
+  }
+  return tl::unexpected(NoMesh{
+      false,
+      fmt::format("there is no canonical one, and the search for another was given up, {}; "
+                  "--search-vertices and --search-conflicts set its limits, and build steiner-cdt "
+                  "adds vertices until there is a canonical one; {}",
+                  decision.limit, why)});
 }
 
 tl::expected<DomainMesh, NoMesh> planar(const Domain& domain, const std::string& algorithm) {
@@ -85,14 +118,21 @@ std::string on_segment(const Domain& domain, const constrained::PointOnSegment& 
   return "on segment " + labels(domain, domain.complex.segments[point.segment]);
 }
 
-DomainMesh steiner(const Domain& domain, const std::string& algorithm) {
+NoMesh not_with(std::size_t steiner_points) {
+  return {false, fmt::format("{} Steiner points do not suffice; --steiner-points allows more",
+                             steiner_points)};
+}
+
+tl::expected<DomainMesh, NoMesh> steiner(const Domain& domain, const std::string& algorithm,
+                                         std::size_t most) {
   using constrained::CdtAlgorithm;
   const CdtAlgorithm by = algorithm == "polygon-flips"      ? CdtAlgorithm::kPolygonFlips
                           : algorithm == "polygon-cavities" ? CdtAlgorithm::kPolygonCavities
                                                             : CdtAlgorithm::kGiftWrapping;
-  constrained::SteinerCdt built = constrained::steiner_cdt(domain.complex, by);
-  DomainMesh mesh{std::move(built.complex.points), std::move(built.triangulation)};
-  for (const auto& point : built.steiner_points) {
+  auto built = constrained::steiner_cdt(domain.complex, by, most);
+  if (!built) return tl::unexpected(not_with(most));
+  DomainMesh mesh{std::move(built->complex.points), std::move(built->triangulation)};
+  for (const auto& point : built->steiner_points) {
     mesh.steiner_points.push_back(on_segment(domain, point));
   }
   return mesh;
@@ -100,11 +140,7 @@ DomainMesh steiner(const Domain& domain, const std::string& algorithm) {
 
 tl::expected<DomainMesh, NoMesh> conforming(const Domain& domain, std::size_t most) {
   auto built = constrained::conforming_delaunay(domain.complex, most);
-  if (!built) {
-    return tl::unexpected(NoMesh{false, fmt::format("{} Steiner points do not suffice; "
-                                                    "--steiner-points allows more",
-                                                    most)});
-  }
+  if (!built) return tl::unexpected(not_with(most));
   const std::size_t first = domain.complex.points.size();
   DomainMesh mesh{std::move(built->complex.points), std::move(built->triangulation)};
   mesh.steiner_points.resize(mesh.points.size() - first);
@@ -129,20 +165,14 @@ std::vector<std::string> algorithms_for(const std::string& what, std::size_t dim
 
 tl::expected<DomainMesh, NoMesh> construct(const DomainConstruction& construction,
                                            const Domain& domain) {
-  const auto& [what, algorithm, most_steiner_points] = construction;
-  if (what == "conforming-delaunay") return conforming(domain, most_steiner_points);
-  if (domain.complex.ambient_dimension() == 2) return planar(domain, algorithm);
-  if (what == "steiner-cdt") return steiner(domain, algorithm);
-  if (what == "planar-cdt") {
-    return mesh_of(domain, of_polygons(domain.complex));
-  }
-  if (algorithm == "polygon-flips") {
-    return by_polygon_insertion(domain, constrained::PolygonInsertion::kFlips);
-  }
-  if (algorithm == "polygon-cavities") {
-    return by_polygon_insertion(domain, constrained::PolygonInsertion::kCavities);
-  }
-  return by_gift_wrapping(domain);
+  const std::string& what = construction.what;
+  const std::size_t dimension = domain.complex.ambient_dimension();
+  if (what == "conforming-delaunay") return conforming(domain, construction.most_steiner_points);
+  if (what == "planar-cdt" && dimension == 3) return mesh_of(domain, of_polygons(domain.complex));
+  if (what == "cdt" && dimension == 3) return cdt(domain, construction);
+  if (dimension == 2) return planar(domain, construction.algorithm.value_or("gift-wrapping"));
+  return steiner(domain, construction.algorithm.value_or("polygon-flips"),
+                 construction.most_steiner_points);
 }
 
 }  // namespace circumspect::cli

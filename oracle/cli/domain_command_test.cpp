@@ -235,8 +235,12 @@ TEST_CASE("Schonhardt's polyhedron has no triangulation, which is proved") {
     const Run built = run(
         {"build", "cdt", domain, "--algorithm", algorithm, "-o", folder.path("schonhardt.1.ele")});
     CHECK(built.exit_code == 1);
-    CHECK(begins_with(built.out, "impossible: cdt " + domain + ": "));
+    CHECK(begins_with(built.out, "impossible: cdt " + domain + ": none (proved); "));
   }
+  const Run limited = run(
+      {"build", "cdt", domain, "--search-vertices", "5", "-o", folder.path("schonhardt.1.ele")});
+  CHECK(limited.exit_code == 4);
+  CHECK(begins_with(limited.out, "undecided: cdt " + domain + ": "));
   CHECK(!std::filesystem::exists(folder.path("schonhardt.1.ele")));
 }
 
@@ -324,10 +328,14 @@ TEST_CASE("build steiner-cdt and conforming-delaunay of what has no CDT") {
     const Run checked = run({"check", mesh, "--domain", domain, "--claim", what});
     CHECK_MESSAGE(checked.exit_code == 0, checked.out);
   }
-  const Run limited = run({"build", "conforming-delaunay", domain, "--steiner-points", "1", "-o",
-                           folder.path("limited.ele")});
-  CHECK(limited.exit_code == 4);
-  CHECK(begins_with(limited.out, "undecided: conforming-delaunay "));
+  for (const std::string what : {"steiner-cdt", "conforming-delaunay"}) {
+    const Run limited =
+        run({"build", what, domain, "--steiner-points", "1", "-o", folder.path("limited.ele")});
+    CHECK(limited.exit_code == 4);
+    CHECK(limited.out == "undecided: " + what + " " + domain +
+                             ": 1 Steiner points do not suffice; --steiner-points allows more\n");
+    CHECK(!std::filesystem::exists(folder.path("limited.ele")));
+  }
 }
 
 TEST_CASE("circumspect --help has an example and the exit codes") {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/piecewise_linear/regions.hpp"
 
 namespace circumspect::cli {
@@ -18,23 +17,18 @@ void count_regions(const Regions& regions, DomainFacts& facts) {
   facts.ignored_hole_seeds = regions.ignored_seeds();
 }
 
-// Gift-wrapping decides about the canonical one; a search that is exponential at worst, about any.
 void look_for_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
                   const SearchLimits& limits, DomainFacts& facts) {
-  const bool in_plane = complex.ambient_dimension() == 2;
-  if (in_plane || constrained::gift_wrapping_cdt(complex)) {
+  if (complex.ambient_dimension() == 2) {
     facts.cdt = CdtAnswer::kCanonical;
     return;
   }
-  const existence::Limits within{.vertices = limits.vertices, .conflicts = limits.conflicts};
-  existence::Existence cdt = existence::any_cdt(complex, regions, within);
-  if (std::holds_alternative<existence::Exists>(cdt)) facts.cdt = CdtAnswer::kAnother;
-  if (facts.cdt == CdtAnswer::kAnother) return;
-  if (auto* impossible = std::get_if<existence::Impossible>(&cdt)) {
-    facts.cdt = CdtAnswer::kNone;
-    facts.no_cdt = std::move(*impossible);
-  }
-  existence::Existence any = existence::any_triangulation(complex, regions, within);
+  CdtDecision decision = decide_cdt(complex, regions, limits);
+  facts.cdt = decision.answer;
+  facts.no_cdt = std::move(decision.refutation);
+  if (decision.cdt) return;
+  existence::Existence any =
+      existence::any_triangulation(complex, regions, existence_limits(limits));
   if (std::holds_alternative<existence::Exists>(any)) facts.triangulation = true;
   if (auto* impossible = std::get_if<existence::Impossible>(&any)) {
     facts.triangulation = false;
@@ -43,20 +37,6 @@ void look_for_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
 }
 
 }  // namespace
-
-std::string_view word(CdtAnswer answer) {
-  switch (answer) {
-    case CdtAnswer::kCanonical:
-      return "canonical";
-    case CdtAnswer::kAnother:
-      return "another";
-    case CdtAnswer::kNone:
-      return "none";
-    case CdtAnswer::kUnknown:
-      return "unknown";
-  }
-  return "";
-}
 
 DomainFacts facts_of(const LoadedDomain& loaded, const SearchLimits& limits) {
   const PiecewiseLinearComplex& complex = loaded.domain.complex;

@@ -2,21 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "oracle/cli/cdt_decision.hpp"
 #include "oracle/cli/domain_input.hpp"
 #include "reference/constrained/edge_protection.hpp"
-#include "reference/existence/existence.hpp"
 #include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
-
-// Has it a constrained Delaunay triangulation without Steiner points? The canonical one is what the
-// symbolic perturbation chooses; where that has none, cocircular or cospherical vertices may still
-// allow another.
-enum class CdtAnswer { kCanonical, kAnother, kNone, kUnknown };
-std::string_view word(CdtAnswer answer);
 
 struct DomainFacts {
   // Enclosed by polygons (in the plane: by segments); what else there is in a hull is not counted.
@@ -33,11 +26,6 @@ struct DomainFacts {
   // Where there is none: the proofs.
   std::optional<existence::Impossible> no_cdt = {};
   std::optional<existence::Impossible> no_triangulation = {};
-};
-
-struct SearchLimits {
-  std::size_t vertices = 60;
-  int conflicts = 1'000'000;
 };
 
 DomainFacts facts_of(const LoadedDomain& loaded, const SearchLimits& limits);

@@ -200,22 +200,12 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
                   "How many breaches of a domain are reported (default 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
-  command
-      .add_option("--search-vertices", options.limits.vertices,
-                  "Search for any CDT, where there is no canonical one, in domains of at most N "
-                  "vertices (default 60)")
-      ->check(whole_number())
-      ->option_text("N");
+  add_search_options(command, options.limits);
   command
       .add_option("--refutations", options.refutations,
                   "Where there is no CDT or no triangulation, write the proofs: PREFIX-cdt.cnf and "
                   ".drat, PREFIX-triangulation.cnf and .drat, for `replay`")
       ->option_text("PREFIX");
-  command
-      .add_option("--search-conflicts", options.limits.conflicts,
-                  "Give the search up after N conflicts (default 1000000; 0: never)")
-      ->check(whole_number())
-      ->option_text("N");
 }
 
 void inspect_domain(const std::string& path, const InputOptions& input,
