@@ -9,7 +9,7 @@
 #include "properties/generators/complexes.hpp"
 #include "properties/generators/run.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/piecewise_linear/regions.hpp"

@@ -10,8 +10,7 @@
 #include "properties/plc_triangulations.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
 #include "reference/existence/candidates.hpp"
-#include "reference/optimality/interpolation.hpp"
-#include "reference/optimality/min_containment_ball.hpp"
+#include "reference/optimality/criteria.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -18,12 +18,12 @@
 #include "properties/plc_triangulations.hpp"
 #include "properties/polygon_triangulations.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
-#include "reference/constrained/carve.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/existence/candidates.hpp"
-#include "reference/optimality/interpolation.hpp"
+#include "reference/optimality/criteria.hpp"
 #include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::properties {

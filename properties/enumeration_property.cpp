@@ -10,7 +10,7 @@
 #include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
 #include "properties/triangulations/random_flips.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"

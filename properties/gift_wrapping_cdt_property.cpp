@@ -9,9 +9,9 @@
 
 #include "properties/generators/complexes.hpp"
 #include "properties/generators/run.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/complex/proper_intersection.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/piecewise_linear/visibility.hpp"

@@ -12,7 +12,6 @@
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/gift_wrapping_cells.hpp"
-#include "reference/delaunay/gift_wrapping_seed.hpp"
 
 namespace circumspect::properties {
 namespace {

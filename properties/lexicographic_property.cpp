@@ -9,7 +9,7 @@
 #include "properties/generators/any_case.hpp"
 #include "properties/generators/laws.hpp"
 #include "properties/generators/run.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 

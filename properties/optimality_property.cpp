@@ -12,9 +12,8 @@
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/barycentric.hpp"
+#include "reference/optimality/criteria.hpp"
 #include "reference/optimality/faces.hpp"
-#include "reference/optimality/interpolation.hpp"
-#include "reference/optimality/min_containment_ball.hpp"
 
 namespace circumspect::properties {
 namespace {

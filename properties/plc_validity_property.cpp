@@ -7,8 +7,8 @@
 
 #include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "reference/complex/flat.hpp"
-#include "reference/piecewise_linear/lines.hpp"
+#include "reference/complex/point_set.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/piecewise_linear/validity.hpp"
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"

@@ -9,9 +9,9 @@
 #include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
+#include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/constrained/insert_polygon_by_cavity.hpp"
 
 namespace circumspect::properties {
 namespace {

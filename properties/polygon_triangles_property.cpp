@@ -8,9 +8,9 @@
 
 #include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/piecewise_linear/incidence.hpp"
-#include "reference/piecewise_linear/triangulate_by_sweep.hpp"
+#include "reference/piecewise_linear/polygon_triangles.hpp"
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"
 

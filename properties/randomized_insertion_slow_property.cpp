@@ -11,7 +11,7 @@
 #include "properties/generators/laws.hpp"
 #include "properties/generators/point_sets.hpp"
 #include "properties/generators/run.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/triggers_and_stoppers.hpp"

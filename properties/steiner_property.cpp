@@ -9,7 +9,7 @@
 #include "properties/constrained_delaunay.hpp"
 #include "properties/generators/complexes.hpp"
 #include "properties/generators/run.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/segment_recovery.hpp"

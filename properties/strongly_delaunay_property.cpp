@@ -7,7 +7,7 @@
 #include "properties/generators/point_sets.hpp"
 #include "properties/generators/run.hpp"
 #include "reference/complex/proper_intersection.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/exact/affine_hull.hpp"

@@ -6,7 +6,7 @@
 
 #include "properties/generators/any_case.hpp"
 #include "properties/generators/run.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/vertex_deletion.hpp"

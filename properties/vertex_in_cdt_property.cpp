@@ -9,12 +9,11 @@
 #include "properties/generators/run.hpp"
 #include "properties/generators/scalars.hpp"
 #include "properties/triangulations/protected_complexes.hpp"
-#include "reference/constrained/carve.hpp"
+#include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
-#include "reference/constrained/delete_polygon.hpp"
-#include "reference/constrained/delete_vertex.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/constrained/insert_vertex.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/constrained/vertex_in_cdt.hpp"
 #include "reference/predicates/intersection.hpp"
 
 namespace circumspect::properties {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::cli {
 namespace {

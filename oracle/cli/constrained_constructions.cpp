@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/labels.hpp"
-#include "reference/complex/flat.hpp"
-#include "reference/constrained/carve.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/planar_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 
 namespace circumspect::cli {

@@ -9,7 +9,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/mesh.hpp"
-#include "reference/exact/read_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace CLI {
 class App;

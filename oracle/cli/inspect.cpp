@@ -20,7 +20,7 @@
 #include "reference/complex/circumball.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/genericity.hpp"
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/exact/affine_hull.hpp"
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::cli {
 namespace {

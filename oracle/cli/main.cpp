@@ -11,6 +11,7 @@
 #include "oracle/cli/unknown_words.hpp"
 #include "oracle/printable.hpp"
 #include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 #include "reference/existence/solver.hpp"
 
 namespace {

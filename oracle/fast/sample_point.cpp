@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "oracle/fast/dyadic.hpp"
+#include "reference/exact/box_index.hpp"
 #include "reference/exact/determinant.hpp"
-#include "reference/exact/enclosing_box.hpp"
 #include "reference/exact/number.hpp"
 
 namespace circumspect::fast {

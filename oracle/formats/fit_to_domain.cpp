@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::formats {
 

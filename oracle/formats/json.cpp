@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "oracle/formats/json_events.hpp"
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "oracle/formats/format_error.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/exact/read_number.hpp"
+#include "reference/exact/number_text.hpp"
 #include "reference/predicates/configuration.hpp"
 
 namespace circumspect::formats {

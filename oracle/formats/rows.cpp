@@ -1,6 +1,6 @@
 #include "oracle/formats/rows.hpp"
 
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::formats {
 namespace {

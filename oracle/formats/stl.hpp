@@ -15,7 +15,7 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/exact/read_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::formats {
 

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/check/check.hpp"
-#include "reference/exact/read_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::report {
 namespace {

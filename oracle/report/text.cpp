@@ -6,7 +6,7 @@
 
 #include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/exact/write_number.hpp"
+#include "reference/exact/number_text.hpp"
 
 namespace circumspect::report {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "properties/generators/named_complexes.hpp"
 #include "properties/generators/scalars.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/piecewise_linear/validity.hpp"
 #include "reference/predicates/orientation.hpp"
 

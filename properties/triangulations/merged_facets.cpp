@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/piecewise_linear/polygon_triangles.hpp"
 #include "reference/predicates/orientation.hpp"
 

@@ -8,7 +8,7 @@
 #include "properties/generators/complexes.hpp"
 #include "properties/generators/scalars.hpp"
 #include "properties/triangulations/merged_facets.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/complex/star_index.hpp"
 #include "reference/complex/triangulation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

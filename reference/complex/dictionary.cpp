@@ -5,6 +5,8 @@
 
 namespace circumspect {
 
+// ---- The dictionary ----
+
 bool is_ghost(const Simplex& simplex) { return contains(simplex, kGhost); }
 
 void SimplexDictionary::add(const Simplex& simplex) {
@@ -68,6 +70,15 @@ std::vector<Simplex> SimplexDictionary::simplices() const {
   });
   std::sort(all.begin(), all.end());
   return all;
+}
+
+// ---- Unfinished facets ----
+
+void UnfinishedFacets::adjoin(const Simplex& simplex) {
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    const OrientedFacet facet = OrientedFacet::opposite(simplex, place);
+    if (facets_.erase(facet) == 0) facets_.insert(facet.reverse());
+  }
 }
 
 }  // namespace circumspect

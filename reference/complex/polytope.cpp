@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect {

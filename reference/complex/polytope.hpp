@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 
 namespace circumspect {
 

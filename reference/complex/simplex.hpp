@@ -1,4 +1,5 @@
-// Simplices as tuples of vertices.
+// Simplices as tuples of vertices, and all subsets of a given size, for what is done "for every k+1
+// points".
 #pragma once
 
 #include <vector>
@@ -25,5 +26,12 @@ bool has_repeated_vertex(const Simplex& simplex);
 
 // Is the permutation that sorts the vertices odd? Requires: no repeated vertex.
 bool is_odd_permutation(const Simplex& simplex);
+
+// {0, 1, …, size − 1}.
+Simplex first_subset(std::size_t size);
+
+// Turns a subset of {0, …, n−1}, in ascending order, into the next one of the same size in
+// lexicographic order; false after the last.
+bool next_subset(Simplex& subset, std::size_t n);
 
 }  // namespace circumspect

@@ -3,9 +3,9 @@
 #include <cassert>
 #include <numeric>
 
-#include "reference/constrained/carve.hpp"
+#include "reference/constrained/cavity.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/constrained/insert_polygon_by_cavity.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -7,9 +7,9 @@
 #include <doctest/doctest.h>
 
 #include "properties/generators/named_complexes.hpp"
-#include "reference/constrained/carve.hpp"
-#include "reference/constrained/delete_polygon.hpp"
+#include "reference/constrained/cavity.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 
 namespace circumspect::constrained {
 namespace {

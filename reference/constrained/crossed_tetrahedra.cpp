@@ -5,7 +5,6 @@
 #include <cassert>
 
 #include "reference/predicates/orientation.hpp"
-#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -28,13 +28,9 @@ std::optional<NoChange> why_no_cdt(const PointSet& points, const EvolvingCdt& cd
     // Walls bound cavities, or stand in them on both sides; and see FlipInsertPolygon for flips.
     assert(!cdt.walls.contains(facet) || !is_absent(cdt, facet));
   }
-  for (const Simplex& facet : facets_of(change.created)) {
-    if (!cdt.walls.contains(facet) &&
-        !delaunay::is_locally_delaunay(points, cdt.tetrahedra, facet,
-                                       delaunay::FlipTest::kPerturbed)) {
-      return NoChange{WhyNoChange::kNotLocallyDelaunay, facet};
-    }
-  }
+  const auto bad =
+      facet_not_locally_delaunay(points, cdt.tetrahedra, facets_of(change.created), cdt.walls);
+  if (bad) return NoChange{WhyNoChange::kNotLocallyDelaunay, *bad};
   return std::nullopt;
 }
 
@@ -64,6 +60,19 @@ std::optional<NoChange> try_change(const PointSet& points, EvolvingCdt& cdt, con
     exchange(cdt.segments, change.segments_added, change.segments_removed);
   }
   return wrong;
+}
+
+std::optional<Simplex> facet_not_locally_delaunay(const PointSet& points,
+                                                  const StarIndex& simplices,
+                                                  const std::vector<Simplex>& facets,
+                                                  const std::set<Simplex>& walls) {
+  for (const Simplex& facet : facets) {
+    if (walls.contains(facet)) continue;
+    if (!delaunay::is_locally_delaunay(points, simplices, facet, delaunay::FlipTest::kPerturbed)) {
+      return facet;
+    }
+  }
+  return std::nullopt;
 }
 
 bool is_on_hull(const PointSet& points, const EvolvingCdt& cdt, const Simplex& facet) {

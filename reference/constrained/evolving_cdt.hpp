@@ -11,9 +11,10 @@
 
 namespace circumspect::constrained {
 
-// The canonical CDT of a convex hull in space with some segments and polygons in it: of a PLC of the
-// hull kind. What changes it takes facets that only one tetrahedron has for those of the hull. So a
-// domain that is not convex has no evolving CDT; it is carved from that of its hull (carve.hpp).
+// The canonical CDT of a convex hull in space with some segments and polygons in it: of a PLC of
+// the hull kind. What changes it takes facets that only one tetrahedron has for those of the hull.
+// So a domain that is not convex has no evolving CDT; it is carved from that of its hull
+// (plc_triangulation.hpp).
 struct EvolvingCdt {
   StarIndex tetrahedra;
   std::set<Simplex> segments;  // pairs of vertices, ascending
@@ -70,11 +71,19 @@ struct Change {
 // nothing has changed. By the Constrained Delaunay Lemma (4.10) it suffices that all segments are
 // edges, all walls facets, and each facet of the new tetrahedra locally Delaunay or a wall.
 // Requires: the tetrahedra will be a triangulation of the hull, with all of its vertices, and
-// besides only one that is to be inserted, or without one that is to be deleted; and all walls will be
-// facets of it, which is asserted. That the created
-// tetrahedra fill what the deleted ones leave, and that no vertex comes or goes, is not looked at.
+// besides only one that is to be inserted, or without one that is to be deleted; and all walls will
+// be facets of it, which is asserted. That the created tetrahedra fill what the deleted ones leave,
+// and that no vertex comes or goes, is not looked at.
 // Throws std::logic_error if a deleted tetrahedron is not there, or a created one already is.
 std::optional<NoChange> try_change(const PointSet& points, EvolvingCdt& cdt, const Change& change);
+
+// The first of some facets of a triangulation that is neither a wall nor locally Delaunay: the
+// condition of the Constrained Delaunay Lemma (4.10). Requires: the facets are in the
+// triangulation.
+std::optional<Simplex> facet_not_locally_delaunay(const PointSet& points,
+                                                  const StarIndex& simplices,
+                                                  const std::vector<Simplex>& facets,
+                                                  const std::set<Simplex>& walls);
 
 // Is the facet of the triangulation on the boundary of the convex hull? So it is if only one
 // tetrahedron has it. Asserts that then no vertex of the triangulation lies beyond.

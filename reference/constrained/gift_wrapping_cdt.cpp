@@ -5,20 +5,16 @@
 #include <set>
 #include <utility>
 
-#include "reference/complex/facets.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/dictionary.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/complex/star_index.hpp"
-#include "reference/complex/unfinished_facets.hpp"
-#include "reference/constrained/carve.hpp"
 #include "reference/constrained/clear_apex.hpp"
 #include "reference/constrained/evolving_cdt.hpp"
-#include "reference/constrained/obstacles.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/delaunay/gift_wrapping_seed.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/piecewise_linear/regions.hpp"
 #include "reference/piecewise_linear/visibility.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
 
 namespace circumspect::constrained {
 namespace {
@@ -146,19 +142,10 @@ class SpatialWrapping {
   bool is_covered_once() const {
     const Point sample = barycentre(coordinates(points_, tetrahedra_.front()));
     if (regions_.locate(sample) != Where::kInside) return false;
-    std::vector<Point> with_sample = points_.points();
-    with_sample.push_back(sample);
-    const Configuration configuration(with_sample);
-    const auto extra = static_cast<Vertex>(points_.size());
-    const auto holds = [&](const Simplex& tetrahedron) {
-      const int own = orientation(configuration, kAxesOfSpace, tetrahedron);
-      for (std::size_t place = 0; place < tetrahedron.size(); ++place) {
-        const Simplex replaced = with_vertex_replaced(tetrahedron, place, extra);
-        if (own * orientation(configuration, kAxesOfSpace, replaced) < 0) return false;
-      }
-      return true;
+    const auto holds_sample = [&](const Simplex& tetrahedron) {
+      return holds(points_, tetrahedron, sample);
     };
-    return std::count_if(tetrahedra_.begin(), tetrahedra_.end(), holds) == 1;
+    return std::count_if(tetrahedra_.begin(), tetrahedra_.end(), holds_sample) == 1;
   }
 
   // No vertex ever is. Suppose that a vertex u lies in a tetrahedron t without being one of its
@@ -178,17 +165,12 @@ class SpatialWrapping {
   }
 
   std::optional<NoCdt> where_not_locally_delaunay() const {
-    const std::set<Simplex> walls(walls_.begin(), walls_.end());
-    std::optional<NoCdt> failure;
-    for_each_facet(facet_uses(tetrahedra_), [&](std::span<const FacetUse> uses) {
-      if (failure || uses.size() < 2 || walls.contains(uses.front().facet)) return;
-      const Simplex& tetrahedron = tetrahedra_[uses[0].simplex];
-      const Vertex beyond = tetrahedra_[uses[1].simplex][uses[1].opposite];
-      if (perturbed_in_ball(points_.configuration(), kAxesOfSpace, tetrahedron, beyond) > 0) {
-        failure = NoCdt{WhyNoCdt::kNotLocallyDelaunay, uses.front().facet, {beyond}};
-      }
-    });
-    return failure;
+    const StarIndex triangulation(tetrahedra_);
+    const auto facet = facet_not_locally_delaunay(points_, triangulation, facets_of(tetrahedra_),
+                                                  {walls_.begin(), walls_.end()});
+    if (!facet) return std::nullopt;
+    const Vertex beyond = triangulation.link(*facet).back().front();
+    return NoCdt{WhyNoCdt::kNotLocallyDelaunay, *facet, {beyond}};
   }
 
   // The walls, segments and vertices, of which some may be dangling.

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/constrained/planar_domain.hpp"
 #include "reference/delaunay/by_definition.hpp"
 
 namespace circumspect::constrained {

@@ -1,9 +1,12 @@
-// A triangulation of a piecewise linear complex. Book: Definitions 4.4, 4.5 and 4.7.
+// A triangulation of a piecewise linear complex (Book: Definitions 4.4, 4.5 and 4.7), and how to
+// get one from a CDT of the convex hull.
 #pragma once
 
 #include <vector>
 
 #include "reference/complex/simplex.hpp"
+#include "reference/constrained/evolving_cdt.hpp"
+#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 
@@ -17,5 +20,18 @@ struct PlcTriangulation {
 
   bool operator==(const PlcTriangulation&) const = default;
 };
+
+// The tetrahedra in the polyhedra of the complex, and its dangling triangles, edges and vertices:
+// without the tetrahedra that are joined, through facets that are no walls, to one that contains a
+// hole seed or, if the domain is what the polygons enclose, to the outside.
+// Requires: all polygons of the complex have been inserted.
+PlcTriangulation carve(const PiecewiseLinearComplex& complex, const EvolvingCdt& cdt);
+
+// Does the closed tetrahedron contain the point?
+bool holds(const PointSet& points, const Simplex& tetrahedron, const Point& point);
+
+// A triangulation of d-simplices and the faces that are to be in it: those faces that are in no
+// other simplex of it become the dangling ones.
+PlcTriangulation with_dangling(std::vector<Simplex> simplices, const std::set<Simplex>& faces);
 
 }  // namespace circumspect::constrained

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "reference/delaunay/conflict_graph.hpp"
-#include "reference/delaunay/linear_scan.hpp"
-#include "reference/delaunay/walk.hpp"
+#include "reference/delaunay/point_location.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -1,6 +1,6 @@
 #include "reference/delaunay/by_definition.hpp"
 
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/predicates/orientation.hpp"
 #include "reference/predicates/perturbation.hpp"
 

@@ -17,9 +17,10 @@ namespace circumspect::delaunay {
 //
 // Why two: those points have one affine dependence (up to a factor), which parts them into the
 // points with a positive and those with a negative coefficient; the convex hulls of the two parts
-// meet in one point (Radon). A triangulation holds the one part as a face, in which case it consists
-// of the simplices that omit one point of the other, or the other way round. For any heights, one
-// of the two is the lower and one the upper side of the lifted points, the W-simplex of the book.
+// meet in one point (Radon). A triangulation holds the one part as a face, in which case it
+// consists of the simplices that omit one point of the other, or the other way round. For any
+// heights, one of the two is the lower and one the upper side of the lifted points, the W-simplex
+// of the book.
 struct BasicFlip {
   std::vector<Simplex> deleted;  // T_D
   std::vector<Simplex> created;  // T_C
@@ -35,8 +36,8 @@ struct BasicFlip {
 // Requires: the simplex is a k-simplex, k the dimension of the set; the apex is not its vertex.
 BasicFlip basic_flip(const PointSet& points, const Simplex& simplex, Vertex apex);
 
-// What a basic flip does to a triangulation: it exchanges T_D * Z for T_C * Z, where Z is the set of
-// the (k−j−1)-simplices that join T_D to the rest. Of a flip with j = k, Z holds only the empty
+// What a basic flip does to a triangulation: it exchanges T_D * Z for T_C * Z, where Z is the set
+// of the (k−j−1)-simplices that join T_D to the rest. Of a flip with j = k, Z holds only the empty
 // simplex.
 struct ExtendedFlip {
   std::vector<Simplex> deleted;  // T_D * Z
@@ -51,9 +52,9 @@ struct BlockedFlip {
   std::vector<Simplex> missing;
 };
 
-// The flip in a triangulation T, or what blocks it. A suitable Z must hold every ζ such that τ * ζ is
-// in T for some τ in T_D, for T_D * Z is to contain every simplex of T with a face in T_D; and no
-// other, for T_D * Z is to be part of T. So Z is the union of the links of T_D, and the flip is
+// The flip in a triangulation T, or what blocks it. A suitable Z must hold every ζ such that τ * ζ
+// is in T for some τ in T_D, for T_D * Z is to contain every simplex of T with a face in T_D; and
+// no other, for T_D * Z is to be part of T. So Z is the union of the links of T_D, and the flip is
 // possible iff these are all equal.
 // Requires: at least one simplex of T_D is a face of T.
 tl::expected<ExtendedFlip, BlockedFlip> extended_flip(const StarIndex& triangulation,
@@ -64,5 +65,13 @@ tl::expected<ExtendedFlip, BlockedFlip> extended_flip(const StarIndex& triangula
 // Requires: the facet is in the triangulation, and not on the hull.
 BasicFlip flip_of_facet(const PointSet& points, const StarIndex& triangulation,
                         const Simplex& facet);
+
+// The procedure of Figure 4.8, FLIP(T, uvw), for tetrahedra: performs the flip that removes the
+// triangle uvw. Where the book assumes that uvw can be flipped, a blocked flip changes nothing and
+// returns what is missing. Does the same as extended_flip(T, flip_of_facet(points, T, uvw)), which
+// serves any dimension.
+// Requires: points.dimension() == 3; uvw is in the triangulation, and not on the hull.
+tl::expected<ExtendedFlip, BlockedFlip> flip(const PointSet& points, StarIndex& triangulation,
+                                             Vertex u, Vertex v, Vertex w);
 
 }  // namespace circumspect::delaunay

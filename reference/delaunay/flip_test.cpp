@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/delaunay/flip_tetrahedra.hpp"
-
 namespace circumspect::delaunay {
 namespace {
 

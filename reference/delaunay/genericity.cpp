@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "reference/complex/facets.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/exact/affine_hull.hpp"
 #include "reference/predicates/in_ball.hpp"
 

@@ -1,11 +1,86 @@
 #include "reference/delaunay/gift_wrapping.hpp"
 
+#include <cassert>
 #include <optional>
 
-#include "reference/delaunay/apex_of_facet.hpp"
-#include "reference/delaunay/gift_wrapping_seed.hpp"
+#include "reference/complex/circumball.hpp"
+#include "reference/complex/polytope.hpp"
+#include "reference/predicates/orientation.hpp"
+#include "reference/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
+
+// ---- Finish ----
+
+// Keeps the first candidate in front, and replaces it by any later one that lies in the open
+// circumball of the facet and the one kept. The spheres through the facet are a pencil, in which the
+// candidates in front stand in one order; the scan finds the first of them.
+std::optional<Vertex> apex_of_facet(const PointSet& points, const std::vector<std::size_t>& axes,
+                                    const OrientedFacet& facet,
+                                    const std::vector<Vertex>& candidates) {
+  std::optional<Vertex> kept;
+  for (const Vertex q : candidates) {
+    if (orientation(points.configuration(), axes, join(facet, q)) <= 0) continue;
+    const bool better =
+        !kept || perturbed_in_ball(points.configuration(), axes, join(facet, *kept), q) > 0;
+    if (better) kept = q;
+  }
+  return kept;
+}
+
+// ---- Seeds ----
+
+namespace {
+
+// The facet with the members, all on one side of it, in front.
+OrientedFacet facing(const PointSet& points, const std::vector<std::size_t>& axes,
+                     const Simplex& facet, const std::vector<Vertex>& members) {
+  const OrientedFacet oriented = OrientedFacet::of(facet);
+  for (const Vertex q : members) {
+    const int side = orientation(points.configuration(), axes, join(oriented, q));
+    if (side != 0) return side > 0 ? oriented : oriented.reverse();
+  }
+  return oriented;
+}
+
+// A simplex of the canonical triangulation of the members in their own flat, on its boundary.
+Simplex canonical_simplex(const PointSet& points, const std::vector<Vertex>& members) {
+  const Flat flat = flat_through(points, members);
+  if (flat.dimension() == 0) return {members.front()};
+  const Simplex seed = canonical_simplex(points, some_facet(points, flat.axes, members));
+  const OrientedFacet facet = facing(points, flat.axes, seed, members);
+  const std::optional<Vertex> apex = apex_of_facet(points, flat.axes, facet, members);
+  assert(apex.has_value());
+  return sorted(join(facet, *apex));
+}
+
+}  // namespace
+
+Simplex hull_facet_seed(const PointSet& points) {
+  const std::vector<Vertex> all = all_vertices(points);
+  return canonical_simplex(points, some_facet(points, flat_through(points, all).axes, all));
+}
+
+Simplex nearest_neighbour_seed(const PointSet& points) {
+  Simplex seed = {0};
+  while (static_cast<int>(seed.size()) < points.dimension()) {
+    std::optional<Rational> least;
+    Simplex best;
+    for (const Vertex q : all_vertices(points)) {
+      Simplex larger = seed;
+      larger.push_back(q);
+      if (flat_through(points, larger).dimension() < seed.size()) continue;
+      const Rational squared_radius = circumball(points, larger).squared_radius;
+      if (least && squared_radius >= *least) continue;
+      least = squared_radius;
+      best = larger;
+    }
+    seed = best;
+  }
+  return sorted(seed);
+}
+
+// ---- Gift-wrapping ----
 
 std::vector<Simplex> gift_wrap(const PointSet& points, const std::vector<std::size_t>& axes,
                                UnfinishedFacets unfinished, const std::vector<Vertex>& candidates) {

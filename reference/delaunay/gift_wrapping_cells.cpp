@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/complex/polytope.hpp"
 #include "reference/delaunay/least_vertex.hpp"
 #include "reference/predicates/in_ball.hpp"

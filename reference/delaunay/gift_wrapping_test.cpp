@@ -5,10 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/delaunay/apex_of_facet.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/gift_wrapping_cells.hpp"
-#include "reference/delaunay/gift_wrapping_seed.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "reference/complex/flat.hpp"
-#include "reference/complex/unfinished_facets.hpp"
+#include "reference/complex/dictionary.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {

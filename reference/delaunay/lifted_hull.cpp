@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/delaunay/least_vertex.hpp"
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/orientation.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/predicates/orientation.hpp"
 #include "reference/predicates/perturbation.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/complex/flat.hpp"
-#include "reference/complex/unfinished_facets.hpp"
+#include "reference/complex/dictionary.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/predicates/orientation.hpp"
 

@@ -1,4 +1,6 @@
-// Determinants of integer matrices.
+// Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
+// speed alone: by elimination, which would do, `build delaunay` takes 50 % longer, by cofactors 130
+// %.
 #pragma once
 
 #include <cstddef>

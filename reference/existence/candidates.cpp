@@ -6,7 +6,6 @@
 
 #include "reference/predicates/in_ball.hpp"
 #include "reference/predicates/orientation.hpp"
-#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::existence {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"
-#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect::existence {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "reference/complex/proper_intersection.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::optimality {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 
 namespace circumspect::optimality {
 

@@ -11,16 +11,28 @@
 #include "reference/complex/point_set.hpp"
 #include "reference/complex/triangulation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/circuits.hpp"
 
 namespace circumspect::optimality {
 
-// The triangulation after the bistellar flip on a circuit that deletes the simplices which leave out
-// one positive point; nothing if the triangulation has no such flip. Basic if the circuit has d+2
-// points, extended otherwise.
+// A circuit: a minimal affinely dependent set of points, the vertex set W of a (lower-dimensional)
+// basic flip. The points of both parts are affinely dependent, those of no proper subset are. The
+// sign says on which side of the one dependence a point stands: the two parts are what Radon's
+// theorem divides the set into, conv(positive) meets conv(negative) in one point.
+struct Circuit {
+  Simplex positive;  // ascending
+  Simplex negative;  // ascending
+};
+
+// All circuits, each once; which part is called positive is arbitrary.
+std::vector<Circuit> circuits(const PointSet& points);
+
+// The triangulation after the bistellar flip on a circuit that deletes the simplices which leave
+// out one positive point; nothing if the triangulation has no such flip. Basic if the circuit has
+// d+2 points, extended otherwise.
 std::optional<Triangulation> flipped(const Triangulation& triangulation, const Circuit& circuit);
 
-// All triangulations one flip away. Flips that create or delete a vertex count only for kSomePoints.
+// All triangulations one flip away. Flips that create or delete a vertex count only for
+// kSomePoints.
 std::vector<Triangulation> neighbours(const Triangulation& triangulation,
                                       const std::vector<Circuit>& circuits, VertexUse use);
 

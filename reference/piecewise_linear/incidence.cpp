@@ -4,7 +4,6 @@
 #include <array>
 
 #include "reference/predicates/orientation.hpp"
-#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect {
 namespace {

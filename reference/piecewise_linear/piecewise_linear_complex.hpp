@@ -1,6 +1,7 @@
 // Piecewise linear complexes. Book: Section 4.5.1, Definition 4.3.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "reference/complex/point_set.hpp"
@@ -59,5 +60,12 @@ struct PiecewiseLinearInput {
 // whose lines do not list them are adopted: Definition 4.3 makes them faces of it.
 // Requires: the input is a valid PLC (see validity.hpp).
 PiecewiseLinearComplex assemble(const PiecewiseLinearInput& input);
+
+// A line stands for its edges, each once however often it is passed, and for its vertices.
+std::set<Simplex> edges_of(const PolygonLines& polygon);
+std::vector<Vertex> vertices_of(const PolygonLines& polygon);  // ascending
+
+// The segments of all that is handed in: ascending pairs, each once, in lexicographic order.
+std::vector<Simplex> segments_of(const PiecewiseLinearInput& input);
 
 }  // namespace circumspect

@@ -1,4 +1,5 @@
-// Stages 4 and 5 of `validated`: polygons against segments, polygons and hole seeds.
+#include "reference/piecewise_linear/polygon_breaches.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -7,9 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "reference/piecewise_linear/breaches.hpp"
-#include "reference/piecewise_linear/cell_boxes.hpp"
 #include "reference/piecewise_linear/incidence.hpp"
+#include "reference/piecewise_linear/nearby_cells.hpp"
 #include "reference/predicates/intersection.hpp"
 
 namespace circumspect {

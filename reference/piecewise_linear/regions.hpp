@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/complex/oriented_facet.hpp"
+#include "reference/complex/facets.hpp"
 #include "reference/piecewise_linear/nearby_cells.hpp"
 #include "reference/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/piecewise_linear/wall_set.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/exact/affine_hull.hpp"
+#include "reference/exact/linear_system.hpp"
 
 namespace circumspect {
 
@@ -25,10 +26,10 @@ class SightCone {
   // The coordinates of a point. Requires: it is in the affine hull of v and the simplex.
   Point coordinates(const Point& point) const;
 
-  // Takes away the directions in which an obstacle, a convex polygon (segment) given by the
-  // coordinates of its corners in order, lies before the simplex. One in whose plane (line) v lies
-  // covers no open set of directions, nor does one that does not come before the simplex. Says
-  // whether fewer directions are open now.
+  // Takes away the directions in which an obstacle, a triangle (if k = 2, a segment) given by the
+  // coordinates of its corners, lies before the simplex. One in whose plane (line) v lies covers no
+  // open set of directions, nor does one that does not come before the simplex. Says whether fewer
+  // directions are open now.
   bool obstruct(const std::vector<Point>& obstacle);
 
   // k affinely independent points of the simplex such that no obstacle lies before the interior of
@@ -44,8 +45,8 @@ class SightCone {
   Point v_;
   std::vector<Point> simplex_;
   std::vector<std::size_t> axes_;
-  std::vector<Point> inverse_;  // rows
-  std::vector<Polygon> open_;   // in barycentric coordinates, the first left out
+  RationalMatrix directions_;  // the columns are the φ_i − v, on the axes
+  std::vector<Polygon> open_;  // in barycentric coordinates, the first left out
 };
 
 }  // namespace circumspect

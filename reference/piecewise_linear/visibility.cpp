@@ -1,59 +1,22 @@
-// Visibility, decided exactly. Book: Definition 2.13: x and y are visible to each other iff xy
-// respects P, that is xy ⊆ |P| and no cell meets the relative interior of xy without including it.
+// Visibility, decided exactly. Book: Definition 2.13, quoted in Section 4.5.2: two points x and y
+// are visible to each other if xy respects P, that is, xy ⊆ |P| and no linear cell occludes: none
+// intersects the relative interior of xy without including xy.
 //
-// Let σ respect P, v a vertex of P that is none of σ's, H = aff(v ∪ σ), of dimension k. No point of
-// σ is v. For x in relint σ let ]x, v[ be the open segment. What may occlude?
+// Let σ respect P, let v be a vertex of P that is none of σ's, and H = aff(v ∪ σ), of dimension k.
+// A line of sight goes from v through relint σ; the directions of all of them are an open set of
+// dimension k − 1. Is v visible from a point of relint σ? In three steps, which the functions below
+// justify:
 //
-// 1. Directions. The points of relint σ that v sees through in one direction count as one; the
-//    directions form an open set of dimension k − 1. The cells that meet H in a set of which v sees
-//    no more than k − 2 dimensions (vertices; segments, unless k = 2 and they lie in H; polygons
-//    whose plane contains v, unless they lie in H) block a nowhere dense set of directions. The
-//    other walls that cross H are closed, and block a closed set. So v is visible iff those walls
-//    leave an open set of directions, or, what is the same, any direction at all: a closed set that
-//    is not everything leaves an open one, and a nowhere dense set cannot fill that.
-//    - k = 3: walls are the triangles of all polygons whose plane does not contain v.
-//    - k = 2, in the plane: walls are the segments. In space: segments in H, and what H cuts out of
-//      triangles. A polygon in H occludes nothing: a line in H that enters or leaves it crosses its
-//      boundary, which consists of segments.
-//
-// 2. v ∈ aff σ (σ a tetrahedron in space, a triangle in its plane; σ of dimension k). A line of
-//    sight enters σ through a facet φ that has v strictly beyond it, in a point y of relint φ (for
-//    an open set of directions), and runs in relint σ from there, where it meets no cell without
-//    being in it. So v sees relint σ iff it sees relint φ for some such φ, past all that lies
-//    before φ, and nothing occludes in y itself. Either φ lies in a polygon that is not in H (in a
-//    segment, if k = 2), then all y are blocked; or relint φ meets none, for σ respects P. Walls
-//    that touch φ in single points or lines block few directions. An obstacle that lies partly
-//    before φ and partly behind it is cut at φ; behind φ it blocks nothing, not even if it comes
-//    before other parts of σ, since lines that enter through φ do not meet it before they are in σ.
-//    If σ is an edge and v on its line, an end of σ lies between: invisible.
-//
-// 3. v ∉ aff σ (k − 1 = dimension of σ): the same with φ = σ, and no question about y: a polygon
-//    that contains σ meets ]x, v[ nowhere or includes it.
-//
-// 4. ]x, v[ ⊆ |P|? If it is not occluded, ]x, v[ lies in one region, or one polygon in H, or is
-//    part of a segment in no region that matters (generic lines are in no segment). In 2 it starts
-//    in relint σ, so it stays in the region, or the polygon, of σ: yes. In 3 it starts beside
-//    relint σ, along which P is everywhere the same (σ respects P): the region on v's side of σ
-//    decides, one for all x. If σ is a facet (dimension d − 1) and in no wall, that is the region
-//    of σ itself. If a wall contains it, as a dangling one does, the region in front of that; a
-//    dangling polygon outside sees nothing beside its own plane. If σ is an edge in space, the
-//    middle of one line of sight decides for all. In the hull kind nothing leads out of |P|, which
-//    is convex. (The region next to v needs no look: it is that of all of ]x, v[.)
-//
-// So as not to look at all walls, a line of sight is tried that goes through what is still open;
-// the walls that it meets are taken away, and another one is tried, until one is clear or nothing
-// is open. A wall that counts takes away all lines that it meets, and with any of them in an open
-// part some of the interior of that part; no line tried later meets it. Those that block few
-// directions are avoided by trying other lines through the same open part. So this ends.
+// 1. `entrances`: the faces φ of σ through which lines of sight enter σ.
+// 2. `unoccluded_point`: of each φ, the part that no cell before it occludes; and a point in it.
+// 3. `opens_into_domain`, `is_in_domain`: does |P| contain the way from there to v?
 #include "reference/piecewise_linear/visibility.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "reference/piecewise_linear/sight_cone.hpp"
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"
-#include "reference/predicates/space_axes.hpp"
 
 namespace circumspect {
 namespace {
@@ -68,19 +31,17 @@ class Visibility {
     v_is_in_hull_ = axes_of(points().configuration(), all).size() < simplex_.size();
   }
 
+  // A point of relint σ from which v is visible.
   std::optional<Point> point() const {
     if (simplex_.size() == 1) {
       const bool sees = respects(complex_, regions_, {simplex_[0], v_});
       return sees ? std::optional(points()[simplex_[0]]) : std::nullopt;
     }
     const bool is_facet = !v_is_in_hull_ && simplex_.size() == dimension();
-    if (is_facet && !may_start()) return std::nullopt;
-    for (const Simplex& face : faces_towards_v()) {
+    if (is_facet && !opens_into_domain()) return std::nullopt;
+    for (const Simplex& face : entrances()) {
       const auto x = unoccluded_point(face);
-      if (!x) continue;
-      if (v_is_in_hull_ || is_facet) return x;
-      // An edge in space: what holds for one line of sight holds for all.
-      return is_in_domain(Rational(1, 2) * (*x + points()[v_])) ? x : std::nullopt;
+      if (x && (v_is_in_hull_ || is_facet || is_in_domain(*x))) return x;
     }
     return std::nullopt;
   }
@@ -94,24 +55,16 @@ class Visibility {
     return std::binary_search(complex_.segments.begin(), complex_.segments.end(), edge);
   }
 
-  bool is_in_domain(const Point& point) const {
-    const auto region = regions_.region_at(point);
-    return !region || regions_.where(*region) == Where::kInside;
-  }
-
-  // May lines of sight leave the simplex, a facet, on the side of v? (4 above.)
-  bool may_start() const {
-    for (const std::size_t i : regions_.walls().at(centre(simplex_))) {
-      const int side = regions_.walls().side_of(i, points()[v_]);
-      const OrientedFacet front{walls()[i], side < 0};
-      return regions_.where(regions_.in_front_of(front)) == Where::kInside;
-    }
-    return true;
-  }
-
-  // The simplex itself or, if v is in its affine hull, its facets that have v beyond them and
-  // occlude nothing themselves.
-  std::vector<Simplex> faces_towards_v() const {
+  // ---- 1. Where lines of sight enter σ ----
+  //
+  // If v ∉ aff σ, they meet σ in one point each: φ = σ. If v ∈ aff σ, each enters σ through a facet
+  // φ that v lies strictly beyond (all but a nowhere dense set of them through relint φ), and runs
+  // in relint σ from there, where it meets no cell without being in it. So v sees relint σ iff it
+  // sees relint φ for such a φ, past all that lies before φ, unless φ itself occludes. An obstacle
+  // that lies partly before φ and partly behind it counts only as far as it is before φ: lines that
+  // enter σ through φ do not meet the rest before they are in σ. An edge with v on its line has an
+  // end before it: invisible.
+  std::vector<Simplex> entrances() const {
     if (!v_is_in_hull_) return {simplex_};
     std::vector<Simplex> found;
     if (simplex_.size() == 2) return found;
@@ -120,107 +73,123 @@ class Visibility {
     const int front = orientation(configuration, axes, simplex_);
     for (std::size_t i = 0; i < simplex_.size(); ++i) {
       const Simplex face = facet_opposite(simplex_, i);
-      const bool beyond =
+      const bool is_before_v =
           orientation(configuration, axes, with_vertex_replaced(simplex_, i, v_)) == -front;
-      if (beyond && !occludes(face)) found.push_back(face);
+      if (is_before_v && !occludes(face)) found.push_back(face);
     }
     return found;
   }
 
-  // Is a facet of the simplex in a wall that blocks all views through it? (2 above.)
+  // A facet φ of σ occludes all lines through it if it lies in a polygon that is not in H
+  // (if k = 2, in a segment). Otherwise relint φ meets no such cell, for σ respects P.
   bool occludes(const Simplex& face) const {
     if (face.size() == 2 && is_segment(face)) return true;
     const std::vector<std::size_t> at = regions_.walls().at(centre(face));
+    if (face.size() == dimension()) return !at.empty();
     return std::any_of(at.begin(), at.end(), [&](std::size_t i) {
-      if (face.size() == dimension()) return true;
-      const Simplex& s = simplex_;
       return std::any_of(walls()[i].begin(), walls()[i].end(), [&](Vertex w) {
-        return !contains(s, w) &&
-               orientation(points().configuration(), kSpace, Simplex{s[0], s[1], s[2], w}) != 0;
+        return !contains(simplex_, w) &&
+               orientation(points().configuration(), kSpace,
+                           Simplex{simplex_[0], simplex_[1], simplex_[2], w}) != 0;
       });
     });
   }
 
-  // A point of relint σ that v sees through a face, but for the domain; v is not in the affine hull
-  // of the face.
+  // ---- 2. What occludes ----
+  //
+  // Some cells meet H in a set that fills no more than k − 2 dimensions of directions: vertices;
+  // segments, unless k = 2 and they lie in H; polygons whose plane contains v. They block a nowhere
+  // dense set of directions. All other cells that meet H between v and φ are obstacles: of those
+  // each blocks a closed set of directions. So v is visible iff the obstacles leave any direction
+  // open. For what they leave is open, and a nowhere dense set cannot fill that. The obstacles are
+  //  - if k = 3, the walls, which are triangles of polygons;
+  //  - if k = 2 in the plane, the walls, which are segments;
+  //  - if k = 2 in space, segments in H, and what H cuts out of walls. A polygon that lies in H occludes
+  //    nothing: a line in H that enters or leaves it crosses its boundary, which consists of segments.
+  // If v ∉ aff σ, a polygon that contains σ meets no line of sight before σ, or includes it.
+  //
+  // So as not to look at all cells, one line of sight is tried, through a part of φ that is still
+  // open. The obstacles on it are taken away from what is open, and so on, until one line is clear
+  // or nothing is open. This ends, because each obstacle on a line takes away part of what was
+  // open, and no later line meets it. If only cells that block few directions are on the line,
+  // others through the same part are tried, until they avoid those.
+
+  // A point of relint σ on a line of sight through relint φ that nothing occludes.
   std::optional<Point> unoccluded_point(const Simplex& face) const {
     SightCone cone(points()[v_], coordinates(points(), face));
     while (const auto part = cone.open_part()) {
       for (int t = 1;; ++t) {
-        const Point x = in_simplex(point_of(*part, t));
-        const Occlusion occlusion = occlude(cone, face, x);
-        if (occlusion == Occlusion::kNone) return x;
-        if (occlusion == Occlusion::kOpen) break;
+        const Point x = in_simplex(interior_point(*part, t));
+        const Cells on_line = occluding(x);
+        if (on_line.empty) return x;
+        bool fewer_open = false;
+        for (const Simplex& cell : on_line.cells) {
+          std::vector<Point> obstacle = in_hull(face, cell);
+          for (Point& corner : obstacle) corner = cone.coordinates(corner);
+          if (!obstacle.empty()) fewer_open = cone.obstruct(obstacle) || fewer_open;
+        }
+        if (fewer_open) break;
       }
     }
     return std::nullopt;
   }
 
-  // Does anything occlude v from x, and if so, an open set of directions? Then they are taken away.
-  // A wall in a plane with x and v hides few directions, those of its corners; segments bound polygons.
-  enum class Occlusion { kNone, kFewDirections, kOpen };
-  Occlusion occlude(SightCone& cone, const Simplex& face, const Point& x) const {
+  // The segments and walls that occlude v from x. A wall in a plane with x and v is passed over: if
+  // its polygon occludes, so does one of the segments that bound that.
+  struct Cells {
+    std::vector<Simplex> cells;
+    bool empty = true;  // of vertices, too
+  };
+  Cells occluding(const Point& x) const {
     const std::vector<Point> sight = {x, points()[v_]};
-    const auto touches = [&](const std::vector<Point>& common) {
+    const auto crosses = [&](const std::vector<Point>& common) {
       return common.size() == 1 && common[0] != sight[0] && common[0] != sight[1];
     };
-    bool any = false, open = false;
-    for (const Vertex w : regions_.cells().vertices(x, points()[v_])) {
-      any = any || touches(intersection(sight, {points()[w]}));
+    Cells found;
+    for (const Simplex& segment : regions_.cells().segments(sight[0], sight[1])) {
+      const auto common = intersection(sight, coordinates(points(), segment));
+      if (common.size() > 1 || crosses(common)) found.cells.push_back(segment);
     }
-    for (const Simplex& s : regions_.cells().segments(x, points()[v_])) {
-      const std::vector<Point> common = intersection(sight, coordinates(points(), s));
-      if (common.size() < 2 && !touches(common)) continue;
-      any = true;
-      open = obstruct(cone, face, s) || open;
-    }
-    for (const std::size_t i : regions_.walls().near(x, points()[v_])) {
+    for (const std::size_t i : regions_.walls().near(sight[0], sight[1])) {
       const Simplex& wall = walls()[i];
-      if (contains(wall, v_) || !touches(intersection(sight, coordinates(points(), wall))))
-        continue;
-      any = true;
-      open = obstruct(cone, face, wall) || open;
+      if (contains(wall, v_)) continue;
+      if (crosses(intersection(sight, coordinates(points(), wall)))) found.cells.push_back(wall);
     }
-    return open ? Occlusion::kOpen : any ? Occlusion::kFewDirections : Occlusion::kNone;
+    const std::vector<Vertex> vertices = regions_.cells().vertices(sight[0], sight[1]);
+    found.empty =
+        found.cells.empty() && std::none_of(vertices.begin(), vertices.end(), [&](Vertex w) {
+          return crosses(intersection(sight, {points()[w]}));
+        });
+    return found;
   }
 
-  // Takes the directions away in which a segment or a wall lies before the face.
-  bool obstruct(SightCone& cone, const Simplex& face, const Simplex& cell) const {
-    std::vector<Point> corners;
-    if (cell.size() == dimension()) {
-      if (face.size() == dimension()) {
-        corners = coordinates(points(), cell);
-      } else {
-        corners = section_of(cell, face);
-      }
-    } else if (face.size() < dimension() && side(face, cell[0]) == 0 && side(face, cell[1]) == 0) {
-      corners = coordinates(points(), cell);
+  // What H has in common with a segment or a wall, by the ends (corners), if that is an obstacle;
+  // else nothing.
+  std::vector<Point> in_hull(const Simplex& face, const Simplex& cell) const {
+    if (face.size() == dimension()) {
+      return cell.size() == dimension() ? coordinates(points(), cell) : std::vector<Point>();
     }
-    if (corners.size() < face.size()) return false;
-    for (Point& corner : corners) corner = cone.coordinates(corner);
-    return cone.obstruct(corners);
+    std::vector<int> sides;
+    for (const Vertex w : cell) sides.push_back(side(face, w));
+    const bool lies_in_hull =
+        std::all_of(sides.begin(), sides.end(), [](int side) { return side == 0; });
+    if (cell.size() == 2) return lies_in_hull ? coordinates(points(), cell) : std::vector<Point>();
+    std::vector<Point> ends;
+    for (std::size_t i = 0; i < 3 && !lies_in_hull; ++i) {
+      const std::size_t next = (i + 1) % 3;
+      if (sides[i] == 0) ends.push_back(points()[cell[i]]);
+      if (sides[i] * sides[next] < 0) ends.push_back(crossing(face, cell[i], cell[next]));
+    }
+    return ends.size() == 2 ? ends : std::vector<Point>();
   }
 
-  // On which side of the plane through v and an edge is w?
+  // On which side of H is w, if k = 2 in space? H is the plane through v and an edge φ.
   int side(const Simplex& edge, Vertex w) const {
     if (w == v_ || contains(edge, w)) return 0;
     return orientation(points().configuration(), kSpace, Simplex{edge[0], edge[1], v_, w});
   }
 
-  // What the plane through v and an edge cuts out of a triangle: at most two ends. Nothing of a
-  // triangle that lies in the plane: what it hides there, its segments hide.
-  std::vector<Point> section_of(const Simplex& wall, const Simplex& edge) const {
-    std::vector<int> sides;
-    for (const Vertex w : wall) sides.push_back(side(edge, w));
-    if (sides == std::vector<int>{0, 0, 0}) return {};
-    std::vector<Point> ends;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t next = (i + 1) % 3;
-      if (sides[i] == 0) ends.push_back(points()[wall[i]]);
-      if (sides[i] * sides[next] < 0) ends.push_back(crossing(edge, wall[i], wall[next]));
-    }
-    return ends;
-  }
+  // The point of the line pq in that plane.
   Point crossing(const Simplex& edge, Vertex p, Vertex q) const {
     const auto height = [&](Vertex w) {
       return orientation_determinant(points().configuration(), kSpace,
@@ -232,7 +201,7 @@ class Visibility {
 
   // The t-th of some interior points of a simplex, no more than two of them on any line: with
   // weights 1, t, t².
-  Point point_of(const std::vector<Point>& simplex, int t) const {
+  Point interior_point(const std::vector<Point>& simplex, int t) const {
     Rational weight = 1, total = 0;
     Point y(dimension());
     for (const Point& corner : simplex) {
@@ -251,11 +220,37 @@ class Visibility {
     const Point direction = y - points()[v_];
     for (Rational step(1, 2);; step /= 2) {
       const Point x = y + step * direction;
-      const Point c = inside.coordinates(x);
-      const bool positive =
-          std::all_of(c.begin(), c.end(), [](const Rational& r) { return sign(r) > 0; });
-      if (positive && std::accumulate(c.begin(), c.end(), Rational(0)) < 1) return x;
+      Point c = inside.coordinates(x);
+      Rational rest = 1;
+      for (const Rational& r : c) rest -= r;
+      c.push_back(rest);
+      if (std::all_of(c.begin(), c.end(), [](const Rational& r) { return r > 0; })) return x;
     }
+  }
+
+  // ---- 3. The domain ----
+  //
+  // A line of sight ]x, v[ that is not occluded lies in one region, or in one polygon in H (generic
+  // lines are in no segment). If v ∈ aff σ, it begins in relint σ, so it stays in the region, or
+  // the polygon, of σ, which is part of |P|. If v ∉ aff σ, it begins beside relint σ, along which P
+  // is everywhere the same.
+  //
+  // If σ is a facet, all lines begin in one region: if a wall contains σ, as a dangling one may,
+  // the region in front of that on the side of v; else the region of σ itself. (A dangling polygon
+  // outside sees nothing beside its own plane.)
+  bool opens_into_domain() const {
+    const std::vector<std::size_t> at = regions_.walls().at(centre(simplex_));
+    if (at.empty()) return true;
+    const int side = regions_.walls().side_of(at.front(), points()[v_]);
+    const OrientedFacet front{walls()[at.front()], side < 0};
+    return regions_.where(regions_.in_front_of(front)) == Where::kInside;
+  }
+
+  // If σ is an edge in space, the middle of one line of sight decides for all. (In the hull kind
+  // nothing leads out of |P|, which is convex.)
+  bool is_in_domain(const Point& x) const {
+    const auto region = regions_.region_at(Rational(1, 2) * (x + points()[v_]));
+    return !region || regions_.where(*region) == Where::kInside;
   }
 
   const PiecewiseLinearComplex& complex_;

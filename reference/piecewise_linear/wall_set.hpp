@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/piecewise_linear/cell_boxes.hpp"
-#include "reference/piecewise_linear/near_line.hpp"
+#include "reference/piecewise_linear/nearby_cells.hpp"
 
 namespace circumspect {
 

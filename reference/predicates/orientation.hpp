@@ -1,6 +1,8 @@
 // Orientation of simplices. Book: Section 3.1 (Orient2D, Orient3D) and its use all over Chapter 5.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include "reference/predicates/configuration.hpp"
@@ -36,5 +38,8 @@ Rational orientation_determinant(const Configuration& points, std::span<const st
 // k axes on which the k-simplex keeps its dimension: a coordinate system of its affine hull. Fewer
 // than k of them if its vertices are affinely dependent.
 std::vector<std::size_t> axes_of(const Configuration& points, std::span<const Vertex> simplex);
+
+// The axes of space, where a test is asked of them by number.
+inline constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 }  // namespace circumspect

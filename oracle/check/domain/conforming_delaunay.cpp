@@ -7,7 +7,7 @@
 #include "oracle/check/domain/empty_circumball.hpp"
 #include "oracle/check/domain/listed_faces.hpp"
 #include "oracle/check/domain/vertices_near.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/predicates/in_ball.hpp"
 
 namespace circumspect::check {

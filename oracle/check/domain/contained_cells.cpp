@@ -5,7 +5,7 @@
 
 #include "oracle/check/domain/coplanar.hpp"
 #include "oracle/check/domain/measures.hpp"
-#include "reference/complex/subsets.hpp"
+#include "reference/complex/simplex.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/complex/polytope.hpp"
 #include "reference/predicates/intersection.hpp"
 #include "reference/predicates/orientation.hpp"
