@@ -97,10 +97,9 @@ class Narrator {
                  is_terminal_ ? "\r" : "", progress.seconds, progress.minimising, until());
     }
     if (!is_terminal_) return;
-    fmt::print(stderr, "\r{}, {}, {} to make small, {:.0f} s ",
-               report::counted(progress.cases, "case"),
-               report::counted(progress.signatures, "signature"), progress.minimising,
-               progress.seconds);
+    fmt::print(
+        stderr, "\r{}, {}, {} to make small, {:.0f} s ", report::counted(progress.cases, "case"),
+        report::counted(progress.signatures, "signature"), progress.minimising, progress.seconds);
     std::fflush(stderr);
   }
 

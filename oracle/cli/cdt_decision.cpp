@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "oracle/cli/whole_number.hpp"
-#include "reference/complex/flat.hpp"
+#include "reference/complex/point_set.hpp"
 #include "reference/complex/star_index.hpp"
-#include "reference/constrained/carve.hpp"
 #include "reference/constrained/planar_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 #include "reference/predicates/intersection.hpp"
 
 namespace circumspect::cli {

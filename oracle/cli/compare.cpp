@@ -19,7 +19,6 @@
 #include "oracle/formats/flat_mesh.hpp"
 #include "oracle/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/exact/write_number.hpp"
 #include "reference/exact/number_text.hpp"
 
 namespace circumspect::cli {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "oracle/cli/nearest_word.hpp"
-#include "oracle/cli/nearest_word.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "properties/triangulations/domain_families.hpp"
 

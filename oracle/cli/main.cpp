@@ -10,7 +10,6 @@
 #include "oracle/cli/unfinished_file.hpp"
 #include "oracle/cli/unknown_words.hpp"
 #include "oracle/printable.hpp"
-#include "reference/exact/write_number.hpp"
 #include "reference/exact/number_text.hpp"
 #include "reference/existence/solver.hpp"
 

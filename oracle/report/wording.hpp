@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 #include <string_view>
+#include <vector>
 
 #include "oracle/check/check.hpp"
 #include "oracle/mesh.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "reference/complex/proper_intersection.hpp"
-#include "reference/exact/enclosing_box.hpp"
+#include "reference/exact/box_index.hpp"
 #include "reference/predicates/orientation.hpp"
 
 namespace circumspect::check {
