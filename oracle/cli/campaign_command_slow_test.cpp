@@ -1,6 +1,7 @@
 // circumspect campaign and minimize, as their users run them, on programs that are right, wrong and rough.
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <thread>
 
@@ -335,6 +336,40 @@ TEST_CASE("campaign: stdin and stdout, other formats, JSON") {
   CHECK(campaign["cases"] == 4);
   CHECK(campaign["holds"] == true);
   CHECK(campaign["families"]["integers"]["holds"] == 4);
+}
+
+TEST_CASE("campaign: names and words of the program forge no line, and reproduce.sh is a script") {
+  const Program program("printf 'error\\033[2J\\nholds: x\\n\\377'; echo nonsense > \"$2\"\n");
+  const std::string mesh = "-c\nholds: $(touch forged)'\x1b[1m\xff.ele";
+  Arguments arguments = program.campaign({"--cases", "1", "--families", "integers", "--mesh", mesh,
+                                          "--junit", program.output("report.xml")});
+  const Run result = run(arguments);
+  CHECK(result.exit_code == 1);
+  const std::string shown = "-c\\x0aholds: $(touch forged)'\\x1b[1m\\xff.ele";
+  CHECK(has(result.out, "  " + shown + ":1: expected"));
+  const std::string junit = contents(program.output("report.xml"));
+  CHECK(has(junit, "\\x1b[1m\\xff.ele:1: expected"));
+  const auto is_harmless = [](const std::string& text) {
+    return !has(text, "\x1b") && !has(text, "\xff") && !has(text, "\nholds: x") &&
+           !has(text, "\nholds: $");
+  };
+  CHECK(is_harmless(result.out));
+  CHECK(is_harmless(junit));
+  for (const char* const file : {"README.txt", "verdict.json", "reproduce.sh"}) {
+    CAPTURE(file);
+    CHECK(!program.finding("unreadable-mesh", file).empty());
+    CHECK(is_harmless(program.finding("unreadable-mesh", file)));
+  }
+  CHECK(has(program.finding("unreadable-mesh", "said.txt"), "error\\x1b[2J\nholds: x\n\\xff"));
+  // The script finds the mesh under its name, and nothing in the name is run.
+  const std::string script = program.output() + "/findings/unreadable-mesh/reproduce.sh";
+  const std::string log = program.output("log");
+  const std::string line = "cd '" + program.folder.path("") +
+                           "' && CIRCUMSPECT=" CIRCUMSPECT_COMMAND " '" + script + "' > '" + log +
+                           "' 2>&1";
+  CHECK(std::system(line.c_str()) != 0);
+  CHECK(has(contents(log), shown + ":1: expected"));
+  CHECK(!fs::exists(program.folder.path("forged")));
 }
 
 TEST_CASE("campaign: domains") {
