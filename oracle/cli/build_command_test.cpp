@@ -52,11 +52,11 @@ TEST_CASE("build: flat sets and small ones, by .ele and by JSON") {
     const std::string points = folder.write("x.node", text);
     const std::string mesh = folder.path("x.ele");
     CHECK(run({"build", "delaunay", points, "-o", mesh}).exit_code == 0);
-    CHECK(run({"check", mesh}).exit_code == 0);
+    CHECK(run({"check", "--allow-empty", mesh}).exit_code == 0);
     const Run json = run({"build", "delaunay", points, "--format", "json"});
     CHECK(json.exit_code == 0);
     CHECK(document(json)["circumspect"] == 1);
-    CHECK(run({"check", "-"}, json.out).exit_code == 0);
+    CHECK(run({"check", "--allow-empty", "-"}, json.out).exit_code == 0);
   }
 }
 

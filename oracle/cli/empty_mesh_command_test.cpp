@@ -77,6 +77,11 @@ TEST_CASE("a mesh of nothing does not fill a domain, and nobody asks whether it 
   const std::string mesh = folder.write("e.off", "nOFF\n2\n0 0 0\n");
   CHECK(run({"check", mesh, "--domain", domain}).exit_code == 3);
   CHECK(run({"check", mesh, "--domain", domain, "--allow-empty"}).exit_code == 1);
+  // An edge that names no point is something.
+  const std::string edge = folder.write(
+      "f.json",
+      R"({"circumspect": 1, "dimension": 2, "points": [], "simplices": [], "faces": [[0, 1]]})");
+  CHECK(run({"check", edge, "--domain", domain}).exit_code == 1);
 }
 
 TEST_CASE("compare and certify take no mesh of nothing for one either") {

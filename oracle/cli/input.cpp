@@ -128,7 +128,8 @@ tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::
                         std::move(raw.simplices.simplices), std::move(faces)},
                        options);
   if (!mesh) return tl::unexpected(mesh.error());
-  if (mesh->points.empty() && mesh->simplices.empty() && !options.allow_empty) {
+  const bool is_empty = mesh->points.empty() && mesh->simplices.empty() && mesh->faces.empty();
+  if (is_empty && !options.allow_empty) {
     return tl::unexpected(fmt::format(
         "{}: expected a mesh, found neither points nor simplices, as where a program wrote nothing "
         "(check and compare accept that with --allow-empty)",

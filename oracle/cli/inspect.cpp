@@ -191,7 +191,7 @@ void inspect_points(const std::string& path, const InspectOptions& options, Outp
                     simplex_counts(triangulation, points.size())};
   report::Json answers = report::Json::array();
   for (const std::string& vertices : options.simplices) {
-    const auto answer = inspect_simplex(loaded->mesh, vertices);
+    const auto answer = inspect_simplex(loaded->mesh, repeated, vertices);
     if (!answer) {
       output.error(ExitCode::kUsage, "input", path, answer.error());
       return;

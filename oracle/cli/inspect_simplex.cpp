@@ -13,29 +13,44 @@
 namespace circumspect::cli {
 namespace {
 
-// The point that the user calls so; −1 if there is none.
-Vertex vertex_of(const Mesh& mesh, std::string_view label) {
-  Vertex own = 0;
-  const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), own);
-  if (error != std::errc() || end != label.data() + label.size()) return -1;
+// Points as the user asks for them.
+struct AskedSimplex {
+  Simplex vertices = {};
+  Simplex indices = {};  // the user's own of each
+};
+
+// The point that the user calls so, or an equal one that is left of it; −1 if there is none.
+Vertex vertex_of(const Mesh& mesh, const std::vector<Duplicate>& repeated, Vertex own) {
+  for (const Duplicate& duplicate : repeated) {
+    if (index_of_place(duplicate.again, mesh.first_index) != own) continue;
+    own = index_of_place(duplicate.kept, mesh.first_index);
+    break;
+  }
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     if (mesh.label(v) == own) return v;
   }
   return -1;
 }
 
-tl::expected<Simplex, std::string> read_simplex(const Mesh& mesh, std::string text) {
+tl::expected<AskedSimplex, std::string> read_simplex(const Mesh& mesh,
+                                                     const std::vector<Duplicate>& repeated,
+                                                     std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
-  Simplex simplex;
+  AskedSimplex asked;
+  Simplex& simplex = asked.vertices;
   for (std::size_t begin = text.find_first_not_of(' '); begin != std::string::npos;) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     const std::string label = text.substr(begin, end - begin);
-    const Vertex v = vertex_of(mesh, label);
+    Vertex own = 0;
+    const auto read = std::from_chars(label.data(), label.data() + label.size(), own);
+    const bool is_index = read.ec == std::errc() && read.ptr == label.data() + label.size();
+    const Vertex v = is_index ? vertex_of(mesh, repeated, own) : -1;
     if (v < 0) {
       return tl::unexpected(
           fmt::format("--simplex: expected indices of points, found \"{}\"", label));
     }
     simplex.push_back(v);
+    asked.indices.push_back(own);
     begin = text.find_first_not_of(' ', end);
   }
   if (simplex.empty()) {
@@ -44,9 +59,9 @@ tl::expected<Simplex, std::string> read_simplex(const Mesh& mesh, std::string te
   const AffineHull hull = affine_hull(coordinates(mesh.points, simplex));
   if (hull.basis.size() != simplex.size()) {
     return tl::unexpected(fmt::format("--simplex: expected affinely independent points, found {}",
-                                      report::labels(mesh, simplex)));
+                                      report::joined(asked.indices)));
   }
-  return simplex;
+  return asked;
 }
 
 std::string_view in_a_word(delaunay::Delaunayhood delaunayhood) {
@@ -77,16 +92,15 @@ std::string obstruction_text(const Mesh& mesh, const delaunay::SimplexDelaunayho
 }  // namespace
 
 tl::expected<SimplexAnswer, std::string> inspect_simplex(const Mesh& mesh,
+                                                         const std::vector<Duplicate>& repeated,
                                                          const std::string& vertices) {
-  const auto simplex = read_simplex(mesh, vertices);
-  if (!simplex) return tl::unexpected(simplex.error());
-  const delaunay::SimplexDelaunayhood answer = delaunay::delaunayhood(mesh.points, *simplex);
+  const auto asked = read_simplex(mesh, repeated, vertices);
+  if (!asked) return tl::unexpected(asked.error());
+  const delaunay::SimplexDelaunayhood answer = delaunay::delaunayhood(mesh.points, asked->vertices);
   SimplexAnswer said;
   said.text =
-      fmt::format("simplex {}: {}", report::labels(mesh, *simplex), in_a_word(answer.delaunayhood));
-  report::Json labels = report::Json::array();
-  for (const Vertex v : *simplex) labels.push_back(mesh.label(v));
-  said.json = {{"simplex", labels}, {"answer", in_a_word(answer.delaunayhood)}};
+      fmt::format("simplex {}: {}", report::joined(asked->indices), in_a_word(answer.delaunayhood));
+  said.json = {{"simplex", asked->indices}, {"answer", in_a_word(answer.delaunayhood)}};
   if (answer.ball) {
     said.text += ball_text(*answer.ball);
     said.json["ball"] = report::ball(*answer.ball);

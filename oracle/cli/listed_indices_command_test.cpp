@@ -160,6 +160,19 @@ TEST_CASE("merged: of weighted points the heaviest is left, with its weight and 
   CHECK(has(first.out, "simplex 4 2 1 vertex 1\n"));
 }
 
+TEST_CASE("merged: inspect is asked by any index of a point, and answers by that") {
+  const ScratchFolder folder;
+  const std::string points = folder.write("m.node", kSquareAndAgain);
+  const Run result = run({"inspect", points, "--simplex", "5 2", "--simplex", "2 1"});
+  CHECK(result.exit_code == 0);
+  CHECK(has(result.out, "simplex 5 2: strongly-delaunay"));
+  CHECK(has(result.out, "simplex 2 1: strongly-delaunay"));
+  const Run twice = run({"inspect", points, "--simplex", "5 1"});
+  CHECK(twice.exit_code == 2);
+  CHECK(has(twice.err, "expected affinely independent points, found 5 1"));
+  CHECK(has(run({"inspect", points, "--simplex", "6"}).err, "expected indices of points, found "));
+}
+
 TEST_CASE("merged: dangling triangles and edges are named as they are listed") {
   const ScratchFolder folder;
   const std::string domain =
