@@ -1,5 +1,6 @@
 #include "oracle/certificate/point_location.hpp"
 
+#include <array>
 #include <cassert>
 
 #include "oracle/certificate/sidedness.hpp"
