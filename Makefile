@@ -3,7 +3,6 @@
 
 SHELL       := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
-.NOTPARALLEL:
 .DEFAULT_GOAL := build
 
 JOBS         ?= $(shell nproc)
@@ -20,7 +19,8 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo proofs test test-style test-proofs test-release test-sanitize soak soak-fuzz tsan \
+.PHONY: build demo proofs check test test-style test-proofs test-release test-sanitize build-release \
+        build-sanitize soak soak-sanitize soak-fuzz tsan \
         bench format clean deps deps-demo deps-proofs deps-test deps-bench
 
 deps: ; @cmake/packages.sh demo proofs test bench
@@ -49,7 +49,18 @@ proofs: deps-proofs
 	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) check
 	@echo "built $(VERIFIED)"
 
-test: deps-test test-style test-proofs test-release test-sanitize
+# What a developer runs while working: style, and the tests of what has changed since the last green run.
+check: test-style
+	@mkdir -p build
+	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON >build/check.log || { cat build/check.log; exit 1; }
+	@RC_PARAMS="$(TEST_RC_PARAMS)" python3 tidy/check.py build/release --jobs $(JOBS)
+
+# The proofs are compiled beside the C++ sources: both have times at which they keep one processor waiting.
+test: deps-test
+	@$(MAKE) --no-print-directory -j 2 test-style test-proofs test-builds
+	@$(MAKE) --no-print-directory test-release
+	@$(MAKE) --no-print-directory test-sanitize
+	@python3 tidy/check.py build/release --green
 	@echo
 	@echo "make test: everything passed"
 	@echo "  layout and architecture   clang-format and tidy found nothing"
@@ -69,12 +80,23 @@ test-style:
 
 # All but coqchk, which compiles nothing and is slow: `make proofs` runs it.
 test-proofs: deps-proofs
-	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) all holes filters mutants
+	@MAKEFLAGS= $(MAKE) --no-print-directory -C proofs -j $(JOBS) all holes filters mutants
 
-test-release test-sanitize: test-%:
+test-builds: build-release
+	@$(MAKE) --no-print-directory build-sanitize
+
+build-release build-sanitize: build-%:
 	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_VERIFIED=$(VERIFIED)
 	@cmake --build --preset $* -j $(JOBS)
+
+test-release test-sanitize: test-%: build-%
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
+
+# Everything under the sanitizers, not only what handles bytes, arrays, threads and processes.
+soak-sanitize: deps-test
+	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON
+	@cmake --build --preset sanitize -j $(JOBS)
+	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset sanitize -j $(JOBS)
 
 # Every property and every soak test on new random inputs, round after round, for MINUTES; a failure
 # ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.

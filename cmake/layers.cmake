@@ -93,14 +93,14 @@ function(circumspect_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM ${shared})
 endfunction()
 
-# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled four at a time: they instantiate much
+# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled eight at a time: they instantiate much
 # the same templates. Two files of a layer that have a name each for themselves, in namespaces without a
 # name, may then meet in one translation unit: name one of the two more exactly.
 function(circumspect_compile_together target)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 endfunction()
 
 # Code full of other people's templates takes the compiler most of its time to optimize, and the
@@ -117,6 +117,11 @@ function(circumspect_compile_test target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
 endfunction()
 
+# `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
+# values: numbers, points and containers of them. `make soak` has them look everywhere.
+option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
+set(sanitized_folders "(oracle/(formats|fast|check/flat|arrays|campaign|harness|report|cli)|corpus)")
+
 # circumspect_test(TARGET LABEL label SOURCES file... LINKS target... [DEFINES definition...])
 # makes one executable, and registers each source file as one test; does nothing without sources.
 function(circumspect_test target)
@@ -124,6 +129,9 @@ function(circumspect_test target)
   # What the sanitizers are not to run they need not compile.
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
     list(FILTER ARG_SOURCES EXCLUDE REGEX "_(slow|soak)_[a-z]+\\.cpp$")
+    if(NOT CIRCUMSPECT_SANITIZE_ALL)
+      list(FILTER ARG_SOURCES INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${sanitized_folders}/")
+    endif()
   endif()
   if(NOT CIRCUMSPECT_BUILD_TESTS OR NOT ARG_SOURCES)
     return()
@@ -139,6 +147,9 @@ function(circumspect_test target)
   circumspect_compile_test(${target})
   circumspect_precompile(${target} tests)
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} circumspect_test_main)
+  if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_MOLD)
+    target_link_options(${target} PRIVATE -fuse-ld=mold)
+  endif()
   target_compile_definitions(${target} PRIVATE
     CIRCUMSPECT_CORPUS_DIR="${PROJECT_SOURCE_DIR}/corpus" ${ARG_DEFINES})
   set_target_properties(${target} PROPERTIES

@@ -34,6 +34,7 @@ clang-format-14       checks the layout of the sources
 clang                 compiles the fuzz targets
 libclang-rt-14-dev    libFuzzer and Clang's sanitizers
 ccache                makes a second build quick
+mold                  links the tests quickly
 END
       ;;
     proofs) cat <<'END'

@@ -1,8 +1,10 @@
 #!/bin/bash
 # Configures, builds and runs a project that has the sources of Circumspect inside, as their users would:
-#   examples/inside_test.sh
+#   examples/inside_test.sh            configures it, and looks at what it would build
+#   examples/inside_test.sh --build    and builds and runs it, which compiles everything once more
 # The project around sets no build type, and demands more of its own code than Circumspect does.
 set -euo pipefail
+[ $# -eq 0 ] || [ "$*" = --build ] || { echo "usage: examples/inside_test.sh [--build]" >&2; exit 2; }
 
 examples=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$examples")
@@ -80,6 +82,8 @@ if cmake -S "$work/hurried" -B "$work/fast" -G Ninja -DCIRCUMSPECT="$root" >"$wo
   fail "expected -ffast-math to be refused"
 fi
 grep -q "The compiler flags contain -ffast-math" "$work/log" || { cat "$work/log"; fail "expected the reason"; }
+
+[ "${1:-}" = --build ] || exit 0
 
 echo "judge and harness, built and run"
 quietly cmake --build "$work/build" --target judge_arrays
