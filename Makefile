@@ -12,7 +12,7 @@ CLANG_FORMAT ?= clang-format-14
 CONFIGURE    := cmake -DCIRCUMSPECT_QUICK_BUILD=ON
 COMMAND      := build/release/bin/circumspect
 VERIFIED     := $(CURDIR)/build/proofs/circumspect-verified
-FUZZ_TARGETS := $(wildcard fuzz/*_fuzz.cpp)
+FUZZ_TARGETS := $(wildcard fuzz/targets/*_fuzz.cpp)
 SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
 export PYTHONDONTWRITEBYTECODE := 1
 
@@ -108,8 +108,8 @@ soak: deps-test
 # The fuzz targets on new inputs, in turn, for MINUTES altogether.
 soak-fuzz: deps-test
 	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON
-	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/%.cpp,%,$(FUZZ_TARGETS))
-	@SEED=$$RANDOM fuzz/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
+	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/targets/%.cpp,%,$(FUZZ_TARGETS))
+	@SEED=$$RANDOM fuzz/targets/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
 
 # What runs on several threads, under ThreadSanitizer.
 tsan: deps-test

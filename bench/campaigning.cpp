@@ -19,10 +19,10 @@
 #include <unistd.h>
 
 #include "bench/point_families.hpp"
-#include "oracle/campaign/campaign.hpp"
-#include "properties/generators/families.hpp"
-#include "properties/generators/in_doubles.hpp"
-#include "properties/generators/mixed.hpp"
+#include "fuzz/campaign/campaign.hpp"
+#include "inputs/families.hpp"
+#include "inputs/in_doubles.hpp"
+#include "inputs/mixed.hpp"
 
 namespace circumspect::bench {
 namespace {

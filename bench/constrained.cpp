@@ -12,7 +12,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/segment_recovery.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/piecewise_linear/validity.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::bench {
 namespace {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "bench/processor_time.hpp"
-#include "oracle/harness/cases.hpp"
-#include "properties/generators/arrays.hpp"
-#include "properties/generators/in_doubles.hpp"
+#include "fuzz/harness/cases.hpp"
+#include "inputs/arrays.hpp"
+#include "inputs/in_doubles.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::bench {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/exact/point.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::bench {
 

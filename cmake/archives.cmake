@@ -39,7 +39,7 @@ function(circumspect_add_archive target name output_name)
   target_compile_features(${target} INTERFACE cxx_std_20)
   target_link_libraries(${target} INTERFACE ${ARG_LINKS})
   target_include_directories(${target} INTERFACE
-    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/oracle/include>"
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
 endfunction()
 

@@ -15,7 +15,7 @@ foreach(library check harness)
   install(EXPORT circumspect_${library} NAMESPACE circumspect:: FILE circumspect-${library}.cmake
           DESTINATION "${package_folder}" COMPONENT harness)
 endforeach()
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/oracle/include/circumspect"
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/circumspect"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT harness FILES_MATCHING PATTERN "*.hpp")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/circumspectConfig.cmake.in"
                "${PROJECT_BINARY_DIR}/package/circumspectConfig.cmake" @ONLY)

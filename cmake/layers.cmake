@@ -36,7 +36,7 @@ function(circumspect_layer name folder)
   target_link_libraries(circumspect_${name} ${visibility}
                         circumspect_settings ${ARG_DEPENDS} ${ARG_LINKS})
 
-  if(folder MATCHES "^properties/")
+  if(folder MATCHES "^(properties/|inputs)")
     circumspect_compile_quickly(circumspect_${name})
   elseif(sources AND CIRCUMSPECT_BUILD_FUZZERS)
     # libFuzzer is to see which code its inputs reach; the tests need not be looked at.
@@ -44,8 +44,8 @@ function(circumspect_layer name folder)
   endif()
   # The lowest layers see less than the others, and are compiled as they stand.
   if(sources AND ARG_DEPENDS)
-    if(folder MATCHES "^properties/")
-      circumspect_precompile(circumspect_${name} generators)
+    if(folder MATCHES "^(properties/|inputs)")
+      circumspect_precompile(circumspect_${name} inputs)
     else()
       circumspect_precompile(circumspect_${name} layers)
     endif()
@@ -58,7 +58,7 @@ function(circumspect_layer name folder)
 endfunction()
 
 # The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags agree
-# share them precompiled: KIND is `layers`, `generators` (with RapidCheck), or `tests` (with doctest).
+# share them precompiled: KIND is `layers`, `inputs` (with RapidCheck), or `tests` (with doctest).
 # Nothing of the project is among them, so that a change in the project makes none anew. A file must
 # still include what it uses: without the option, as in a plain preset, each is compiled as it stands.
 function(circumspect_precompile target kind)
@@ -78,7 +78,7 @@ function(circumspect_precompile target kind)
                           circumspect::expected CGAL::CGAL Threads::Threads)
     if(kind STREQUAL "layers" AND CIRCUMSPECT_BUILD_FUZZERS)
       target_compile_options(${shared} PRIVATE -fsanitize=fuzzer-no-link)
-    elseif(kind STREQUAL "generators")
+    elseif(kind STREQUAL "inputs")
       circumspect_compile_quickly(${shared})
       target_link_libraries(${shared} PRIVATE rapidcheck)
       list(APPEND headers <rapidcheck.h>)
@@ -120,7 +120,7 @@ endfunction()
 # `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
 # values: numbers, points and containers of them. `make soak` has them look everywhere.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
-set(sanitized_folders "(oracle/(formats|fast|check/flat|arrays|campaign|harness|report|cli)|corpus)")
+set(sanitized_folders "(oracle/(formats|report|judge|judge/fast|judge/arrays)|fuzz/[a-z]+|command|command/[a-z]+|corpus)")
 
 # circumspect_test(TARGET LABEL label SOURCES file... LINKS target... [DEFINES definition...])
 # makes one executable, and registers each source file as one test; does nothing without sources.

@@ -41,7 +41,7 @@ mark_as_advanced(CIRCUMSPECT_MOLD)
 # errors in the presets, not for a packager; a project around this one gets none, since they are not its own.
 add_library(circumspect_settings INTERFACE)
 target_include_directories(circumspect_settings INTERFACE
-  "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/oracle/include")
+  "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/include")
 target_compile_options(circumspect_settings INTERFACE -ffp-contract=off)
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(circumspect_settings INTERFACE

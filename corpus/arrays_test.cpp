@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "corpus/expected_table.hpp"
-#include "oracle/arrays/arrays_of_test.hpp"
+#include "oracle/judge/arrays/arrays_of_test.hpp"
 
 namespace circumspect::corpus {
 

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "corpus/expected_table.hpp"
-#include "oracle/check/domain/judge_domain.hpp"
 #include "oracle/formats/domain_files.hpp"
-#include "reference/piecewise_linear/regions.hpp"
-#include "reference/piecewise_linear/validity.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::corpus {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/check/check.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/judge/points/check.hpp"
 
 namespace circumspect::corpus {
 

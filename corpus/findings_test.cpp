@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
-#include "oracle/arrays/mesh_of.hpp"
-#include "properties/generators/arrays.hpp"
+#include "inputs/arrays.hpp"
+#include "oracle/judge/arrays/mesh_of.hpp"
 
 namespace circumspect::corpus {
 namespace {

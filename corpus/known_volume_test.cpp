@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
-#include "oracle/check/domain/verdict_text_test.hpp"
-#include "oracle/check/flat/judge_domain_quickly.hpp"
+#include "oracle/judge/domain/verdict_text_test.hpp"
+#include "oracle/judge/judge_domain_quickly.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::corpus {

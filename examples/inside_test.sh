@@ -35,7 +35,7 @@ list(APPEND CMAKE_MODULE_PATH "${CMAKE_SOURCE_DIR}/cmake")
 enable_testing()
 # The targets are made in a folder of this one, and have to be seen here.
 add_subdirectory(judge)
-add_executable(replay fuzz/triangulate_fuzz.cpp fuzz/replay.cpp triangulate.cpp)
+add_executable(replay fuzz/triangulate_fuzz.cpp fuzz/targets/replay.cpp triangulate.cpp)
 target_link_libraries(replay PRIVATE circumspect::harness)
 get_property(default_type CACHE CMAKE_BUILD_TYPE PROPERTY VALUE)
 file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/asked-of-users" CONTENT "\
@@ -68,12 +68,12 @@ quietly cmake --install "$work/build" --prefix "$work/installed"
 
 echo "the default target builds what is linked to, and no more"
 ninja -C "$work/build" -t inputs all >"$work/inputs"
-! grep -q -e optimality -e oracle/cli "$work/inputs" || fail "expected no command in the default target"
+! grep -q -e optimality -e command "$work/inputs" || fail "expected no command in the default target"
 
 echo "doubles are doubles, and assertions are on, whatever the project around asks for"
 quietly cmake -S "$work/around" -B "$work/released" -G Ninja -DCIRCUMSPECT="$root" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
-flags=$(grep -h '"command":.*oracle/check/check\.cpp' "$work/released/compile_commands.json")
+flags=$(grep -h '"command":.*oracle/judge/points/check\.cpp' "$work/released/compile_commands.json")
 case $flags in *"-DNDEBUG"*"-UNDEBUG"*"-ffp-contract=off"* | *"-DNDEBUG"*"-ffp-contract=off"*"-UNDEBUG"*) ;;
   *) fail "expected assertions and -ffp-contract=off in: $flags" ;; esac
 cp -r "$work/around" "$work/hurried"

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "corpus/expected_table.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "oracle/certificate/document.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 

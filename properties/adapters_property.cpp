@@ -3,13 +3,13 @@
 #include <circumspect/judgement.hpp>
 #include <doctest/doctest.h>
 
-#include "oracle/check/domain/judge_domain.hpp"
+#include "inputs/arrays.hpp"
+#include "inputs/complex_families.hpp"
+#include "inputs/families.hpp"
+#include "inputs/in_doubles.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/adapters/adapters.hpp"
-#include "properties/generators/arrays.hpp"
-#include "properties/generators/complex_families.hpp"
-#include "properties/generators/families.hpp"
-#include "properties/generators/in_doubles.hpp"
-#include "reference/piecewise_linear/validity.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::adapters {
 namespace {

@@ -1,17 +1,17 @@
 // Meshes as arrays of doubles: what `judge` says of them, mostly by the fast judge where they hold, is
-// word for word what the checkers say. Proof: oracle/fast/README.md.
+// word for word what the checkers say. Proof: oracle/judge/fast/README.md.
 #include <string>
 
 #include <circumspect/check.hpp>
 #include <doctest/doctest.h>
 
-#include "oracle/arrays/arrays_of_test.hpp"
-#include "properties/generators/any_case.hpp"
-#include "properties/generators/in_doubles.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/any_case.hpp"
+#include "inputs/in_doubles.hpp"
+#include "inputs/run.hpp"
+#include "oracle/judge/arrays/arrays_of_test.hpp"
 #include "properties/mutations/mutations.hpp"
-#include "reference/complex/facets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/kernel/complex/facets.hpp"
 
 namespace circumspect::properties {
 namespace {
@@ -21,7 +21,7 @@ using arrays::MeshInArrays;
 // How often each kind of answer came up.
 struct Answers {
   std::size_t fast = 0;      // the claim holds, and the fast judge said so
-  std::size_t slow = 0;      // it holds, and oracle/check said so
+  std::size_t slow = 0;      // it holds, and oracle/judge/points said so
   std::size_t rejected = 0;  // it does not
   std::size_t wrong_neighbors = 0;
 };

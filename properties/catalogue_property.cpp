@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/any_case.hpp"
+#include "inputs/in_doubles.hpp"
+#include "inputs/run.hpp"
 #include "properties/catalogue_verdicts.hpp"
-#include "properties/generators/any_case.hpp"
-#include "properties/generators/in_doubles.hpp"
-#include "properties/generators/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::properties {

@@ -7,9 +7,9 @@
 
 #include <circumspect/check.hpp>
 
-#include "oracle/arrays/mesh_of.hpp"
-#include "oracle/check/check.hpp"
-#include "oracle/fast/judge.hpp"
+#include "oracle/judge/arrays/mesh_of.hpp"
+#include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/mutations/catalogue.hpp"
 
@@ -99,7 +99,7 @@ inline std::string fault_of(const Mutation& mutation, const MeshJudgement& judge
   return is_expected ? "" : "not expected: " + judged.rule;
 }
 
-// And is it what the checkers of oracle/check say of the same mesh, word for word?
+// And is it what the checkers of oracle/judge/points say of the same mesh, word for word?
 inline std::string fault_of(const Mutation& mutation, const MeshJudgement& judged,
                             const Verdict& slow, const Mesh& mesh) {
   if (judged.holds != slow.holds()) return "holds for one of the judges only";

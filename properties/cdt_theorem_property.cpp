@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"

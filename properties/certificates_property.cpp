@@ -2,10 +2,10 @@
 // the conditions of proofs/CERTIFICATE.md.
 #include <doctest/doctest.h>
 
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "oracle/certificate/accepted_test.hpp"
-#include "oracle/check/check.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 

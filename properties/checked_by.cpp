@@ -22,11 +22,11 @@
 #include <circumspect/judgement.hpp>
 #include <rapidcheck.h>
 
+#include "inputs/arrays.hpp"
+#include "inputs/in_doubles.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "properties/adapters/adapters.hpp"
 #include "properties/faulty/fault.hpp"
-#include "properties/generators/arrays.hpp"
-#include "properties/generators/in_doubles.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 

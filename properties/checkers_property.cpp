@@ -1,12 +1,12 @@
 // The two ways to judge a claim are one: by lemma and by definition, on valid and on broken meshes.
-// Book: Definition 2.1, Definition 4.1, Lemma 4.1; proof: oracle/check/README.md.
+// Book: Definition 2.1, Definition 4.1, Lemma 4.1; proof: oracle/judge/points/README.md.
 #include <sstream>
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 

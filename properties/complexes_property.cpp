@@ -6,14 +6,14 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
-#include "reference/complex/point_set.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/piecewise_linear/regions.hpp"
-#include "reference/piecewise_linear/validity.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "reference/complex/circumball.hpp"
-#include "reference/complex/star_index.hpp"
-#include "reference/piecewise_linear/visibility.hpp"
-#include "reference/predicates/intersection.hpp"
+#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::properties {
 

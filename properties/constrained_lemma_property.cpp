@@ -4,12 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
 #include "properties/plc_triangulations.hpp"
 #include "properties/polygon_triangulations.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/genericity.hpp"

@@ -4,11 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
 #include "properties/plc_triangulations.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
 #include "reference/existence/candidates.hpp"
 #include "reference/optimality/criteria.hpp"
 

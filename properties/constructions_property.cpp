@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "properties/every_construction.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
 
 namespace circumspect::properties {
 namespace {

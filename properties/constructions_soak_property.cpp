@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "properties/every_construction.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
 
 namespace circumspect::properties {
 namespace {

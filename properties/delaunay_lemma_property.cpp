@@ -4,15 +4,15 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/barycentric.hpp"
-#include "reference/predicates/in_ball.hpp"
 
 namespace circumspect::properties {
 namespace {

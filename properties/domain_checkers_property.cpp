@@ -7,24 +7,24 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/domain/judge_domain.hpp"
-#include "oracle/check/flat/judge_domain_quickly.hpp"
-#include "oracle/check/flat/witness_text_test.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/judge_domain_quickly.hpp"
+#include "oracle/judge/witness_text_test.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "properties/plc_triangulations.hpp"
 #include "properties/polygon_triangulations.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/existence/candidates.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/optimality/criteria.hpp"
-#include "reference/piecewise_linear/validity.hpp"
 
 namespace circumspect::properties {
 namespace {

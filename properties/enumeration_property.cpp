@@ -5,19 +5,19 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
-#include "properties/triangulations/random_flips.hpp"
-#include "reference/complex/simplex.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
+#include "inputs/triangulated/random_flips.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/faces.hpp"
 #include "reference/optimality/flip_graph.hpp"
 #include "reference/optimality/regularity.hpp"
-#include "reference/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

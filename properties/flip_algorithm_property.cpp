@@ -5,11 +5,11 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "inputs/triangulated/random_flips.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/triangulations/random_flips.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/flip_insertion.hpp"

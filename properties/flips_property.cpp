@@ -4,15 +4,15 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/triangulations/random_flips.hpp"
-#include "reference/complex/simplex.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "inputs/triangulated/random_flips.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::properties {
 namespace {

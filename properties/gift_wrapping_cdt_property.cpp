@@ -7,16 +7,16 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/proper_intersection.hpp"
-#include "reference/complex/simplex.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/delaunay/by_definition.hpp"
-#include "reference/piecewise_linear/visibility.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::properties {
 namespace {

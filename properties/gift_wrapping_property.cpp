@@ -4,14 +4,14 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/any_case.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/circumball.hpp"
+#include "inputs/any_case.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/gift_wrapping_cells.hpp"
+#include "reference/kernel/complex/circumball.hpp"
 
 namespace circumspect::properties {
 namespace {

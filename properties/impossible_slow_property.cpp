@@ -7,16 +7,16 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/named_complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/named_complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/existence/existence.hpp"
-#include "reference/piecewise_linear/validity.hpp"
-#include "reference/piecewise_linear/visibility.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 

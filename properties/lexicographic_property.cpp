@@ -5,13 +5,13 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "properties/generators/any_case.hpp"
-#include "properties/generators/laws.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/point_set.hpp"
+#include "inputs/any_case.hpp"
+#include "inputs/laws.hpp"
+#include "inputs/run.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/lexicographic.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {
 namespace {

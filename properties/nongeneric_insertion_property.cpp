@@ -5,12 +5,12 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/laws.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"

@@ -4,16 +4,16 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
-#include "reference/complex/circumball.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/predicates/intersection.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::properties {
 namespace {

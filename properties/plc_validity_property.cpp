@@ -5,13 +5,13 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/piecewise_linear/validity.hpp"
-#include "reference/predicates/intersection.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

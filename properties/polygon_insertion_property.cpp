@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "properties/generators/scalars.hpp"
-#include "reference/complex/star_index.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "inputs/scalars.hpp"
+#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 

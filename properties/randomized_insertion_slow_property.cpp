@@ -8,14 +8,14 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/simplex.hpp"
+#include "inputs/laws.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/triggers_and_stoppers.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/facets.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/piecewise_linear/disjoint_sets.hpp"
-#include "reference/piecewise_linear/regions.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/piecewise_linear/disjoint_sets.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -6,15 +6,15 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/simplex.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/segment_recovery.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

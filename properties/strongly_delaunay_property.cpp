@@ -4,13 +4,13 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/proper_intersection.hpp"
-#include "reference/complex/simplex.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/exact/affine_hull.hpp"
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/exact/affine_hull.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/barycentric.hpp"
 #include "reference/optimality/faces.hpp"

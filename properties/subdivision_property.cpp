@@ -6,15 +6,15 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/any_case.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
+#include "inputs/any_case.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::properties {
 namespace {

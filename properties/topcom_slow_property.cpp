@@ -10,8 +10,8 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/flip_graph.hpp"

@@ -4,12 +4,12 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/any_case.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/complex/point_set.hpp"
+#include "inputs/any_case.hpp"
+#include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/vertex_deletion.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {
 namespace {

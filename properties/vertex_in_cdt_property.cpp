@@ -5,16 +5,16 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "properties/generators/scalars.hpp"
-#include "properties/triangulations/protected_complexes.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "inputs/scalars.hpp"
+#include "inputs/triangulated/protected_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/vertex_in_cdt.hpp"
-#include "reference/predicates/intersection.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::properties {
 namespace {

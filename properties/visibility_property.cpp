@@ -4,13 +4,13 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/complexes.hpp"
-#include "properties/generators/run.hpp"
-#include "reference/exact/affine_hull.hpp"
-#include "reference/exact/linear_program.hpp"
-#include "reference/exact/linear_system.hpp"
-#include "reference/piecewise_linear/visibility.hpp"
-#include "reference/predicates/intersection.hpp"
+#include "inputs/complexes.hpp"
+#include "inputs/run.hpp"
+#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::properties {
 namespace {

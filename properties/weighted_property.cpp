@@ -2,9 +2,9 @@
 // Delaunay triangulation"), Section 5.2 (weights).
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "properties/generators/point_sets.hpp"
-#include "properties/generators/run.hpp"
+#include "inputs/point_sets.hpp"
+#include "inputs/run.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"

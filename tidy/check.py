@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([\w./]+/[\w.]+)[">]', re.MULTILINE)
 # What the tests of the command, of the corpus and of the pages see, beside the folders below.
 DATA = ("corpus/", "docs/", "README.md", "tidy/")
-SHIPPED = ("reference/", "inputs/", "oracle/", "oracle/")
+SHIPPED = ("reference/", "inputs/", "oracle/", "fuzz/campaign/", "fuzz/process/", "oracle/", "command/")
 
 
 def digests():

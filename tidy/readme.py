@@ -19,8 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
 # The header of a table of identifiers, the source that has them, and how an entry of it begins.
 TABLES = [
-    ("| rule | what is wrong |", ROOT / "oracle" / "rule.cpp", r"RuleEntry\{Rule"),
-    ("| breach | what is wrong |", ROOT / "reference" / "piecewise_linear" / "breach.cpp",
+    ("| rule | what is wrong |", ROOT / "oracle" / "model" / "rule.cpp", r"RuleEntry\{Rule"),
+    ("| breach | what is wrong |", ROOT / "reference" / "kernel" / "piecewise_linear" / "breach.cpp",
      r"\{BreachKind"),
 ]
 # How the names of files begin that the examples write.

@@ -12,59 +12,61 @@ import sys
 
 # Which folders a folder may include directly; through them it sees what they see. The lines
 # `circumspect_layer(...)` in CMakeLists.txt say the same to the linker.
+COMMAND_FOLDERS = ["command", *("command/" + room for room in [
+    "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output"])]
+COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
+           "oracle/certificate", "oracle/judge/domain", "oracle/judge", "oracle/report",
+           "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
-    "reference/exact": [],
-    "reference/predicates": ["reference/exact"],
-    "reference/complex": ["reference/predicates"],
-    "reference/piecewise_linear": ["reference/complex"],
-    "reference/delaunay": ["reference/complex"],
+    "reference/kernel/exact": [],
+    "reference/kernel/predicates": ["reference/kernel/exact"],
+    "reference/kernel/complex": ["reference/kernel/predicates"],
+    "reference/kernel/piecewise_linear": ["reference/kernel/complex"],
+    "reference/delaunay": ["reference/kernel/complex"],
     "reference/optimality": ["reference/delaunay"],
-    "reference/constrained": ["reference/delaunay", "reference/piecewise_linear"],
-    "reference/existence": ["reference/piecewise_linear"],
-    "oracle": ["reference/piecewise_linear"],
-    "oracle/check": ["oracle"],
-    "oracle/certificate": ["oracle/check"],
-    "oracle/check/domain": ["oracle/check"],
-    "oracle/fast": ["reference/exact"],
-    "oracle/formats": ["oracle"],
-    "oracle/check/flat": ["oracle/check/domain", "oracle/fast", "oracle/formats"],
-    "oracle/include/circumspect": [],
-    "oracle/report": ["oracle/check", "oracle/formats"],
-    "oracle/campaign": ["oracle/check/domain", "oracle/report", "properties/generators"],
-    "oracle/arrays": ["oracle/check/flat", "oracle/report", "oracle/include/circumspect"],
-    "oracle/harness": ["oracle/campaign", "oracle/arrays"],
-    "oracle/cli": ["reference/optimality", "reference/constrained",
-                   "reference/existence", "oracle/certificate", "oracle/check/domain",
-                   "oracle/check/flat", "oracle/report", "properties/triangulations",
-                   "oracle/campaign"],
-    "properties/generators": ["reference/piecewise_linear", "oracle/include/circumspect"],
-    "properties/mutations": ["oracle"],
-    "properties/faulty": ["reference/constrained", "oracle/campaign",
-                          "properties/triangulations"],
-    "properties/adapters": ["oracle/include/circumspect"],
-    "properties/triangulations": ["reference/delaunay", "properties/generators"],
+    "reference/constrained": ["reference/delaunay", "reference/kernel/piecewise_linear"],
+    "reference/existence": ["reference/kernel/piecewise_linear"],
+    "include/circumspect": [],
+    "inputs": ["reference/kernel/piecewise_linear", "include/circumspect"],
+    "inputs/triangulated": ["reference/delaunay", "inputs"],
+    "oracle/model": ["reference/kernel/piecewise_linear"],
+    "oracle/formats": ["oracle/model"],
+    "oracle/judge/points": ["oracle/model"],
+    "oracle/judge/domain": ["oracle/judge/points"],
+    "oracle/judge/fast": ["reference/kernel/exact"],
+    "oracle/judge": ["oracle/judge/domain", "oracle/judge/fast", "oracle/formats"],
+    "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
+    "oracle/certificate": ["oracle/judge/points"],
+    "oracle/report": ["oracle/judge/points", "oracle/formats"],
+    "fuzz/process": [],
+    "fuzz/campaign": ["oracle/judge/domain", "fuzz/process", "oracle/report", "inputs"],
+    "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
+    "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
+    **{folder: COMMAND for folder in COMMAND_FOLDERS},
+    "properties/mutations": ["oracle/model"],
+    "properties/faulty": ["reference/constrained", "fuzz/campaign", "inputs/triangulated"],
+    "properties/adapters": ["include/circumspect"],
     "properties": ["reference/optimality", "reference/constrained", "reference/existence",
-                   "oracle/certificate", "oracle/check/domain", "oracle/report",
-                   "properties/generators", "properties/mutations", "properties/triangulations",
-                   "properties/faulty", "properties/adapters", "oracle/harness"],
-    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/check/domain",
-               "oracle/harness"],
-    "proofs": ["oracle/certificate", "oracle/check", "oracle/formats", "reference/delaunay",
-               "properties/generators", "properties/mutations", "corpus"],
-    "fuzz": ["reference/constrained", "oracle/check/domain", "oracle/harness"],
-    "bench": ["reference/constrained", "oracle/report", "oracle/harness"],
+                   "oracle/certificate", "oracle/judge/domain", "oracle/report",
+                   "inputs", "properties/mutations", "inputs/triangulated",
+                   "properties/faulty", "properties/adapters", "fuzz/harness"],
+    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/domain",
+               "fuzz/harness"],
+    "proofs": ["oracle/certificate", "oracle/judge/points", "oracle/formats", "reference/delaunay",
+               "inputs", "properties/mutations", "corpus"],
+    "bench": ["reference/constrained", "oracle/report", "fuzz/harness"],
 }
 # What a test beside its layer may include on top of what the layer may.
-TESTS_ALSO = ["properties/generators"]
+TESTS_ALSO = ["inputs"]
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
 APART = ["corpus/make", "examples"]
 
 # Where CGAL may be included, apart from files named *_cgal_test.cpp.
 # CGAL knows our Rational by the name that GMP gives it.
-CGAL_FILES = ["reference/predicates/intersection.cpp"]
+CGAL_FILES = ["reference/kernel/predicates/intersection.cpp"]
 CGAL_FOLDERS = ["bench", "properties/adapters"]
-NUMBER_LIBRARY_FOLDERS = ["reference/exact", "bench"]
+NUMBER_LIBRARY_FOLDERS = ["reference/kernel/exact", "bench"]
 
 LONGEST_FILE, LONG_FILE = 450, 400
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
@@ -189,9 +191,9 @@ class Tidy:
             if NUMBER_LIBRARY.search(line) and not inside(path, NUMBER_LIBRARY_FOLDERS) \
                     and path not in CGAL_FILES and not path.endswith("_cgal_test.cpp"):
                 self.fault(path, number, "number-library",
-                           "only reference/exact names GMP and MPFR; say Integer or Rational")
+                           "only reference/kernel/exact names GMP and MPFR; say Integer or Rational")
             if FLOATING.search(line) and path.startswith("reference/") \
-                    and not inside(path, ["reference/exact"]) and not is_test(path):
+                    and not inside(path, ["reference/kernel/exact"]) and not is_test(path):
                 self.fault(path, number, "floating-point",
                            "the reference computes exactly; take a Rational")
 
@@ -202,7 +204,7 @@ class Tidy:
                 self.fault(path, number, "cgal", "include CGAL only in a file named *_cgal_test.cpp")
             return
         if target.startswith("circumspect/"):
-            target = "oracle/include/" + target
+            target = "include/" + target
         layer = target.rpartition("/")[0]
         top = target.split("/")[0]
         if quote == '"' and top not in {folder.split("/")[0] for folder in ARROWS}:

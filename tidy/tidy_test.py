@@ -24,34 +24,34 @@ def faults(path, text):
 
 class Arrows(unittest.TestCase):
     def test_a_checker_must_not_see_a_construction(self):
-        self.assertEqual(faults("oracle/check/a.cpp", '\n#include "reference/delaunay/b.hpp"\n'),
-                         ["oracle/check/a.cpp:2: arrow: oracle/check must not see "
+        self.assertEqual(faults("oracle/judge/points/a.cpp", '\n#include "reference/delaunay/b.hpp"\n'),
+                         ["oracle/judge/points/a.cpp:2: arrow: oracle/judge/points must not see "
                           "reference/delaunay; move what it needs to a layer that both see"])
 
     def test_the_reference_must_not_see_the_oracle(self):
         for folder in tidy.ARROWS:
             if folder.startswith("reference/"):
-                for header in ["oracle/a.hpp", "oracle/check/a.hpp"]:
+                for header in ["oracle/model/a.hpp", "oracle/judge/points/a.hpp"]:
                     self.assertEqual(rules(f"{folder}/a.hpp", f'#include "{header}"\n'), ["arrow"])
 
     def test_angle_brackets_do_not_hide_an_arrow(self):
-        self.assertEqual(rules("oracle/check/a.cpp", "#include <reference/delaunay/b.hpp>\n"), ["arrow"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "#include <reference/delaunay/b.hpp>\n"), ["arrow"])
 
     def test_an_arrow_leads_through_the_layers_between(self):
-        self.assertEqual(rules("oracle/check/a.cpp", '#include "reference/exact/number.hpp"\n'), [])
-        self.assertEqual(rules("oracle/formats/a.cpp", '#include "oracle/mesh.hpp"\n'), [])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "reference/kernel/exact/number.hpp"\n'), [])
+        self.assertEqual(rules("oracle/formats/a.cpp", '#include "oracle/model/mesh.hpp"\n'), [])
 
     def test_siblings_do_not_see_each_other(self):
-        self.assertEqual(rules("oracle/check/a.cpp", '#include "oracle/formats/b.hpp"\n'), ["arrow"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "oracle/formats/b.hpp"\n'), ["arrow"])
 
     def test_a_test_may_generate_its_inputs(self):
-        text = '#include "properties/generators/points.hpp"\n'
-        self.assertEqual(rules("reference/exact/a_test.cpp", text), [])
-        self.assertEqual(rules("reference/exact/a.cpp", text), ["arrow"])
+        text = '#include "inputs/points.hpp"\n'
+        self.assertEqual(rules("reference/kernel/exact/a_test.cpp", text), [])
+        self.assertEqual(rules("reference/kernel/exact/a.cpp", text), ["arrow"])
 
     def test_a_path_begins_at_the_root(self):
-        self.assertEqual(rules("oracle/check/a.cpp", '#include "b.hpp"\n'), ["include"])
-        self.assertEqual(rules("oracle/check/a.cpp", '#include "../mesh.hpp"\n'), ["include"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "b.hpp"\n'), ["include"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '#include "../mesh.hpp"\n'), ["include"])
 
     def test_a_new_folder_needs_an_arrow(self):
         self.assertEqual(rules("oracle/new/a.cpp", ""), ["folder"])
@@ -60,11 +60,11 @@ class Arrows(unittest.TestCase):
         self.assertEqual(rules("corpus/make/cgal/a.cpp", '#include <CGAL/b.h>\n#include "c.hpp"\n'), [])
 
     def test_a_commented_include_is_none(self):
-        self.assertEqual(rules("oracle/check/a.cpp", '// #include "reference/delaunay/b.hpp"\n'), [])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", '// #include "reference/delaunay/b.hpp"\n'), [])
 
     def test_the_build_draws_the_same_arrows(self):
-        line = "circumspect_layer(exact reference/exact)\ncircumspect_layer(predicates " \
-               "reference/predicates\n  DEPENDS {} LINKS fmt::fmt)\n"
+        line = "circumspect_layer(exact reference/kernel/exact)\ncircumspect_layer(predicates " \
+               "reference/kernel/predicates\n  DEPENDS {} LINKS fmt::fmt)\n"
         self.assertEqual(rules("CMakeLists.txt", line.format("exact")), [])
         self.assertEqual(rules("CMakeLists.txt", line.format("exact complex")), ["build"])
         self.assertEqual(rules("CMakeLists.txt", line.replace("DEPENDS {} ", "")), ["build"])
@@ -75,24 +75,24 @@ class Libraries(unittest.TestCase):
     def test_only_exact_names_the_number_library(self):
         for text in ["#include <gmpxx.h>\n", "#include <mpfr.h>\n", "mpq_class a;\n",
                      "mpz_t a;\n", "mpfr_t a;\n"]:
-            self.assertEqual(rules("reference/complex/a.cpp", text), ["number-library"], text)
-            self.assertEqual(rules("reference/complex/a_test.cpp", text), ["number-library"], text)
-            self.assertEqual(rules("reference/exact/a.cpp", text), [], text)
-            self.assertEqual(rules("reference/complex/a_cgal_test.cpp", text), [], text)
-        self.assertEqual(rules("reference/complex/a.cpp", "// an mpq_class inside\n"), [])
+            self.assertEqual(rules("reference/kernel/complex/a.cpp", text), ["number-library"], text)
+            self.assertEqual(rules("reference/kernel/complex/a_test.cpp", text), ["number-library"], text)
+            self.assertEqual(rules("reference/kernel/exact/a.cpp", text), [], text)
+            self.assertEqual(rules("reference/kernel/complex/a_cgal_test.cpp", text), [], text)
+        self.assertEqual(rules("reference/kernel/complex/a.cpp", "// an mpq_class inside\n"), [])
 
     def test_cgal_stays_in_its_own_tests(self):
         text = "#include <CGAL/Exact_rational.h>\n"
-        self.assertEqual(rules("oracle/check/a.cpp", text), ["cgal"])
-        self.assertEqual(rules("oracle/check/a_test.cpp", text), ["cgal"])
-        self.assertEqual(rules("oracle/check/a_cgal_test.cpp", text), [])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", text), ["cgal"])
+        self.assertEqual(rules("oracle/judge/points/a_test.cpp", text), ["cgal"])
+        self.assertEqual(rules("oracle/judge/points/a_cgal_test.cpp", text), [])
 
     def test_the_reference_has_no_floating_point(self):
         for text in ["double a;\n", "f(1, float());\n", "std::vector<double> v;\n"]:
             self.assertEqual(rules("reference/delaunay/a.cpp", text), ["floating-point"], text)
             self.assertEqual(rules("reference/delaunay/a_test.cpp", text), [], text)
-            self.assertEqual(rules("reference/exact/a.cpp", text), [], text)
-            self.assertEqual(rules("oracle/check/a.cpp", text), [], text)
+            self.assertEqual(rules("reference/kernel/exact/a.cpp", text), [], text)
+            self.assertEqual(rules("oracle/judge/points/a.cpp", text), [], text)
         for text in ["// a double point\n", 'f("double ");\n', "int double_count;\n",
                      "/* a\n double */\n", 'R"(\n" double "\n)";\n', "f('\"', 1'000); // double '\n"]:
             self.assertEqual(rules("reference/delaunay/a.cpp", text), [], text)
@@ -100,24 +100,24 @@ class Libraries(unittest.TestCase):
 
 class Style(unittest.TestCase):
     def test_a_file_holds_one_idea(self):
-        self.assertEqual(rules("oracle/check/a.cpp", "\n" * 450), [])
-        self.assertEqual(rules("oracle/check/a.cpp", "\n" * 451), ["length"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 450), [])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 451), ["length"])
 
     def test_a_name_says_what_the_file_is_about(self):
         for name in ["util.hpp", "point_utils.cpp", "test_helpers.hpp", "mesh_manager.hpp",
                      "common.hpp", "misc.py"]:
-            self.assertEqual(rules(f"oracle/check/{name}", ""), ["name"], name)
+            self.assertEqual(rules(f"oracle/judge/points/{name}", ""), ["name"], name)
 
     def test_nothing_is_left_unfinished(self):
         for mark in ["TODO", "FIXME", "XXX", "HACK"]:
-            self.assertEqual(rules("oracle/check/a.cpp", f"// {mark}: later\n"), ["mark"])
+            self.assertEqual(rules("oracle/judge/points/a.cpp", f"// {mark}: later\n"), ["mark"])
         self.assertEqual(rules("corpus/demo.sh", "# TODO\n"), ["mark"])
 
     def test_whitespace(self):
-        self.assertEqual(rules("oracle/check/a.cpp", "int a;\t// b\n"), ["whitespace"])
-        self.assertEqual(rules("oracle/check/a.cpp", "int a; \n"), ["whitespace"])
-        self.assertEqual(rules("oracle/check/a.cpp", "int a;\r\n"), ["whitespace"])
-        self.assertEqual(rules("oracle/check/a.cpp", "int a;"), ["whitespace"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "int a;\t// b\n"), ["whitespace"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "int a; \n"), ["whitespace"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "int a;\r\n"), ["whitespace"])
+        self.assertEqual(rules("oracle/judge/points/a.cpp", "int a;"), ["whitespace"])
 
     def test_data_and_builds_are_left_alone(self):
         self.assertEqual(rules("corpus/reject/a.node", "1\t2 \n"), [])

@@ -5,12 +5,12 @@
 
 cmake -S "$SRC/circumspect" -B "$WORK/build" -G Ninja \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCIRCUMSPECT_BUILD_TESTS=OFF -DCIRCUMSPECT_BUILD_FUZZERS=ON
-for source in "$SRC"/circumspect/fuzz/*_fuzz.cpp; do
+for source in "$SRC"/circumspect/fuzz/targets/*_fuzz.cpp; do
   target=$(basename "$source" .cpp)
   cmake --build "$WORK/build" --target "$target"
   cp "$WORK/build/fuzz/$target" "$OUT/"
-  (cd "$SRC/circumspect/fuzz/seeds/$target" && zip -q -r "$OUT/${target}_seed_corpus.zip" .)
-  dictionary=$SRC/circumspect/fuzz/$target.dict
+  (cd "$SRC/circumspect/fuzz/targets/seeds/$target" && zip -q -r "$OUT/${target}_seed_corpus.zip" .)
+  dictionary=$SRC/circumspect/fuzz/targets/$target.dict
   [ ! -f "$dictionary" ] || cp "$dictionary" "$OUT/"
 done
 # The libraries that the targets load, beside them: the machines that run them have none.

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/exact/linear_system.hpp"
-#include "reference/exact/point.hpp"
+#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::certificate {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "oracle/certificate/scaled_points.hpp"
-#include "oracle/mesh.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
 

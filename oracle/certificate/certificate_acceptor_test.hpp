@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "oracle/certificate/acceptor_test.hpp"
-#include "reference/exact/determinant.hpp"
+#include "reference/kernel/exact/determinant.hpp"
 
 namespace circumspect::certificate {
 

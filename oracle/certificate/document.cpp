@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/check/check.hpp"
+#include "oracle/judge/points/check.hpp"
 
 namespace circumspect::certificate {
 namespace {

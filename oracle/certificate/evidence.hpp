@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "oracle/certificate/sidedness.hpp"
-#include "oracle/mesh.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
 

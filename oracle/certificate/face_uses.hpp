@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "oracle/mesh.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::certificate {
 

@@ -8,10 +8,10 @@
 
 #include "oracle/certificate/evidence.hpp"
 #include "oracle/certificate/face_uses.hpp"
-#include "oracle/check/boundary_facet.hpp"
-#include "reference/complex/facets.hpp"
-#include "reference/complex/proper_intersection.hpp"
-#include "reference/exact/box_index.hpp"
+#include "oracle/judge/points/boundary_facet.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/exact/box_index.hpp"
 
 namespace circumspect::certificate {
 namespace {

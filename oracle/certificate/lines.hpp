@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "oracle/certificate/scaled_points.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "oracle/certificate/sidedness.hpp"
-#include "reference/exact/point_search.hpp"
+#include "reference/kernel/exact/point_search.hpp"
 
 namespace circumspect::certificate {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace circumspect::certificate {
 
-// For each of the points a simplex that contains it (reference/exact/point_search.hpp). Requires:
+// For each of the points a simplex that contains it (reference/kernel/exact/point_search.hpp). Requires:
 // simplices and what is across their facets; each of the points is in one of the simplices.
 std::vector<std::uint32_t> simplices_that_contain(const Certificate& certificate,
                                                   std::span<const std::size_t> points);

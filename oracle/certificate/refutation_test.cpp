@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
-#include "oracle/check/check.hpp"
+#include "oracle/judge/points/check.hpp"
 
 namespace circumspect::certificate {
 namespace {

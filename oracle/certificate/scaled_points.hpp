@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "reference/complex/point_set.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::certificate {
 

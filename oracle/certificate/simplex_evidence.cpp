@@ -3,7 +3,7 @@
 
 #include "oracle/certificate/evidence.hpp"
 #include "oracle/certificate/face_uses.hpp"
-#include "oracle/check/simplices.hpp"
+#include "oracle/judge/points/simplices.hpp"
 
 namespace circumspect::certificate {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "reference/exact/number.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

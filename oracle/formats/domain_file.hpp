@@ -9,7 +9,7 @@
 #include "oracle/formats/format_error.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/simplex_file.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::formats {
 

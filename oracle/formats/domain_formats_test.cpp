@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/poly.hpp"
-#include "oracle/formats/scratch_folder_test.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "reference/exact/number_text.hpp"
+#include "reference/kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 

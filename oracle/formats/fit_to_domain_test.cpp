@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/formats/scratch_folder_test.hpp"
+#include "inputs/scratch_folder_test.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -10,9 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/npy_bytes_test.hpp"
 #include "oracle/formats/same_values_test.hpp"
-#include "oracle/formats/scratch_folder_test.hpp"
 
 namespace circumspect::formats {
 namespace {

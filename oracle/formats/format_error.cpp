@@ -1,6 +1,6 @@
 #include "oracle/formats/format_error.hpp"
 
-#include "oracle/printable.hpp"
+#include "oracle/model/printable.hpp"
 
 namespace circumspect::formats {
 

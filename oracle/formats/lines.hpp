@@ -9,8 +9,8 @@
 
 #include "oracle/formats/format_error.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/exact/number_text.hpp"
-#include "reference/predicates/configuration.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

@@ -15,7 +15,7 @@
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/qhull.hpp"
-#include "oracle/listed_index.hpp"
+#include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/formats/scratch_folder_test.hpp"
-#include "oracle/listed_index.hpp"
+#include "inputs/scratch_folder_test.hpp"
+#include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "oracle/formats/source.hpp"
-#include "reference/predicates/configuration.hpp"
+#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/same_values_test.hpp"
-#include "oracle/formats/scratch_folder_test.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "oracle/formats/plain_tokens.hpp"
 #include "oracle/formats/random_access.hpp"
-#include "reference/predicates/configuration.hpp"
+#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/exact/point.hpp"
-#include "reference/predicates/configuration.hpp"
+#include "reference/kernel/exact/point.hpp"
+#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/complex/simplex.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::formats {
 

@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/scratch_folder_test.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -5,17 +5,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "oracle/check/check.hpp"
-#include "oracle/domain.hpp"
-#include "oracle/mesh.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "oracle/model/domain.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::report {
 
 using Json = nlohmann::ordered_json;
 
 // A document as it is printed: UTF-8 on several lines, a line end last. In its strings bytes that are no
-// UTF-8 are U+FFFD, and what on_one_line (oracle/printable.hpp) does not let pass is written as \uNNNN.
+// UTF-8 are U+FFFD, and what on_one_line (oracle/model/printable.hpp) does not let pass is written as \uNNNN.
 std::string document_text(const Json& document);
 
 // An exact value as {"exact": "1/3", "decimal": "0.3333333333333333"}.

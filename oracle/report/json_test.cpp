@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
-#include "reference/exact/number_text.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "reference/kernel/exact/number_text.hpp"
 
 namespace circumspect::report {
 namespace {

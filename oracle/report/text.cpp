@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "oracle/printable.hpp"
+#include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/exact/number_text.hpp"
+#include "reference/kernel/exact/number_text.hpp"
 
 namespace circumspect::report {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "oracle/domain.hpp"
-#include "oracle/mesh.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/model/domain.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::report {
 

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/check/check.hpp"
+#include "oracle/judge/points/check.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::report {

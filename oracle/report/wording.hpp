@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/check/check.hpp"
-#include "oracle/mesh.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::report {
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Proves the error bounds of the filters in oracle/fast with Gappa, in a few seconds; fails if one is not
+# Proves the error bounds of the filters in oracle/judge/fast with Gappa, in a few seconds; fails if one is not
 # proved, if a constant is not that of the code, or if Gappa proves what it must not.
 #     proofs/filters/check.sh [--certificates] [FOLDER-WITH-SCRIPTS [HEADER]]
 # With --certificates Coq checks Gappa's proofs (needs libcoq-gappa and libcoq-flocq).

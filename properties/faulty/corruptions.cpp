@@ -6,12 +6,12 @@
 
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/point_arrays.hpp"
-#include "reference/complex/facets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/lexicographic.hpp"
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 namespace {

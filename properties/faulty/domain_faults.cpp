@@ -5,16 +5,16 @@
 #include <set>
 #include <utility>
 
+#include "inputs/complex_case.hpp"
+#include "inputs/in_doubles.hpp"
 #include "properties/faulty/domain_meshes.hpp"
 #include "properties/faulty/fault.hpp"
-#include "properties/generators/complex_case.hpp"
-#include "properties/generators/in_doubles.hpp"
-#include "reference/complex/facets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/piecewise_linear/regions.hpp"
-#include "reference/piecewise_linear/validity.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "oracle/mesh.hpp"
+#include "oracle/model/mesh.hpp"
 #include "reference/constrained/split_segments.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::faulty {
 

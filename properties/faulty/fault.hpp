@@ -9,9 +9,9 @@
 
 #include <circumspect/subject.hpp>
 
-#include "oracle/mesh.hpp"
-#include "oracle/verdict.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::faulty {
 

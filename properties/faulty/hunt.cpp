@@ -3,16 +3,16 @@
 #include <chrono>
 #include <exception>
 
-#include "oracle/campaign/minimise.hpp"
-#include "oracle/check/domain/judge_domain.hpp"
+#include "fuzz/campaign/minimise.hpp"
+#include "inputs/arrays.hpp"
+#include "inputs/complex_families.hpp"
+#include "inputs/families.hpp"
+#include "inputs/in_doubles.hpp"
+#include "inputs/mixed.hpp"
+#include "inputs/triangulated/domain_families.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/faulty/point_arrays.hpp"
-#include "properties/generators/arrays.hpp"
-#include "properties/generators/complex_families.hpp"
-#include "properties/generators/families.hpp"
-#include "properties/generators/in_doubles.hpp"
-#include "properties/generators/mixed.hpp"
-#include "properties/triangulations/domain_families.hpp"
-#include "reference/piecewise_linear/validity.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::faulty {
 namespace {

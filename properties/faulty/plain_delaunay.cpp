@@ -4,9 +4,9 @@
 #include <map>
 #include <numeric>
 
-#include "reference/complex/facets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 namespace {

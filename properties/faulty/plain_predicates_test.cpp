@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <circumspect/subject.hpp>
 
-#include "reference/complex/point_set.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::faulty {
 

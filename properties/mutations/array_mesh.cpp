@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

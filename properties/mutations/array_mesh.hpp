@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "oracle/mesh.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::properties {
 
@@ -40,7 +40,7 @@ void list_neighbors(ArrayMesh& mesh);
 // Requires: the neighbours are right; there is another side.
 std::size_t other_side(const ArrayMesh& mesh, std::size_t facet);
 
-// Exact signs: of the orientation of a row, and of whether a point is in its ball (reference/predicates).
+// Exact signs: of the orientation of a row, and of whether a point is in its ball (reference/kernel/predicates).
 // Requires: the indices name points; for the second, the row is not flat.
 int orientation_of(const ArrayMesh& mesh, std::span<const std::int64_t> row);
 int in_ball_of(const ArrayMesh& mesh, std::span<const std::int64_t> row, std::int64_t q);

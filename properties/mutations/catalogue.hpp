@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/rule.hpp"
+#include "oracle/model/rule.hpp"
 #include "properties/mutations/array_mesh.hpp"
 
 namespace circumspect::properties {

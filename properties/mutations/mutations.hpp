@@ -7,7 +7,7 @@
 
 #include <rapidcheck.h>
 
-#include "oracle/mesh.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::properties {
 

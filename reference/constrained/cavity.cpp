@@ -4,12 +4,12 @@
 #include <cassert>
 #include <iterator>
 
-#include "reference/complex/facets.hpp"
 #include "reference/constrained/clear_apex.hpp"
 #include "reference/constrained/crossed_tetrahedra.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/flip_algorithm.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 

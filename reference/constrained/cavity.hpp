@@ -5,9 +5,9 @@
 
 #include <tl/expected.hpp>
 
-#include "reference/complex/dictionary.hpp"
 #include "reference/constrained/evolving_cdt.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

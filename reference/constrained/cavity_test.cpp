@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 namespace {

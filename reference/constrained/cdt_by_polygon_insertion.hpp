@@ -9,7 +9,7 @@
 #include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/flip_insert_polygon.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/named_complexes.hpp"
+#include "inputs/named_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"

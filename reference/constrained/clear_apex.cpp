@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::constrained {
 

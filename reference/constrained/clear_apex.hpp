@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "reference/complex/facets.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
 
 namespace circumspect::constrained {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "reference/complex/star_index.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

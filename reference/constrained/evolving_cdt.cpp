@@ -4,7 +4,7 @@
 
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip_algorithm.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/star_index.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/star_index.hpp"
 
 namespace circumspect::constrained {
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <tuple>
 
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 

@@ -5,16 +5,16 @@
 #include <set>
 #include <utility>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/star_index.hpp"
 #include "reference/constrained/clear_apex.hpp"
 #include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/piecewise_linear/regions.hpp"
-#include "reference/piecewise_linear/visibility.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "reference/constrained/plc_triangulation.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

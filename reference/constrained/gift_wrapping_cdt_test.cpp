@@ -6,10 +6,10 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/named_complexes.hpp"
+#include "inputs/named_complexes.hpp"
 #include "reference/constrained/evolving_cdt.hpp"
 #include "reference/delaunay/by_definition.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -6,15 +6,15 @@
 #include <set>
 #include <utility>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/star_index.hpp"
 #include "reference/constrained/clear_apex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/piecewise_linear/polygon_triangles.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::constrained {
 

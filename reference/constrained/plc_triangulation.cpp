@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "reference/complex/point_set.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::constrained {
 namespace {

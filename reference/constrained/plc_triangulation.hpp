@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "reference/complex/simplex.hpp"
 #include "reference/constrained/evolving_cdt.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "reference/exact/box_index.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/exact/box_index.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

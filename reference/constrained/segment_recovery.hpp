@@ -6,8 +6,8 @@
 
 #include <tl/expected.hpp>
 
-#include "reference/complex/star_index.hpp"
 #include "reference/constrained/split_segments.hpp"
+#include "reference/kernel/complex/star_index.hpp"
 
 namespace circumspect::constrained {
 

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/named_complexes.hpp"
+#include "inputs/named_complexes.hpp"
 #include "reference/constrained/edge_protection.hpp"
 
 namespace circumspect::constrained {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "reference/piecewise_linear/polygon_triangles.hpp"
+#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
 
 namespace circumspect::constrained {
 SplitSegments::SplitSegments(const PiecewiseLinearComplex& complex)

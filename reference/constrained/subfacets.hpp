@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "reference/complex/circumball.hpp"
-#include "reference/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

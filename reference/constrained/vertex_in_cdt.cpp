@@ -4,10 +4,10 @@
 #include <cassert>
 #include <map>
 
-#include "reference/complex/facets.hpp"
 #include "reference/constrained/cavity.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::constrained {
 

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
 #include "reference/delaunay/conflict.hpp"
 #include "reference/delaunay/insertion_order.hpp"
 #include "reference/delaunay/statistics.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -7,10 +7,10 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
+#include "inputs/laws.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/conflict.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

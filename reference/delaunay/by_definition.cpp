@@ -1,8 +1,8 @@
 #include "reference/delaunay/by_definition.hpp"
 
-#include "reference/complex/simplex.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -1,8 +1,8 @@
 // The Delaunay triangulation from its definition. Book: Definition 4.1.
 #pragma once
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

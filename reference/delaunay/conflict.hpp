@@ -2,8 +2,8 @@
 // Book: Sections 5.2 (ghost tetrahedra) and 5.4 (conflicts).
 #pragma once
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/simplex.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::delaunay {
 

@@ -4,9 +4,9 @@
 #include <cassert>
 #include <utility>
 
-#include "reference/complex/facets.hpp"
 #include "reference/delaunay/conflict.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -5,10 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/statistics.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::delaunay {
 

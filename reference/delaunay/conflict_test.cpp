@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
-#include "reference/complex/dictionary.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "inputs/laws.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

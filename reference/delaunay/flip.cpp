@@ -5,7 +5,7 @@
 #include <cassert>
 #include <set>
 
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

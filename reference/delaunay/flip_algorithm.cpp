@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "reference/complex/facets.hpp"
-#include "reference/complex/simplex.hpp"
-#include "reference/exact/affine_hull.hpp"
-#include "reference/predicates/in_ball.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::delaunay {
 namespace {

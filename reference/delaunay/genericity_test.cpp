@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
-#include "properties/generators/plain_algebra.hpp"
-#include "reference/complex/circumball.hpp"
+#include "inputs/laws.hpp"
+#include "inputs/plain_algebra.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/kernel/complex/circumball.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -3,10 +3,10 @@
 #include <cassert>
 #include <optional>
 
-#include "reference/complex/circumball.hpp"
-#include "reference/complex/polytope.hpp"
-#include "reference/predicates/orientation.hpp"
-#include "reference/predicates/perturbation.hpp"
+#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/polytope.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

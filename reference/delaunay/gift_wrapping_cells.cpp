@@ -4,11 +4,11 @@
 #include <map>
 #include <set>
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/polytope.hpp"
 #include "reference/delaunay/least_vertex.hpp"
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/polytope.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

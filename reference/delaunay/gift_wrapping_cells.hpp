@@ -2,8 +2,8 @@
 // Book: Section 5.6, Exercise 4 of Chapter 5 (Figures 3.14 and 4.4).
 #pragma once
 
-#include "reference/complex/polyhedral_complex.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/polyhedral_complex.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
+#include "inputs/laws.hpp"
 
 namespace circumspect::delaunay {
 

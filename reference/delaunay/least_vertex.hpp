@@ -1,8 +1,8 @@
 // The least-vertex triangulation of a polyhedral complex. Book: Section 4.2, Figure 4.4.
 #pragma once
 
-#include "reference/complex/polyhedral_complex.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/polyhedral_complex.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

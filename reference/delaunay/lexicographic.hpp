@@ -3,8 +3,8 @@
 // dimensions with no change").
 #pragma once
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/complex/simplex.hpp"
 #include "reference/delaunay/least_vertex.hpp"
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -2,8 +2,8 @@
 // triangulation of it. Book: Section 4.2.
 #pragma once
 
-#include "reference/complex/polyhedral_complex.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/polyhedral_complex.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "reference/delaunay/conflict.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 

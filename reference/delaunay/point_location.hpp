@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
 #include "reference/delaunay/statistics.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/generators/laws.hpp"
+#include "inputs/laws.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "reference/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_program.hpp"
 
 namespace circumspect::delaunay {
 namespace {

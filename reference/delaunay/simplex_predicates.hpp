@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "reference/complex/circumball.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

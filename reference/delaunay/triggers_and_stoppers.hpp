@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/complex/point_set.hpp"
-#include "reference/exact/number.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "reference/complex/dictionary.hpp"
-#include "reference/complex/point_set.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/dictionary.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

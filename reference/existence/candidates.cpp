@@ -4,8 +4,8 @@
 #include <array>
 #include <set>
 
-#include "reference/predicates/in_ball.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::existence {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/piecewise_linear/visibility.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect::existence {
 

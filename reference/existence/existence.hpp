@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/existence/refutation.hpp"
-#include "reference/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::existence {
 

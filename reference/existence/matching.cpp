@@ -7,8 +7,8 @@
 #include <optional>
 #include <set>
 
-#include "reference/predicates/intersection.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::existence {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reference/existence/formula.hpp"
-#include "reference/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::existence {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "reference/complex/proper_intersection.hpp"
-#include "reference/complex/simplex.hpp"
-#include "reference/predicates/orientation.hpp"
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::optimality {
 namespace {

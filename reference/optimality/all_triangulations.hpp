@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::optimality {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "reference/exact/linear_system.hpp"
+#include "reference/kernel/exact/linear_system.hpp"
 
 namespace circumspect::optimality {
 namespace {

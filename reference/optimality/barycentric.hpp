@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/complex/point_set.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::optimality {
 

@@ -3,10 +3,10 @@
 #include <cassert>
 #include <optional>
 
-#include "reference/exact/linear_system.hpp"
+#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 #include "reference/optimality/barycentric.hpp"
 #include "reference/optimality/faces.hpp"
-#include "reference/predicates/orientation.hpp"
 
 namespace circumspect::optimality {
 

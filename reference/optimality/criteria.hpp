@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "reference/complex/circumball.hpp"
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::optimality {
 

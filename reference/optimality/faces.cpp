@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "reference/complex/simplex.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::optimality {
 

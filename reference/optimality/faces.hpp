@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::optimality {
 

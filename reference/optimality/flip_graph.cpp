@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "reference/complex/simplex.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/optimality/barycentric.hpp"
 
 namespace circumspect::optimality {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "reference/complex/point_set.hpp"
-#include "reference/complex/triangulation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::optimality {

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "reference/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_program.hpp"
 #include "reference/optimality/barycentric.hpp"
 
 namespace circumspect::optimality {

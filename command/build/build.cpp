@@ -1,0 +1,250 @@
+// circumspect build WHAT INPUT: one triangulation. What is more than that has files of its own.
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/build/constructions.hpp"
+#include "command/build/mesh_output.hpp"
+#include "command/input/input.hpp"
+#include "command/options/one_of.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "command/output/overwriting.hpp"
+#include "command/subcommands.hpp"
+#include "oracle/formats/ele.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/points/simplices.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/lexicographic.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct BuildOptions {
+  std::string what;  // delaunay, weighted-delaunay, lexicographic
+  std::string points;
+  std::string output_file;
+  std::string neighbors_file;
+  std::string algorithm = "bowyer-watson";
+  delaunay::BowyerWatsonOptions bowyer_watson = {delaunay::InsertionOrder::kBrioHilbert,
+                                                 delaunay::PointLocation::kWalking, 0};
+  bool statistics = false;
+  InputOptions input;
+  OutputOptions output;
+};
+
+std::string statistics_text(const delaunay::Statistics& statistics) {
+  return fmt::format(
+      "created: {} solid and {} ghost simplices\n"
+      "deleted: {} solid and {} ghost simplices\n"
+      "point location: {} filed, {}\n"
+      "conflict tests: {}\n",
+      statistics.solid_simplices_created, statistics.ghost_simplices_created,
+      statistics.solid_simplices_deleted, statistics.ghost_simplices_deleted,
+      report::counted(statistics.conflicts_created, "conflict"),
+      report::counted(statistics.walk_steps, "walk step"), statistics.conflict_tests);
+}
+
+// The points of a weighted set that are no vertices: submerged, or on the lower hull without being
+// extreme.
+std::string not_vertices_text(const Mesh& mesh, const Triangulation& triangulation) {
+  const std::vector<Vertex> unused = check::unused_points({mesh.points, triangulation.simplices()});
+  return unused.empty() ? "" : "not vertices: " + report::labels(mesh, unused) + "\n";
+}
+
+// "unique canonical" and the like: what is known of the triangulation beside its size.
+std::string facts(const BuildOptions& options, const Mesh& mesh,
+                  const Triangulation& triangulation) {
+  if (options.what == "lexicographic") return "";
+  const bool unique =
+      options.what == "delaunay"
+          ? !delaunay::cospherical_points_of_an_empty_ball(mesh.points, triangulation)
+          : *check::weighted_delaunay({mesh.points, triangulation.simplices()}).unique;
+  return unique ? " unique canonical" : " not-unique canonical";
+}
+
+Triangulation construct_triangulation(const BuildOptions& options, const PointSet& points,
+                                      delaunay::Statistics& statistics) {
+  if (options.what == "lexicographic") return delaunay::lexicographic(points);
+  return constructions().at(options.algorithm)(points, {options.bowyer_watson, &statistics});
+}
+
+// Writes the files asked for; false if one could not be written.
+bool write_files(const BuildOptions& options, const Mesh& mesh, const Triangulation& triangulation,
+                 Output& output) {
+  const auto write_mesh = [&](std::ostream& stream) {
+    if (formats::extension(options.output_file) == ".json") {
+      formats::write_json(stream, json_file(mesh, triangulation));
+    } else {
+      formats::write_ele(stream, simplex_file(mesh, triangulation));
+    }
+  };
+  const auto write = [&](const std::string& path, const auto& writer) {
+    if (path.empty()) return true;
+    const std::string failure = write_file(path, writer);
+    if (!failure.empty()) output.error(ExitCode::kUsage, "points", options.points, failure);
+    return failure.empty();
+  };
+  return write(options.output_file, write_mesh) &&
+         write(options.neighbors_file, [&](std::ostream& stream) {
+           formats::write_neigh(stream, neighbor_file(mesh, triangulation));
+         });
+}
+
+void build_triangulation(const BuildOptions& options, Output& output) {
+  const auto loaded = load_points(options.points, options.input);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
+    return;
+  }
+  const Mesh& mesh = loaded->mesh;
+  delaunay::Statistics statistics;
+  const Triangulation triangulation = construct_triangulation(options, mesh.points, statistics);
+  if (!write_files(options, mesh, triangulation, output)) return;
+  if (output.wants_json()) {
+    formats::write_json(std::cout, json_file(mesh, triangulation));
+    std::cout.flush();
+  }
+  if (!output.wants_text()) return;
+  if (options.statistics) output.text(statistics_text(statistics));
+  if (mesh.points.is_weighted()) output.text(not_vertices_text(mesh, triangulation));
+  output.text(fmt::format(
+      "built: {} {} {} {}{}\n", options.what, on_one_line(loaded->name),
+      report::counted(mesh.points.size(), "point"),
+      report::counted_simplices(triangulation.simplices().size(), triangulation.dimension()),
+      facts(options, mesh, triangulation)));
+}
+
+// What is wrong with the names of the files that are to be written; empty if nothing is.
+std::string output_fault(const BuildOptions& options) {
+  std::vector<Written> written;
+  if (!options.output_file.empty()) written.push_back({"the mesh", options.output_file});
+  if (!options.neighbors_file.empty()) {
+    written.push_back({"the neighbours", options.neighbors_file});
+  }
+  std::string fault = overwriting_fault(written, {options.points});
+  if (!fault.empty() || options.output_file.empty()) return fault;
+  return output_name_fault(options.output_file, {".ele", ".json"});
+}
+
+ExitCode run(const BuildOptions& options) {
+  if (options.output_file.empty() && options.output.format == OutputFormat::kText) {
+    return usage_error("expected -o OUT.ele, -o OUT.json or --format json, found none");
+  }
+  if (const std::string fault = output_fault(options); !fault.empty()) {
+    return usage_error(fault);
+  }
+  const int on_stdout = (options.output_file == "-" ? 1 : 0) +
+                        (options.neighbors_file == "-" ? 1 : 0) +
+                        (options.output.format == OutputFormat::kJson ? 1 : 0);
+  if (on_stdout > 1) {
+    return usage_error(fmt::format(
+        "expected one thing for standard output, found {} of -o -, --neighbors - and --format json",
+        on_stdout));
+  }
+  OutputOptions spoken = options.output;
+  // The mesh itself goes to stdout: then nothing else does.
+  if (options.output_file == "-" || options.neighbors_file == "-") spoken.quiet = true;
+  Output output(spoken);
+  build_triangulation(options, output);
+  // Where the mesh is the JSON document, only an error needs another one.
+  return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
+}
+
+void add_algorithm_options(CLI::App& command, BuildOptions& options) {
+  using delaunay::InsertionOrder;
+  using delaunay::PointLocation;
+  std::vector<std::string> names;
+  for (const auto& [name, construction] : constructions()) names.push_back(name);
+  command
+      .add_option("--algorithm", options.algorithm,
+                  "All give the same set of simplices (default: bowyer-watson)")
+      ->check(one_of_words(names))
+      ->option_text(construction_names());
+  const std::map<std::string, InsertionOrder> orders = {
+      {"as-given", InsertionOrder::kAsGiven},
+      {"random", InsertionOrder::kRandom},
+      {"brio-hilbert", InsertionOrder::kBrioHilbert},
+      {"brio-z-order", InsertionOrder::kBrioZOrder}};
+  command
+      .add_option("--order", options.bowyer_watson.order,
+                  "In which order Bowyer-Watson inserts (default: brio-hilbert)")
+      ->transform(one_of(orders))
+      ->option_text("as-given|random|brio-hilbert|brio-z-order");
+  const std::map<std::string, PointLocation> locations = {
+      {"linear-scan", PointLocation::kLinearScan},
+      {"conflict-graph", PointLocation::kConflictGraph},
+      {"walking", PointLocation::kWalking}};
+  command
+      .add_option("--location", options.bowyer_watson.location,
+                  "How Bowyer-Watson locates points (default: walking)")
+      ->transform(one_of(locations))
+      ->option_text("linear-scan|conflict-graph|walking");
+  command.add_option("--seed", options.bowyer_watson.seed, "Of the random orders (default: 0)")
+      ->check(whole_number())
+      ->option_text("N");
+  command.add_flag("--statistics", options.statistics,
+                   "Say what Bowyer-Watson created, deleted, filed, walked and tested");
+}
+
+CLI::App* add_triangulation(CLI::App& build, const std::string& what,
+                            const std::string& description, ExitCode& exit_code) {
+  const auto options = std::make_shared<BuildOptions>();
+  options->what = what;
+  options->input.weighted = what == "weighted-delaunay";
+  CLI::App* command = build.add_subcommand(what, description);
+  command->footer(fmt::format(
+      "Example:\n"
+      "  circumspect build {} points.node -o reference.ele\n\n"
+      "Writes one simplex a line with k+1 vertices, k the dimension of the points' affine hull,\n"
+      "positively oriented, indices as in the input.",
+      what));
+  command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output_file,
+                   "Where to write: an .ele or a .json file; - writes the .ele on stdout")
+      ->option_text("OUT.ele");
+  command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
+      ->option_text("OUT.neigh");
+  if (what != "lexicographic") add_algorithm_options(*command, *options);
+  add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+  return command;
+}
+
+}  // namespace
+
+void add_build(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* build = app.add_subcommand("build", "Make a reference");
+  build->footer(
+      "Examples:\n"
+      "  circumspect build delaunay points.node -o reference.ele\n"
+      "  circumspect build cdt part.poly -o part.1.ele\n"
+      "  circumspect build cdt --help            # what each of them takes and writes\n\n"
+      "Exit codes: 0 built, 1 there is none (of domains: the reason is printed), 2 usage, 3 the\n"
+      "input is at fault, 4 not found within a limit or by this algorithm, 5 internal error.");
+  build->require_subcommand(1);
+  add_triangulation(*build, "delaunay",
+                    "The canonical Delaunay triangulation of a point set of any dimension",
+                    exit_code);
+  add_triangulation(*build, "weighted-delaunay",
+                    "The canonical weighted Delaunay triangulation; weights are the first "
+                    "attribute of a .node file, as for tetgen -w, or the key weights of JSON",
+                    exit_code);
+  add_triangulation(*build, "lexicographic",
+                    "The lexicographic triangulation, which is not Delaunay in general", exit_code);
+  add_build_subdivision(*build, exit_code);
+  add_build_all_triangulations(*build, exit_code);
+  add_build_constrained(*build, exit_code);
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,280 @@
+// circumspect build planar-cdt|cdt|steiner-cdt|conforming-delaunay INPUT
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command/build/constrained_constructions.hpp"
+#include "command/build/domain_mesh_output.hpp"
+#include "command/build/mesh_output.hpp"
+#include "command/input/breach_text.hpp"
+#include "command/input/domain_input.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "command/output/overwriting.hpp"
+#include "command/subcommands.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct ConstrainedOptions {
+  std::string what;
+  std::string input_file;
+  std::string output_file;
+  std::optional<std::string> algorithm;
+  std::optional<DomainKind> domain_kind;
+  SearchLimits search;
+  std::size_t most_steiner_points = 10'000;
+  InputOptions input;
+  OutputOptions output;
+};
+
+// What is wrong with the algorithm asked for; empty if nothing is.
+std::string algorithm_fault(const ConstrainedOptions& options, std::size_t dimension) {
+  if (!options.algorithm) return "";
+  const std::vector<std::string> known = algorithms_for(options.what, dimension);
+  if (std::find(known.begin(), known.end(), *options.algorithm) != known.end()) return "";
+  return fmt::format("expected --algorithm {} for {} in dimension {}, found {}",
+                     fmt::join(known, "|"), options.what, dimension, *options.algorithm);
+}
+
+bool has_steiner_points(const std::string& what) {
+  return what == "steiner-cdt" || what == "conforming-delaunay";
+}
+
+std::string built_line(const ConstrainedOptions& options, const DomainMesh& mesh) {
+  const auto& simplices = mesh.triangulation.simplices;
+  const std::size_t size =
+      simplices.empty() ? mesh.points.ambient_dimension() + 1 : simplices.front().size();
+  std::string line =
+      fmt::format("built: {} {} {} {}", options.what, on_one_line(options.input_file),
+                  report::counted(mesh.points.size(), "point"),
+                  report::counted_simplices(simplices.size(), static_cast<int>(size) - 1));
+  // Vertices that belong to nothing are among the points.
+  const auto dangling =
+      std::count_if(mesh.triangulation.dangling.begin(), mesh.triangulation.dangling.end(),
+                    [](const Simplex& simplex) { return simplex.size() > 1; });
+  if (dangling > 0) line += fmt::format(" {} dangling", dangling);
+  if (has_steiner_points(options.what)) {
+    return line + " " + report::counted(mesh.steiner_points.size(), "steiner-point") + "\n";
+  }
+  return line + (mesh.not_canonical ? " not-canonical\n" : " canonical\n");
+}
+
+// "steiner point 9 on segment 1 2 at (0.5, 0, 0)", a line each.
+std::string steiner_text(const DomainMesh& mesh, Vertex first_index) {
+  const auto count = static_cast<Vertex>(mesh.steiner_points.size());
+  const auto first = static_cast<Vertex>(mesh.points.size()) - count;
+  std::string text;
+  for (Vertex i = 0; i < count; ++i) {
+    text += fmt::format("steiner point {} {} at {}\n", first + i + first_index,
+                        mesh.steiner_points[static_cast<std::size_t>(i)],
+                        point_text(mesh.points[first + i]));
+  }
+  return text;
+}
+
+// Exit code 1: there is none; 4: this algorithm cannot tell.
+void say_no_mesh(const ConstrainedOptions& options, const NoMesh& none, Output& output) {
+  output.exit_with(none.is_proved ? ExitCode::kFails : ExitCode::kUndecided);
+  const std::string answer = none.is_proved ? "impossible" : "undecided";
+  output.text(fmt::format("{}: {} {}: {}\n", answer, options.what, on_one_line(options.input_file),
+                          none.reason));
+  if (output.wants_json()) {
+    output.json({{"domain", options.input_file},
+                 {"what", options.what},
+                 {"answer", answer},
+                 {"reason", none.reason}});
+  }
+}
+
+// Writes the files asked for. Returns an error message, or an empty string.
+std::string write(const ConstrainedOptions& options, const std::string& points_name,
+                  const DomainMesh& mesh, Vertex first_index) {
+  std::vector<Written> written;
+  for (const std::string& path : files_of_domain_mesh(options.output_file, mesh)) {
+    written.push_back({"the mesh", path});
+  }
+  std::string fault = overwriting_fault(written, {options.input_file, points_name});
+  if (fault.empty()) fault = domain_mesh_fault(options.output_file, mesh);
+  return fault.empty() ? write_domain_mesh(options.output_file, mesh, first_index) : fault;
+}
+
+// Standard output holds the mesh alone, as a JSON document or, for "-", as an .ele.
+void say_note(const ConstrainedOptions& options, const std::string& note, Output& output) {
+  if (output.wants_json() || (options.output_file == "-" && !options.output.quiet)) {
+    fmt::print(stderr, "note: {}\n", on_one_line(note));
+  }
+  output.note(note);
+}
+
+void build(const ConstrainedOptions& options, Output& output) {
+  const auto loaded = load_domain(options.input_file, options.input, options.domain_kind);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
+    return;
+  }
+  for (const std::string& note : loaded->file.notes) say_note(options, note, output);
+  const Domain& domain = loaded->domain;
+  const std::string fault = algorithm_fault(options, domain.complex.ambient_dimension());
+  if (!fault.empty()) {
+    output.error(ExitCode::kUsage, "domain", options.input_file, fault);
+    return;
+  }
+  const auto mesh = construct(
+      {options.what, options.algorithm, options.search, options.most_steiner_points}, domain);
+  if (!mesh) {
+    say_no_mesh(options, mesh.error(), output);
+    return;
+  }
+  if (const std::string fault = numbering_fault(*mesh, domain.first_index); !fault.empty()) {
+    output.error(ExitCode::kInputFault, "domain", options.input_file,
+                 options.input_file + ": " + fault);
+    return;
+  }
+  if (!options.output_file.empty()) {
+    const std::string failure = write(options, loaded->file.points_name, *mesh, domain.first_index);
+    if (!failure.empty()) {
+      output.error(ExitCode::kUsage, "domain", options.input_file, failure);
+      return;
+    }
+  }
+  if (mesh->not_canonical) {
+    say_note(options,
+             "there is no canonical CDT, for " + *mesh->not_canonical + "; this is another one",
+             output);
+  }
+  if (output.wants_json()) {
+    formats::write_json(std::cout, json_file(*mesh, domain.first_index));
+    std::cout.flush();
+  }
+  output.text(steiner_text(*mesh, domain.first_index) + built_line(options, *mesh));
+}
+
+ExitCode run(const ConstrainedOptions& options) {
+  const bool to_json = options.output.format == OutputFormat::kJson;
+  if (options.output_file.empty() && !to_json) {
+    return usage_error(
+        "expected -o OUT.ele, -o OUT.mesh, -o OUT.json or --format json, found none");
+  }
+  const std::string name_fault = output_name_fault(options.output_file, {".ele", ".mesh", ".json"});
+  if (!options.output_file.empty() && !name_fault.empty()) {
+    return usage_error(name_fault);
+  }
+  if (options.output_file == "-" && to_json) {
+    return usage_error("expected one thing for standard output, found two");
+  }
+  OutputOptions spoken = options.output;
+  if (options.output_file == "-") spoken.quiet = true;
+  Output output(spoken);
+  build(options, output);
+  // Where the mesh is the JSON document, only an error needs another one.
+  return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
+}
+
+std::string usual_algorithm(const std::string& what) {
+  if (what == "planar-cdt") return "gift-wrapping";
+  if (what == "steiner-cdt") return "polygon-flips, in the plane gift-wrapping";
+  return fmt::format("gift-wrapping, for more than {} vertices in space polygon-flips",
+                     kFewVertices);
+}
+
+const std::string kOfPolygons =
+    "The mesh of a domain in the plane is its CDT. That of one in space has only the triangles of\n"
+    "its polygons and the segments in none of them, which is a CDT of the domain, and for check\n"
+    "one, where nothing is to be filled: all of the domain lies in one plane.\n\n";
+
+const std::string kOfAnother =
+    "Where vertices are cospherical, a domain may have a CDT and not the canonical one. Without\n"
+    "--algorithm another one is built then, not-canonical, as inspect finds it (cdt another). "
+    "Exit\n"
+    "code 1 means that there is none (proved); a search that reaches its limit is exit code 4.\n\n";
+
+std::string footer(const std::string& what) {
+  const bool is_planar = what == "planar-cdt";
+  const std::string part = is_planar ? "plan" : "part";
+  return fmt::format(
+      "Example:\n"
+      "  circumspect build {0} {1}.poly -o {1}.1.ele\n"
+      "  circumspect check {1}.1.ele --domain {1}.poly --claim {2}\n\n"
+      "{3}"
+      "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the triangles and "
+      "edges\n"
+      "that are faces of nothing; or all in one OUT.mesh or OUT.json. Steiner points come last.\n\n"
+      "Exit codes: 0 built, {4}2 usage, 3 the input is at fault, 4 undecided: the\n"
+      "algorithm that was asked for cannot tell, or a limit was reached; 5 internal error.",
+      what, part, is_planar ? "cdt" : what,
+      is_planar       ? kOfPolygons
+      : what == "cdt" ? kOfAnother
+                      : "",
+      what == "cdt" ? "1 there is none (proved), and why, " : "");
+}
+
+void add_one(CLI::App& build, const std::string& what, const std::string& description,
+             const std::string& algorithms, ExitCode& exit_code) {
+  const auto options = std::make_shared<ConstrainedOptions>();
+  options->what = what;
+  CLI::App* command = build.add_subcommand(what, description);
+  command->footer(footer(what));
+  command
+      ->add_option("domain", options->input_file,
+                   "The domain: .poly, .smesh, .off, .stl, .ply, .mesh")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output_file,
+                   "Where to write: an .ele, a .mesh or a .json file; - writes the .ele on stdout, "
+                   "if that is all there is")
+      ->option_text("OUT.ele");
+  if (!algorithms.empty()) {
+    command
+        ->add_option("--algorithm", options->algorithm,
+                     "All give the same mesh, the canonical one, if they give one (default: " +
+                         usual_algorithm(what) + ")")
+        ->option_text(algorithms);
+  }
+  if (what == "cdt") add_search_options(*command, options->search);
+  if (has_steiner_points(what)) {
+    command
+        ->add_option("--steiner-points", options->most_steiner_points,
+                     "Give up, with exit code 4, when more are needed (default 10000)")
+        ->check(whole_number())
+        ->option_text("N");
+  }
+  add_domain_kind_option(*command, options->domain_kind);
+  add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace
+
+void add_build_constrained(CLI::App& build, ExitCode& exit_code) {
+  add_one(build, "planar-cdt",
+          "The canonical constrained Delaunay triangulation of a domain in the plane, or of all "
+          "polygons of one in space",
+          "gift-wrapping|segment-insertion", exit_code);
+  add_one(build, "cdt",
+          "The canonical constrained Delaunay triangulation of a domain without Steiner points, or "
+          "another one where there is no canonical one",
+          "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
+          "segment-insertion)",
+          exit_code);
+  add_one(build, "steiner-cdt",
+          "A Steiner CDT of any domain: vertices on segments make it edge-protected; then its "
+          "canonical CDT",
+          "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
+          "segment-insertion)",
+          exit_code);
+  add_one(build, "conforming-delaunay",
+          "A Delaunay triangulation of the domain's vertices and of Steiner points in which every "
+          "segment and every polygon is a union of faces",
+          "", exit_code);
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,112 @@
+// circumspect build delaunay-subdivision INPUT
+#include <map>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/input/input.hpp"
+#include "command/options/one_of.hpp"
+#include "command/output/output.hpp"
+#include "command/subcommands.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/json.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/delaunay/gift_wrapping_cells.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+using Construction = PolyhedralComplex (*)(const PointSet&);
+
+struct SubdivisionOptions {
+  std::string points;
+  std::string algorithm = "lifted-hull";
+  InputOptions input;
+  OutputOptions output;
+};
+
+const std::map<std::string, Construction>& subdivisions() {
+  static const std::map<std::string, Construction> table = {
+      {"lifted-hull", delaunay::delaunay_subdivision},
+      {"by-definition", delaunay::delaunay_subdivision_by_definition},
+      {"gift-wrapping-cells", delaunay::gift_wrapping_cells}};
+  return table;
+}
+
+report::Json labels(const Mesh& mesh, const Face& face) {
+  report::Json array = report::Json::array();
+  for (const Vertex v : face) array.push_back(mesh.label(v));
+  return array;
+}
+
+// {"input", "dimension", "simplicial", "faces": {"0": […], …, "k": […]}}: every face by all the
+// points on it.
+report::Json json(const LoadedMesh& input, const PolyhedralComplex& complex) {
+  report::Json faces = report::Json::object();
+  for (int j = 0; j <= complex.dimension(); ++j) {
+    report::Json of_dimension = report::Json::array();
+    for (const Face& face : complex.faces(j)) of_dimension.push_back(labels(input.mesh, face));
+    faces[std::to_string(j)] = of_dimension;
+  }
+  return {{"input", input.name},
+          {"dimension", complex.dimension()},
+          {"simplicial", complex.is_simplicial()},
+          {"faces", faces}};
+}
+
+std::string text(const LoadedMesh& input, const PolyhedralComplex& complex) {
+  std::string out;
+  for (const Face& cell : complex.cells()) {
+    out += fmt::format("cell {}\n", report::labels(input.mesh, cell));
+  }
+  return out + fmt::format("built: delaunay-subdivision {} {} {} {}\n", on_one_line(input.name),
+                           report::counted(input.mesh.points.size(), "point"),
+                           report::counted(complex.cells().size(), "cell"),
+                           complex.is_simplicial() ? "simplicial" : "not-simplicial");
+}
+
+ExitCode run(const SubdivisionOptions& options) {
+  Output output(options.output);
+  const auto loaded = load_points(options.points, options.input);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
+    return output.finish();
+  }
+  const PolyhedralComplex complex = subdivisions().at(options.algorithm)(loaded->mesh.points);
+  if (output.wants_text()) output.text(text(*loaded, complex));
+  if (output.wants_json()) output.json(json(*loaded, complex));
+  return output.finish();
+}
+
+}  // namespace
+
+void add_build_subdivision(CLI::App& build, ExitCode& exit_code) {
+  const auto options = std::make_shared<SubdivisionOptions>();
+  CLI::App* command = build.add_subcommand(
+      "delaunay-subdivision",
+      "The Delaunay subdivision: the projected lower hull of the lifted points, cospherical points "
+      "in one cell");
+  command->footer(
+      "Example:\n"
+      "  circumspect build delaunay-subdivision points.node\n\n"
+      "Prints the points of each cell; --format json has the faces of all dimensions.");
+  command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
+      ->required();
+  std::vector<std::string> names;
+  for (const auto& [name, construction] : subdivisions()) names.push_back(name);
+  command
+      ->add_option("--algorithm", options->algorithm,
+                   "All give the same complex (default: lifted-hull)")
+      ->check(one_of_words(names))
+      ->option_text("by-definition|gift-wrapping-cells|lifted-hull");
+  command->add_flag("--weighted", options->input.weighted,
+                    "With weights: the first attribute of a .node file, or the key of JSON");
+  add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,110 @@
+#include "command/build/cdt_decision.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "command/options/whole_number.hpp"
+#include "reference/constrained/planar_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+using constrained::PlcTriangulation;
+
+// Those facets whose vertices all lie in the polygon.
+std::vector<Simplex> facets_in(const Polygon& polygon, const std::vector<Simplex>& facets) {
+  std::vector<Simplex> in_polygon;
+  std::copy_if(facets.begin(), facets.end(), std::back_inserter(in_polygon),
+               [&](const Simplex& facet) {
+                 return std::includes(polygon.vertices.begin(), polygon.vertices.end(),
+                                      facet.begin(), facet.end());
+               });
+  return in_polygon;
+}
+
+// The tetrahedra are those of a CDT. Where a polygon has some of the domain beside it, they tile it;
+// elsewhere it dangles, and its planar CDT is as good as any. Segments bound these parts of a
+// polygon, and no triangle of either kind crosses a segment: so a triangle of the planar CDT is in a
+// tiled part iff its barycentre is in one of the tiles.
+PlcTriangulation completed(const PiecewiseLinearComplex& complex, std::vector<Simplex> tetrahedra) {
+  const std::vector<Simplex> facets = facets_of(tetrahedra);
+  std::set<Simplex> faces(complex.segments.begin(), complex.segments.end());
+  for (const Vertex v : all_vertices(complex.points)) faces.insert({v});
+  for (const Polygon& polygon : complex.polygons) {
+    const std::vector<Simplex> tiles = facets_in(polygon, facets);
+    for (const Simplex& triangle : constrained::planar_cdt(complex.points, polygon)) {
+      const Point middle = barycentre(coordinates(complex.points, triangle));
+      const bool is_tiled = std::any_of(tiles.begin(), tiles.end(), [&](const Simplex& tile) {
+        return !intersection({middle}, coordinates(complex.points, tile)).empty();
+      });
+      if (!is_tiled) faces.insert(triangle);
+    }
+  }
+  return constrained::with_dangling(std::move(tetrahedra), faces);
+}
+
+}  // namespace
+
+std::string_view word(CdtAnswer answer) {
+  switch (answer) {
+    case CdtAnswer::kCanonical:
+      return "canonical";
+    case CdtAnswer::kAnother:
+      return "another";
+    case CdtAnswer::kNone:
+      return "none";
+    case CdtAnswer::kUnknown:
+      return "unknown";
+  }
+  return "";
+}
+
+existence::Limits existence_limits(const SearchLimits& limits) {
+  return {.vertices = limits.vertices, .conflicts = limits.conflicts};
+}
+
+CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
+                       const SearchLimits& limits) {
+  CdtDecision decision;
+  auto canonical = constrained::gift_wrapping_cdt(complex);
+  if (canonical) {
+    decision.answer = CdtAnswer::kCanonical;
+    decision.cdt = *std::move(canonical);
+    return decision;
+  }
+  decision.not_canonical = canonical.error();
+  existence::Existence any = existence::any_cdt(complex, regions, existence_limits(limits));
+  if (auto* exists = std::get_if<existence::Exists>(&any)) {
+    decision.answer = CdtAnswer::kAnother;
+    decision.cdt = completed(complex, std::move(exists->tetrahedra));
+  } else if (auto* impossible = std::get_if<existence::Impossible>(&any)) {
+    decision.answer = CdtAnswer::kNone;
+    decision.refutation = std::move(*impossible);
+  } else {
+    decision.limit = std::get<existence::Unknown>(any).limit;
+  }
+  return decision;
+}
+
+void add_search_options(CLI::App& command, SearchLimits& limits) {
+  command
+      .add_option("--search-vertices", limits.vertices,
+                  "Search for any CDT, where there is no canonical one, in domains of at most N "
+                  "vertices (default 60)")
+      ->check(whole_number())
+      ->option_text("N");
+  command
+      .add_option("--search-conflicts", limits.conflicts,
+                  "Give the search up after N conflicts (default 1000000; 0: never)")
+      ->check(whole_number())
+      ->option_text("N");
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,92 @@
+#include "command/build/mesh_output.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "oracle/formats/mesh_files.hpp"
+#include "reference/kernel/complex/facets.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+// The empty set has no simplices, but a file of them still says how many vertices each has.
+std::size_t vertices_of_each(const Triangulation& triangulation) {
+  return static_cast<std::size_t>(std::max(triangulation.dimension(), 0) + 1);
+}
+
+// Simplices are numbered as the points are, but never −1, which means none, nor beyond 64 bits.
+Vertex first_index_of_simplices(const Mesh& mesh, const Triangulation& triangulation) {
+  const std::size_t count = triangulation.simplices().size();
+  return mesh.first_index >= 0 && has_room(mesh.first_index, count) ? mesh.first_index : 0;
+}
+
+bool is_there_and_no_file(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_status there = std::filesystem::status(path, error);
+  return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there) &&
+         !std::filesystem::is_directory(there);
+}
+
+}  // namespace
+
+std::string output_name_fault(const std::string& path,
+                              const std::vector<std::string_view>& extensions) {
+  const std::string end = formats::extension(path);
+  if (path == "-" || std::find(extensions.begin(), extensions.end(), end) != extensions.end() ||
+      is_there_and_no_file(path)) {
+    return "";
+  }
+  std::string names;
+  for (const std::string_view extension : extensions) names += fmt::format("OUT{}, ", extension);
+  return fmt::format("expected -o {}or - for standard output, found {}", names, path);
+}
+
+formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
+  formats::SimplexFile file;
+  file.first_index = first_index_of_simplices(mesh, triangulation);
+  file.vertices_per_simplex = vertices_of_each(triangulation);
+  for (const Simplex& simplex : triangulation.simplices()) {
+    Simplex own = positively_oriented(mesh.points, simplex);
+    for (Vertex& v : own) v = mesh.label(v);
+    file.simplices.push_back(own);
+  }
+  return file;
+}
+
+formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& triangulation) {
+  std::vector<Simplex> simplices;
+  for (const Simplex& simplex : triangulation.simplices()) {
+    simplices.push_back(positively_oriented(mesh.points, simplex));
+  }
+  formats::NeighborFile file;
+  file.first_index = first_index_of_simplices(mesh, triangulation);
+  file.neighbors_per_simplex = vertices_of_each(triangulation);
+  for (const Simplex& simplex : simplices) file.neighbors.emplace_back(simplex.size(), -1);
+  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+    if (group.size() != 2) return;
+    const auto link = [&](const FacetUse& from, const FacetUse& to) {
+      file.neighbors[from.simplex][from.opposite] =
+          static_cast<Vertex>(to.simplex) + file.first_index;
+    };
+    link(group[0], group[1]);
+    link(group[1], group[0]);
+  });
+  return file;
+}
+
+formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation) {
+  formats::JsonFile file;
+  file.points.dimension = std::max<std::size_t>(mesh.points.ambient_dimension(), 1);
+  file.points.points = mesh.points.points();
+  file.points.first_index = mesh.first_index;
+  if (mesh.points.is_weighted()) {
+    for (Vertex v = 0; mesh.points.names(v); ++v) file.weights.push_back(mesh.points.weight(v));
+  }
+  file.has_simplices = true;
+  file.simplices = simplex_file({mesh.points, {}, {}, mesh.first_index}, triangulation);
+  return file;
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,36 @@
+// Triangulations in the forms of the files that users keep.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/formats/json.hpp"
+#include "oracle/formats/neigh.hpp"
+#include "oracle/formats/simplex_file.hpp"
+#include "oracle/model/mesh.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
+
+namespace circumspect::cli {
+
+// What is wrong with OUT of `-o OUT`, if only files of some extensions and "-" can be written; empty
+// if nothing is. Whatever is there and no file, a pipe say, may have any name, and then gets what
+// would go to standard output.
+std::string output_name_fault(const std::string& path,
+                              const std::vector<std::string_view>& extensions);
+
+// `mesh` gives the points and how the user counts them.
+
+// Positively oriented, so that programs that care find det[p_0 − p_d; …] > 0; vertices by the
+// user's own indices.
+formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation);
+
+// neighbors[s][i]: the simplex across the facet opposite vertex i of simplex s, in the order in
+// which simplex_file lists both; −1 on the hull.
+formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& triangulation);
+
+// The document lists the points itself, without those that were merged, so that vertices are counted
+// among these.
+formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,268 @@
+// circumspect campaign -- CMD…
+#include "fuzz/campaign/campaign.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "command/campaign/campaign_inputs.hpp"
+#include "command/campaign/campaign_options.hpp"
+#include "command/campaign/campaign_report.hpp"
+#include "command/campaign/campaign_stop.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "command/output/overwriting.hpp"
+#include "command/subcommands.hpp"
+#include "fuzz/campaign/finding_folder.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct CampaignOptions {
+  SubjectOptions subject;
+  std::uint64_t seed = 0;
+  double seconds = 0;  // 0: not said
+  std::optional<std::size_t> cases;
+  std::vector<std::string> families;
+  std::size_t max_points = 20;
+  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::string folder = "campaign";
+  std::string corpus;
+  std::string junit;
+  OutputOptions output;
+};
+
+std::string join(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+// Whatever changes the cases or what is found in them.
+campaign::Settings settings_of(const CampaignOptions& options, const campaign::Plan& plan) {
+  const campaign::Subject& subject = plan.subject;
+  std::vector<std::string> families;
+  for (const campaign::Source& source : plan.sources) families.push_back(source.family);
+  std::vector<std::string> corpus;
+  for (const campaign::Replayed& replayed : plan.replayed) corpus.push_back(replayed.name);
+  std::vector<std::string> refusals = subject.refusal_texts;
+  for (const int code : subject.refusal_codes) refusals.push_back(std::to_string(code));
+  return {{"command", campaign::command_line(subject)},
+          {"--claim", std::string(name(subject.claim))},
+          {"--seed", std::to_string(plan.seed)},
+          {"--families", join(families)},
+          {"--max-points", std::to_string(options.max_points)},
+          {"--corpus", join(corpus)},
+          {"--dimension", std::to_string(subject.dimension)},
+          {"--domain-kind", subject.domain_kind == DomainKind::kHull ? "hull" : "enclosed"},
+          {subject.is_about_domains() ? "--domain" : "--points",
+           subject.input_name + (subject.reads_stdin ? " on stdin" : "")},
+          {"--mesh", subject.mesh_name + (subject.writes_stdout ? " on stdout" : "")},
+          {"--first-index", std::to_string(subject.first_index)},
+          {"--full-dimension", subject.full_dimension ? "yes" : "no"},
+          {"refusals", join(refusals)},
+          {"limits", fmt::format("{} s, {} bytes of memory, {} of output, {} processes",
+                                 subject.limits.seconds, subject.limits.memory,
+                                 subject.limits.output, subject.limits.processes)}};
+}
+
+// What is happening, on standard error: how the time is shared out, when the making small goes on alone,
+// and on a terminal one line that is written over and over.
+class Narrator {
+ public:
+  Narrator(const campaign::Plan& plan, const OutputOptions& output)
+      : plan_(plan), speaks_(!output.quiet), is_terminal_(speaks_ && isatty(STDERR_FILENO) == 1) {
+    if (!speaks_ || !plan.seconds) return;
+    fmt::print(
+        stderr,
+        "campaign: {:g} s; once something is found, the last {:g} s of them are for making it "
+        "small\n",
+        *plan.seconds, campaign::kMinimisingShare * *plan.seconds);
+  }
+  ~Narrator() {
+    if (is_terminal_) fmt::print(stderr, "\r{:60}\r", "");
+  }
+  Narrator(const Narrator&) = delete;
+  Narrator& operator=(const Narrator&) = delete;
+
+  void show(const campaign::Progress& progress) {
+    if (speaks_ && !progress.drawing && progress.minimising > 0 && !said_) {
+      said_ = true;
+      fmt::print(stderr,
+                 "{}campaign: {:.1f} s, no more cases; findings that are made small: {}, {}\n",
+                 is_terminal_ ? "\r" : "", progress.seconds, progress.minimising, until());
+    }
+    if (!is_terminal_) return;
+    fmt::print(
+        stderr, "\r{}, {}, {} to make small, {:.0f} s ", report::counted(progress.cases, "case"),
+        report::counted(progress.signatures, "signature"), progress.minimising, progress.seconds);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::string until() const {
+    if (plan_.seconds) return fmt::format("until {:g} s have passed", *plan_.seconds);
+    return fmt::format("each for at most {:g} s (--minimize-time)", plan_.minimise.time.count());
+  }
+
+  const campaign::Plan& plan_;
+  bool speaks_;
+  bool is_terminal_;
+  bool said_ = false;
+};
+
+ExitCode exit_code_of(const campaign::Result& result) {
+  if (!result.findings.empty()) return ExitCode::kFails;
+  const bool holds = !result.interrupted && judged_cases(result) > 0;
+  return holds ? ExitCode::kHolds : ExitCode::kUndecided;
+}
+
+void report(const campaign::Result& result, const campaign::Plan& plan,
+            const CampaignOptions& options, Output& output) {
+  const std::string program = std::filesystem::path(plan.subject.command.front()).filename();
+  output.exit_with(exit_code_of(result));
+  if (!options.junit.empty()) {
+    const std::string failure = write_file(
+        options.junit, [&](std::ostream& stream) { stream << campaign_junit(result, program); });
+    if (!failure.empty()) output.error(ExitCode::kUsage, "report", options.junit, failure);
+  }
+  output.text(campaign_text(result));
+  output.text(campaign_verdict(result, program) + "\n");
+  if (output.wants_json()) output.json(campaign_json(result, plan, program));
+}
+
+// What a campaign would write over something that it reads; empty if nothing.
+std::string overwriting_fault_of(const CampaignOptions& options, const campaign::Plan& plan) {
+  std::vector<Written> written = {{"the journal", plan.output + "/journal.tsv"}};
+  if (!options.junit.empty()) written.push_back({"the report", options.junit});
+  std::vector<std::string> read = plan.subject.command;
+  const std::string findings = plan.output + "/findings";
+  for (const campaign::Replayed& replayed : plan.replayed) {
+    read.push_back(replayed.name);
+    if (!lies_in(replayed.name, findings)) continue;
+    return fmt::format(
+        "expected another name for the folder of --output, found {}, among whose findings {} is "
+        "read",
+        options.folder, replayed.name);
+  }
+  if (!options.junit.empty() && lies_in(options.junit, findings)) {
+    return fmt::format("expected another name for the report, found {}, among the findings",
+                       options.junit);
+  }
+  return overwriting_fault(written, read);
+}
+
+// What is to be done; errors are printed.
+tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
+  const auto fault = [](const std::string& message, ExitCode code) {
+    usage_error(message);
+    return tl::unexpected(code);
+  };
+  bool not_found = false;
+  auto subject = subject_of(options.subject, not_found);
+  if (!subject) {
+    return fault(subject.error(), not_found ? ExitCode::kInputFault : ExitCode::kUsage);
+  }
+  campaign::Plan plan;
+  plan.subject = std::move(*subject);
+  auto sources = campaign_sources(plan.subject, options.families, options.max_points);
+  if (!sources) return fault(sources.error(), ExitCode::kUsage);
+  plan.sources = std::move(*sources);
+  if (!options.corpus.empty()) {
+    auto replayed = campaign_corpus(plan.subject, options.corpus);
+    if (!replayed) return fault(replayed.error(), ExitCode::kInputFault);
+    plan.replayed = std::move(*replayed);
+  }
+  plan.seed = options.seed;
+  plan.cases = options.cases;
+  if (options.seconds > 0) plan.seconds = options.seconds;
+  if (!plan.cases && !plan.seconds) plan.seconds = 60;
+  plan.jobs = options.jobs;
+  plan.output = std::filesystem::absolute(options.folder).lexically_normal().string();
+  plan.minimise = options.subject.minimise();
+  plan.settings = settings_of(options, plan);
+  const std::string overwriting = overwriting_fault_of(options, plan);
+  if (!overwriting.empty()) return fault(overwriting, ExitCode::kUsage);
+  return plan;
+}
+
+ExitCode run(const CampaignOptions& options) {
+  const auto plan = plan_of(options);
+  if (!plan) return plan.error();
+  Output output(options.output);
+  const auto result = [&] {
+    Narrator narrator(*plan, options.output);
+    return campaign::run(*plan, stop_flag(), [&narrator](const campaign::Progress& progress) {
+      narrator.show(progress);
+    });
+  }();
+  if (!result) {
+    output.error(ExitCode::kInputFault, "campaign", plan->output, result.error());
+  } else {
+    report(*result, *plan, options, output);
+  }
+  return output.finish();
+}
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  circumspect campaign --time 60s -- ./my_program {points} {mesh}\n"
+    "  circumspect campaign --mesh x.1.ele -- tetgen -JQ {points}\n"
+    "  circumspect campaign --points x.qhull --stdin --mesh x.qhull-i --stdout -- qdelaunay Qt i\n"
+    "  circumspect campaign --mesh x.1.ele --claim steiner-cdt -- tetgen -pQ {domain}\n"
+    "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
+    "      -- gmsh -3 -v 2 {domain} -o {mesh}\n\n"
+    "Each failure gets a folder campaign/findings/NAME/ with a small input and reproduce.sh.\n"
+    "The same command again goes on where it stopped, after Ctrl-C or kill -9 too, and goes on\n"
+    "making small what it had no time for.\n\n"
+    "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run or\n"
+    "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal error.";
+
+}  // namespace
+
+void add_campaign(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<CampaignOptions>();
+  CLI::App* command = app.add_subcommand(
+      "campaign", "Run a program on generated inputs, judge its meshes, make what fails small");
+  command->footer(kFooter);
+  add_subject_options(*command, options->subject);
+  command->add_option("--seed", options->seed, "What all inputs follow from (default: 0)")
+      ->check(whole_number())
+      ->option_text("N");
+  add_duration(
+      *command, "--time", options->seconds,
+      "How long to go on, a quarter of it for making small what is found; a program that runs "
+      "then is waited for (default, without --cases: 60s)");
+  command->add_option("--cases", options->cases, "How many inputs to draw, in all calls together")
+      ->check(whole_number())
+      ->option_text("N");
+  command
+      ->add_option("--families", options->families,
+                   "Families to draw from, with commas between (default: all without modifiers; "
+                   "'all': with them; circumspect generate --list)")
+      ->delimiter(',')
+      ->option_text("NAME,...");
+  command->add_option("--max-points", options->max_points, "Of an input (default: 20)")
+      ->check(whole_number(1, 1'000'000))
+      ->option_text("N");
+  command
+      ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
+      ->option_text("FOLDER");
+  command->add_option("--jobs", options->jobs, "Programs at a time (default: one a processor)")
+      ->check(whole_number(1, 256))
+      ->option_text("N");
+  command
+      ->add_option("--output", options->folder,
+                   "The folder for the journal, and for what is found in FOLDER/findings (default: "
+                   "campaign)")
+      ->option_text("FOLDER");
+  command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,176 @@
+#include "command/campaign/campaign_inputs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "command/generate/generate_list.hpp"
+#include "command/input/domain_input.hpp"
+#include "inputs/families.hpp"
+#include "inputs/in_doubles.hpp"
+#include "inputs/triangulated/domain_families.hpp"
+#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/mesh_files.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+using campaign::Source;
+using generators::ComplexFamily;
+using generators::Family;
+using Sources = std::vector<Source>;
+
+bool fits(const Family& family, const campaign::Subject& subject) {
+  return family.exists_in(subject.dimension) &&
+         family.weighted == (subject.claim == Claim::kWeightedDelaunay);
+}
+
+bool fits(const ComplexFamily& family, const campaign::Subject& subject) {
+  return family.dimension == subject.dimension;
+}
+
+Source source_of(const Family& family, const campaign::Subject& subject, std::size_t max_points) {
+  return {family.name,
+          [cases = family.cases(subject.dimension, max_points),
+           repeats = family.repeats_points](std::uint64_t seed) -> campaign::Input {
+            return generators::in_doubles(generators::drawn(cases, seed), repeats);
+          }};
+}
+
+Source source_of(const ComplexFamily& family, const campaign::Subject&, std::size_t max_points) {
+  return {family.name,
+          [complexes = family.complexes(max_points)](std::uint64_t seed) -> campaign::Input {
+            return generators::in_doubles(generators::drawn(complexes, seed));
+          }};
+}
+
+// All of a list that fit.
+template <class AnyFamily>
+Sources fitting(const std::vector<AnyFamily>& families, const campaign::Subject& subject,
+                std::size_t max_points) {
+  Sources sources;
+  for (const AnyFamily& family : families) {
+    if (fits(family, subject)) sources.push_back(source_of(family, subject, max_points));
+  }
+  return sources;
+}
+
+// Those of these names; `find` gives a family or null.
+template <class Find>
+tl::expected<Sources, std::string> named(const std::vector<std::string>& names, const Find& find,
+                                         const campaign::Subject& subject, std::size_t max_points) {
+  Sources sources;
+  for (const std::string& name : names) {
+    const auto* const family = find(name);
+    if (family == nullptr) {
+      const bool is_known = generators::find_family(name) != nullptr ||
+                            properties::find_domain_family(name) != nullptr;
+      return tl::unexpected(is_known
+                                ? fmt::format("expected families of {} for the claim {}, found {}",
+                                              subject.is_about_domains() ? "domains" : "points",
+                                              circumspect::name(subject.claim), name)
+                                : unknown_family(name));
+    }
+    if (!fits(*family, subject)) {
+      return tl::unexpected(
+          fmt::format("expected families of dimension {} for the claim {}, found {}",
+                      subject.dimension, circumspect::name(subject.claim), name));
+    }
+    sources.push_back(source_of(*family, subject, max_points));
+  }
+  return sources;
+}
+
+// The domain of a file, if it is one of Definition 4.3 when its numbers are doubles.
+tl::expected<campaign::Input, std::string> domain_input(const campaign::Subject& subject,
+                                                        const std::string& path) {
+  auto loaded = load_domain(path, {}, subject.domain_kind);
+  if (!loaded) return tl::unexpected(loaded.error().message);
+  generators::ComplexCase whole{path, loaded->file.input};
+  return campaign::Input(generators::in_doubles(std::move(whole)));
+}
+
+tl::expected<campaign::Input, std::string> points_input(const campaign::Subject& subject,
+                                                        const std::string& path) {
+  auto raw = formats::read_points(path, NumberReading::kDouble);
+  if (!raw) return tl::unexpected(raw.error().to_string());
+  generators::PointsCase set{std::move(raw->points.points), {}};
+  if (subject.claim == Claim::kWeightedDelaunay) {
+    set.weights = std::move(raw->weights);
+    if (set.weights.empty()) {
+      for (const std::vector<Rational>& attributes : raw->points.attributes) {
+        if (!attributes.empty()) set.weights.push_back(attributes.front());
+      }
+    }
+    set.weights.resize(set.points.size());
+  }
+  return campaign::Input(generators::in_doubles(set, true));
+}
+
+std::size_t dimension_of(const campaign::Input& input) {
+  if (const auto* const set = std::get_if<generators::PointsCase>(&input)) {
+    return set->points.empty() ? 0 : set->points.front().size();
+  }
+  return std::get<generators::ComplexCase>(input).input.points.front().size();
+}
+
+}  // namespace
+
+tl::expected<Sources, std::string> campaign_sources(const campaign::Subject& subject,
+                                                    const std::vector<std::string>& names,
+                                                    std::size_t max_points) {
+  const bool everything = names == std::vector<std::string>{"all"};
+  if (subject.is_about_domains()) {
+    const auto& all = properties::domain_families();
+    if (names.empty() || everything) return fitting(all, subject, max_points);
+    return named(names, properties::find_domain_family, subject, max_points);
+  }
+  if (everything) return fitting(generators::modified_families(), subject, max_points);
+  if (names.empty()) return fitting(generators::families(), subject, max_points);
+  return named(names, generators::find_family, subject, max_points);
+}
+
+tl::expected<campaign::Input, std::string> campaign_input(const campaign::Subject& subject,
+                                                          const std::string& path) {
+  auto input =
+      subject.is_about_domains() ? domain_input(subject, path) : points_input(subject, path);
+  if (!input) return input;
+  const std::size_t dimension = dimension_of(*input);
+  if (dimension != 0 && dimension != subject.dimension) {
+    return tl::unexpected(
+        fmt::format("{}: expected points of dimension {} (--dimension), found dimension {}", path,
+                    subject.dimension, dimension));
+  }
+  return input;
+}
+
+tl::expected<std::vector<campaign::Replayed>, std::string> campaign_corpus(
+    const campaign::Subject& subject, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<std::string> paths;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string path = entry->path().string();
+    const std::string extension = formats::extension(path);
+    const bool is_input = subject.is_about_domains()
+                              ? extension == ".poly" || extension == ".smesh"
+                              : extension == ".node" || extension == ".qhull";
+    if (is_input && entry->is_regular_file(error)) paths.push_back(path);
+  }
+  if (error) return tl::unexpected(fmt::format("{}: {}", folder, error.message()));
+  std::sort(paths.begin(), paths.end());
+  std::vector<campaign::Replayed> replayed;
+  for (const std::string& path : paths) {
+    auto input = campaign_input(subject, path);
+    if (input) replayed.push_back({path, std::move(*input)});
+  }
+  if (replayed.empty()) {
+    return tl::unexpected(fmt::format(
+        "{}: expected inputs of dimension {} in its files, found none", folder, subject.dimension));
+  }
+  return replayed;
+}
+
+}  // namespace circumspect::cli

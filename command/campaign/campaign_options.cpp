@@ -1,0 +1,240 @@
+#include "command/campaign/campaign_options.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/input/domain_input.hpp"
+#include "command/options/one_of.hpp"
+#include "command/options/whole_number.hpp"
+#include "fuzz/campaign/input.hpp"
+#include "oracle/formats/mesh_files.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+using campaign::mentions;
+using campaign::Subject;
+
+void add_bytes(CLI::App& command, const std::string& name, std::uint64_t& bytes,
+               const std::string& about) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&bytes](const std::string& text) {
+            const std::string fault = read_bytes(text, bytes);
+            if (!fault.empty()) throw CLI::ValidationError(fault);
+          },
+          about)
+      ->option_text("SIZE");
+}
+
+// The number at the beginning of a text, and the unit behind it.
+bool split(const std::string& text, double& number, std::string& unit) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || !std::isfinite(number) || number < 0) return false;
+  unit.assign(end, text.data() + text.size());
+  return true;
+}
+
+void add_files(CLI::App& command, SubjectOptions& options) {
+  command
+      .add_option(
+          "--points", options.points_name,
+          "The name under which the program finds the points; its extension says the format: "
+          ".node (default: x.node), .qhull, .off, .json, .xyz (a line of coordinates a point)")
+      ->option_text("NAME");
+  command
+      .add_option("--domain", options.domain_name,
+                  "The same for a domain: .poly (default: x.poly) or .geo, for Gmsh")
+      ->option_text("NAME");
+  command
+      .add_option(
+          "--mesh", options.mesh_name,
+          "The name of the mesh that the program writes: what {mesh} stands for (default: "
+          "x.ele), or what it chooses itself, as tetgen does (x.1.ele); .ele, .qhull-i, .off, "
+          ".mesh, .json")
+      ->option_text("NAME");
+  command.add_flag("--stdin", options.reads_stdin, "The program reads the input from stdin");
+  command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
+  command
+      .add_option("--first-index", options.first_index, "The index of the first point (default: 0)")
+      ->check(whole_number(0, 1))
+      ->option_text("0|1");
+}
+
+void add_claims(CLI::App& command, SubjectOptions& options) {
+  add_claim_option(command, options.claim,
+                   "What its meshes are to be (default: delaunay; of domains: steiner-cdt)");
+  add_domain_kind_option(command, options.domain_kind);
+  command.add_option("--dimension", options.dimension, "Of the points (default: 3)")
+      ->check(whole_number(1, 8))
+      ->option_text("D");
+  command.add_flag("--full-dimension", options.full_dimension,
+                   "Skip points that lie in a hyperplane, or are too few not to");
+  command
+      .add_option("--refusal-exit-code", options.refusal_codes,
+                  "This exit code says that the program does not take the input, and may")
+      ->check(whole_number(0, 255))
+      ->option_text("N ...");
+  command
+      .add_option("--refusal-text", options.refusal_texts,
+                  "The same for a text among what it prints")
+      ->option_text("TEXT ...");
+}
+
+// The only files of the user's that arguments can name are found from the folder in which the program
+// runs only by their whole path.
+std::string with_whole_path(const std::string& argument) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(argument, error)) return argument;
+  return std::filesystem::absolute(argument).string();
+}
+
+std::string place_fault(const std::string& name) {
+  return name.find('/') == std::string::npos && name != "." && name != ".."
+             ? ""
+             : fmt::format("expected the name of a file without folders, found {}", name);
+}
+
+// What does not go together; empty if all does.
+std::string fault_of(const SubjectOptions& options, const Subject& subject) {
+  const bool domains = subject.is_about_domains();
+  const std::string input = formats::extension(subject.input_name);
+  const std::string placeholder = domains ? "{domain}" : "{points}";
+  if (mentions(options.command, domains ? "{points}" : "{domain}") ||
+      !(domains ? options.points_name : options.domain_name).empty()) {
+    return fmt::format("expected {} in the command for the claim {}, found another input",
+                       placeholder, name(subject.claim));
+  }
+  if (!mentions(options.command, placeholder) && !mentions(options.command, "{folder}") &&
+      !subject.reads_stdin) {
+    return fmt::format("expected {} in the command, or --stdin, found neither", placeholder);
+  }
+  if (!mentions(options.command, "{mesh}") && options.mesh_name.empty() && !subject.writes_stdout) {
+    return "expected {mesh} in the command, --mesh NAME or --stdout, found none of them";
+  }
+  if (!(domains ? campaign::is_domain_extension(input) : campaign::is_points_extension(input))) {
+    return fmt::format("expected a name of the input that ends in {}, found {}",
+                       domains ? ".poly or .geo" : ".node, .qhull, .off, .json or .xyz",
+                       subject.input_name);
+  }
+  const std::string mesh = formats::extension(subject.mesh_name);
+  if (mesh != ".ele" && mesh != ".qhull-i" && mesh != ".off" && mesh != ".mesh" &&
+      mesh != ".json") {
+    return fmt::format(
+        "expected a name of the mesh that ends in .ele, .qhull-i, .off, .mesh or "
+        ".json, found {}",
+        subject.mesh_name);
+  }
+  if (domains && options.dimension != 2 && options.dimension != 3) {
+    return "expected --dimension 2 or 3 for domains";
+  }
+  const std::string place = place_fault(subject.input_name);
+  return place.empty() ? place_fault(subject.mesh_name) : place;
+}
+
+}  // namespace
+
+std::string read_duration(const std::string& text, double& seconds) {
+  const std::map<std::string, double> units = {{"", 1},   {"s", 1},    {"ms", 0.001},
+                                               {"m", 60}, {"min", 60}, {"h", 3600}};
+  std::string unit;
+  double number = 0;
+  if (!split(text, number, unit) || units.count(unit) == 0 || number <= 0) {
+    return fmt::format("expected a time such as 500ms, 90s, 15m or 1h, found {}", text);
+  }
+  seconds = number * units.at(unit);
+  return "";
+}
+
+std::string read_bytes(const std::string& text, std::uint64_t& bytes) {
+  const std::map<std::string, int> units = {{"", 0},   {"k", 10}, {"K", 10},
+                                            {"M", 20}, {"G", 30}, {"T", 40}};
+  std::string unit;
+  double number = 0;
+  if (!split(text, number, unit) || units.count(unit) == 0 || number > 1e6) {
+    return fmt::format("expected a size such as 64k, 512M or 2G, found {}", text);
+  }
+  bytes = static_cast<std::uint64_t>(std::ldexp(number, units.at(unit)));
+  return "";
+}
+
+void add_duration(CLI::App& command, const std::string& name, double& seconds,
+                  const std::string& about) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&seconds](const std::string& text) {
+            const std::string fault = read_duration(text, seconds);
+            if (!fault.empty()) throw CLI::ValidationError(fault);
+          },
+          about)
+      ->option_text("TIME");
+}
+
+void add_subject_options(CLI::App& command, SubjectOptions& options) {
+  command
+      .add_option(
+          "command", options.command,
+          "The program and its arguments, after --. In them {points} or {domain} stands for "
+          "the file of the input, {mesh} for that of the mesh, {folder} for the folder of "
+          "both, in which the program runs; files of yours are found from there")
+      ->required();
+  add_files(command, options);
+  add_claims(command, options);
+  add_duration(command, "--limit-time", options.seconds, "Of one run (default: 10s)");
+  add_bytes(command, "--limit-memory", options.memory,
+            "Address space of each of its processes (default: 4G; 0: any, for programs built with "
+            "AddressSanitizer)");
+  add_bytes(command, "--limit-output", options.output,
+            "What it may write, each file and all together (default: 64M)");
+  command.add_option("--limit-processes", options.processes, "At a time (default: 256)")
+      ->check(whole_number(1, 1'000'000))
+      ->option_text("N");
+  add_duration(command, "--minimize-time", options.minimise_seconds,
+               "How long an input is made smaller (default: 120s)");
+  command
+      .add_option("--minimize-runs", options.minimise_tries,
+                  "After how many runs that ends (default: 50000)")
+      ->check(whole_number())
+      ->option_text("N");
+}
+
+tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, bool& not_found) {
+  Subject subject;
+  const bool domain = mentions(options.command, "{domain}") || !options.domain_name.empty();
+  subject.claim = options.claim.value_or(domain ? Claim::kSteinerCdt : Claim::kDelaunay);
+  const std::string& input = subject.is_about_domains() ? options.domain_name : options.points_name;
+  subject.input_name = !input.empty() ? input : subject.is_about_domains() ? "x.poly" : "x.node";
+  subject.mesh_name = options.mesh_name.empty() ? "x.ele" : options.mesh_name;
+  subject.reads_stdin = options.reads_stdin;
+  subject.writes_stdout = options.writes_stdout;
+  subject.dimension = options.dimension;
+  const bool counts_from_zero = formats::extension(subject.mesh_name) == ".qhull-i";
+  subject.first_index = counts_from_zero ? 0 : options.first_index;
+  subject.domain_kind = options.domain_kind.value_or(DomainKind::kEnclosed);
+  subject.full_dimension = options.full_dimension;
+  subject.refusal_codes.insert(options.refusal_codes.begin(), options.refusal_codes.end());
+  subject.refusal_texts = options.refusal_texts;
+  subject.limits = {options.seconds, options.memory, options.output, options.processes};
+  const std::string fault = fault_of(options, subject);
+  if (!fault.empty()) return tl::unexpected(fault);
+  const std::string program = campaign::find_program(options.command.front());
+  if (program.empty()) {
+    not_found = true;
+    return tl::unexpected(
+        fmt::format("{}: expected a program that can be run, found none", options.command.front()));
+  }
+  subject.command = {program};
+  for (std::size_t i = 1; i < options.command.size(); ++i) {
+    subject.command.push_back(with_whole_path(options.command[i]));
+  }
+  return subject;
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,61 @@
+// What campaign and minimize let their users say about the program under test.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "fuzz/campaign/minimise.hpp"
+#include "fuzz/campaign/subject.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace circumspect::cli {
+
+struct SubjectOptions {
+  std::vector<std::string> command;
+  std::string points_name;
+  std::string domain_name;
+  std::string mesh_name;
+  bool reads_stdin = false;
+  bool writes_stdout = false;
+  std::optional<Claim> claim;
+  std::optional<DomainKind> domain_kind;
+  std::size_t dimension = 3;
+  Vertex first_index = 0;
+  bool full_dimension = false;
+  std::vector<int> refusal_codes;
+  std::vector<std::string> refusal_texts;
+  double seconds = 10;
+  std::uint64_t memory = campaign::Limits{}.memory;
+  std::uint64_t output = campaign::Limits{}.output;
+  std::size_t processes = campaign::Limits{}.processes;
+  double minimise_seconds = 120;
+  std::size_t minimise_tries = campaign::MinimiseLimits{}.tries;
+
+  campaign::MinimiseLimits minimise() const {
+    return {minimise_tries, std::chrono::duration<double>(minimise_seconds)};
+  }
+};
+
+void add_subject_options(CLI::App& command, SubjectOptions& options);
+
+// Text such as "90", "1.5m" or "500ms" as seconds; "2G", "512M", "64k" or "0" as bytes: for options.
+// Returns what is wrong with it, or an empty string.
+std::string read_duration(const std::string& text, double& seconds);
+std::string read_bytes(const std::string& text, std::uint64_t& bytes);
+
+// An option whose value is such a text.
+void add_duration(CLI::App& command, const std::string& name, double& seconds,
+                  const std::string& about);
+
+// The program as it is to be run. Errors: what is wrong with the options, for people; `not_found` is
+// set if it is that there is no such program.
+tl::expected<campaign::Subject, std::string> subject_of(const SubjectOptions& options,
+                                                        bool& not_found);
+
+}  // namespace circumspect::cli

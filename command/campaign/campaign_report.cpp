@@ -1,0 +1,184 @@
+#include "command/campaign/campaign_report.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "command/output/exit_code.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+using campaign::Finding;
+using campaign::Result;
+using Counts = std::map<std::string, std::size_t>;
+
+bool is_no_finding(const std::string& what) {
+  return what == "holds" || what == "refused" || what == "skipped";
+}
+
+std::size_t count_of(const Counts& counts, const std::string& what) {
+  const auto found = counts.find(what);
+  return found == counts.end() ? 0 : found->second;
+}
+
+std::size_t total(const Counts& counts) {
+  std::size_t sum = 0;
+  for (const auto& [what, count] : counts) sum += count;
+  return sum;
+}
+
+std::size_t found_in(const Counts& counts) {
+  std::size_t sum = 0;
+  for (const auto& [what, count] : counts) sum += is_no_finding(what) ? 0 : count;
+  return sum;
+}
+
+// What stands in the folder of a finding: the first result of verdict.json.
+report::Json details_of(const Finding& finding) {
+  std::ifstream file(finding.folder + "/verdict.json");
+  const report::Json document = report::Json::parse(file, nullptr, false);
+  if (!document.is_object() || !document.contains("results") || document["results"].empty()) {
+    return report::Json::object();
+  }
+  return document["results"][0];
+}
+
+// XML has no way to say a control character, nor bytes that are no UTF-8: those have been written otherwise.
+std::string for_xml(const std::string& text) {
+  std::string result;
+  for (const char c : on_lines(text)) {
+    if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else if (c == '&') {
+      result += "&amp;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string finding_text(const Finding& finding) {
+  const report::Json details = details_of(finding);
+  const std::string text = details.value("text", "not made small yet: run the command again");
+  std::string sizes;
+  if (details.contains("minimal_points")) {
+    sizes = fmt::format(", {} made {}{}",
+                        report::counted(details["points"].get<std::size_t>(), "point"),
+                        details["minimal_points"].get<std::size_t>(),
+                        finding.cut_off ? " so far (the same command again goes on)" : "");
+  }
+  return fmt::format("{}: {}, first case {} of {}{}\n  {}\n  {}/reproduce.sh\n", finding.signature,
+                     report::counted(finding.count, "case"), finding.case_number, finding.family,
+                     sizes, on_one_line(text), on_one_line(finding.folder));
+}
+
+}  // namespace
+
+std::size_t judged_cases(const Result& result) {
+  std::size_t judged = 0;
+  for (const auto& [family, counts] : result.statistics) {
+    judged += total(counts) - count_of(counts, "refused") - count_of(counts, "skipped");
+  }
+  return judged;
+}
+
+std::string campaign_text(const Result& result) {
+  std::size_t width = 6;
+  for (const auto& [family, counts] : result.statistics) width = std::max(width, family.size());
+  std::string text = fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "family", width, "cases",
+                                 "hold", "fail", "refused", "skipped");
+  for (const auto& [family, counts] : result.statistics) {
+    text += fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8}\n", family, width, total(counts),
+                        count_of(counts, "holds"), found_in(counts), count_of(counts, "refused"),
+                        count_of(counts, "skipped"));
+  }
+  const std::size_t now = result.cases - result.cases_before;
+  text += fmt::format(
+      "{} in {:.1f} s{}\n", report::counted(now, "case"), result.seconds,
+      result.cases_before == 0
+          ? ""
+          : fmt::format(", {} before that", report::counted(result.cases_before, "case")));
+  for (const Finding& finding : result.findings) text += finding_text(finding);
+  return text;
+}
+
+std::string campaign_verdict(const Result& result, const std::string& program) {
+  const std::string end = result.interrupted ? " interrupted" : "";
+  if (!result.findings.empty()) {
+    return fmt::format("fails: campaign {} {} {}{}", on_one_line(program),
+                       report::counted(result.cases, "case"),
+                       report::counted(result.findings.size(), "signature"), end);
+  }
+  const bool holds = !result.interrupted && judged_cases(result) > 0;
+  const std::string none = judged_cases(result) == 0 ? " none of them judged" : "";
+  return fmt::format("{}: campaign {} {}{}{}", holds ? "holds" : "undecided", on_one_line(program),
+                     report::counted(result.cases, "case"), none, end);
+}
+
+report::Json campaign_json(const Result& result, const campaign::Plan& plan,
+                           const std::string& program) {
+  report::Json document = {
+      {"campaign", program},
+      {"command", plan.subject.command},
+      {"claim", name(plan.subject.claim)},
+      {"seed", plan.seed},
+      {"cases", result.cases},
+      {"judged", judged_cases(result)},
+      {"interrupted", result.interrupted},
+      {"holds", result.findings.empty() && !result.interrupted && judged_cases(result) > 0},
+      {"seconds", result.seconds}};
+  report::Json families = report::Json::object();
+  for (const auto& [family, counts] : result.statistics) families[family] = counts;
+  document["families"] = std::move(families);
+  report::Json findings = report::Json::array();
+  for (const Finding& finding : result.findings) {
+    report::Json details = details_of(finding);
+    details["signature"] = finding.signature;
+    details["count"] = finding.count;
+    details["folder"] = finding.folder;
+    details["cut_off"] = finding.cut_off;
+    findings.push_back(std::move(details));
+  }
+  document["findings"] = std::move(findings);
+  return document;
+}
+
+std::string campaign_junit(const Result& result, const std::string& program) {
+  std::map<std::string, std::string> texts;
+  for (const Finding& finding : result.findings) texts[finding.signature] = finding_text(finding);
+  std::string cases;
+  std::size_t tests = 0;
+  std::size_t failures = 0;
+  for (const auto& [family, counts] : result.statistics) {
+    ++tests;
+    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\"/>\n",
+                         for_xml(on_one_line(program)), for_xml(family),
+                         report::counted(total(counts), "case"));
+    for (const auto& [what, count] : counts) {
+      if (is_no_finding(what)) continue;
+      ++tests;
+      ++failures;
+      cases += fmt::format(
+          "    <testcase classname=\"{}\" name=\"{}: {}\">\n"
+          "      <failure type=\"{}\" message=\"{} of {}\">{}</failure>\n    </testcase>\n",
+          for_xml(on_one_line(program)), for_xml(family), for_xml(what), for_xml(what), count,
+          report::counted(total(counts), "case"), for_xml(texts[what]));
+    }
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+      "  <testsuite name=\"circumspect campaign {}\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
+      "time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
+      for_xml(on_one_line(program)), tests, failures, result.seconds, cases);
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,159 @@
+// circumspect minimize INPUT -o OUT -- CMD…
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/campaign/campaign_inputs.hpp"
+#include "command/campaign/campaign_options.hpp"
+#include "command/campaign/campaign_stop.hpp"
+#include "command/output/output.hpp"
+#include "command/output/overwriting.hpp"
+#include "command/subcommands.hpp"
+#include "fuzz/campaign/campaign.hpp"
+#include "fuzz/campaign/runner.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct MinimizeOptions {
+  std::string input;
+  std::string output_file;
+  SubjectOptions subject;
+  OutputOptions output;
+};
+
+std::string output_extension(const MinimizeOptions& options, const campaign::Subject& subject) {
+  const std::string extension = formats::extension(options.output_file);
+  if (!extension.empty()) return extension;
+  return subject.is_about_domains() ? ".poly" : ".node";
+}
+
+bool can_write(const std::string& extension, const campaign::Subject& subject) {
+  return subject.is_about_domains() ? campaign::is_domain_extension(extension)
+                                    : campaign::is_points_extension(extension);
+}
+
+std::string write_input(const MinimizeOptions& options, const campaign::Subject& subject,
+                        const campaign::Input& input) {
+  const auto text = campaign::file_text(input, output_extension(options, subject),
+                                        subject.first_index, subject.dimension);
+  if (!text) return options.output_file + ": its format has no way to say this domain";
+  return write_file(options.output_file, [&](std::ostream& stream) { stream << *text; });
+}
+
+void report(const MinimizeOptions& options, const campaign::Subject& subject,
+            const campaign::Outcome& outcome, std::size_t before, std::size_t after,
+            Output& output) {
+  const std::string program = std::filesystem::path(subject.command.front()).filename();
+  output.text(outcome.explanation);
+  output.text(outcome.text + "\n");
+  output.text(fmt::format("minimized: {} {} {} to {} {}\n", on_one_line(program), outcome.signature,
+                          report::counted(before, "point"), after,
+                          on_one_line(options.output_file)));
+  if (!output.wants_json()) return;
+  report::Json result = {{"minimized", options.output_file},
+                         {"signature", outcome.signature},
+                         {"text", outcome.text},
+                         {"command", subject.command},
+                         {"points", before},
+                         {"minimal_points", after}};
+  if (outcome.kind == campaign::OutcomeKind::kFails) result["verdict"] = outcome.verdict;
+  output.json(std::move(result));
+}
+
+// Makes the input small and writes it. The program has failed on it with this outcome.
+void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
+              const campaign::Input& input, const std::string& signature, campaign::Runner& runner,
+              Output& output) {
+  if (!options.output.quiet) {
+    fmt::print(stderr, "minimize: {} points; ends after {:g} s at the latest (--minimize-time)\n",
+               campaign::point_count(input), options.subject.minimise_seconds);
+  }
+  const campaign::Input minimal =
+      campaign::minimised(input, signature, runner, options.subject.minimise(), stop_flag());
+  const campaign::Outcome outcome = runner.run(minimal);
+  const std::string failure = write_input(options, subject, minimal);
+  if (!failure.empty()) {
+    output.error(ExitCode::kUsage, "input", options.input, failure);
+    return;
+  }
+  report(options, subject, outcome, campaign::point_count(input), campaign::point_count(minimal),
+         output);
+  if (stop_flag()) output.exit_with(ExitCode::kUndecided);
+}
+
+// Errors: there is no place for its files.
+tl::expected<std::unique_ptr<campaign::Runner>, std::string> new_runner(
+    const campaign::Subject& subject) {
+  try {
+    return std::make_unique<campaign::Runner>(subject);
+  } catch (const std::system_error& error) {
+    return tl::unexpected(std::string(error.what()));
+  }
+}
+
+ExitCode run(const MinimizeOptions& options) {
+  Output output(options.output);
+  const auto fault = [&](ExitCode code, const std::string& message) {
+    output.error(code, "input", options.input, message);
+    return output.finish();
+  };
+  bool not_found = false;
+  const auto subject = subject_of(options.subject, not_found);
+  if (!subject) return fault(not_found ? ExitCode::kInputFault : ExitCode::kUsage, subject.error());
+  if (!can_write(output_extension(options, *subject), *subject)) {
+    return fault(ExitCode::kUsage,
+                 options.output_file + ": expected the extension of a file of inputs");
+  }
+  std::vector<std::string> read = files_of_domain(options.input);
+  read.insert(read.end(), subject->command.begin(), subject->command.end());
+  const std::string overwriting =
+      overwriting_fault({{"the small input", options.output_file}}, read);
+  if (!overwriting.empty()) return fault(ExitCode::kUsage, overwriting);
+  const auto input = campaign_input(*subject, options.input);
+  if (!input) return fault(ExitCode::kInputFault, input.error());
+  const auto runner = new_runner(*subject);
+  if (!runner) return fault(ExitCode::kInputFault, runner.error());
+  const campaign::Outcome outcome = (*runner)->run(*input);
+  if (!campaign::is_finding(outcome.kind)) {
+    return fault(ExitCode::kInputFault,
+                 fmt::format("{}: expected an input on which the program fails, found: {}{}{}",
+                             options.input, campaign::word(outcome.kind),
+                             outcome.text.empty() ? "" : ": ", outcome.text));
+  }
+  minimize(options, *subject, *input, outcome.signature, **runner, output);
+  return output.finish();
+}
+
+}  // namespace
+
+void add_minimize(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<MinimizeOptions>();
+  CLI::App* command = app.add_subcommand(
+      "minimize", "Make an input small on which a program still fails in the same way");
+  command->footer(
+      "Examples:\n"
+      "  circumspect minimize big.node -o small.node -- ./my_program {points} {mesh}\n"
+      "  circumspect minimize part.poly -o small.poly --mesh x.1.ele -- tetgen -pQ {domain}\n\n"
+      "Points and cells are left out and coordinates become small integers as long as the same "
+      "rule\n"
+      "is broken, or the program ends in the same way. Exit codes: 0 it is written, 2 usage, 3 "
+      "the\n"
+      "input is at fault or the program does not fail on it, 4 interrupted (what was reached is\n"
+      "written), 5 internal error.");
+  command->add_option("input", options->input, "Points or a domain, in any format")->required();
+  command->add_option("-o,--output", options->output_file, "The small input; - for stdout")
+      ->required()
+      ->option_text("OUT");
+  add_subject_options(*command, options->subject);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,17 @@
+// Writes what proves a verdict.
+#pragma once
+
+#include <string>
+
+#include "command/output/output.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::cli {
+
+// Writes the certificate or the refutation to `path`, "-" being stdout. If there is none, or it cannot
+// be written, says so on stderr and in the exit code. True if it was written.
+bool write_certificate(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
+                       const Verdict& verdict, Output& output);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,165 @@
+// circumspect certify and check --certificate, as their users run them.
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+#include "command/run_command.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+constexpr const char* kSquare = "4 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n";
+constexpr const char* kTwoTriangles = "2 3\n5 5 6 7\n6 5 8 7\n";
+constexpr const char* kOneTriangle = "1 3\n5 5 6 7\n";
+
+struct Meshes {
+  ScratchFolder folder;
+  std::string good = write("good", kSquare, kTwoTriangles);
+  std::string bad = write("bad", kSquare, kOneTriangle);
+  std::string cert = folder.path("out.cert");
+
+  std::string write(const std::string& name, const std::string& points,
+                    const std::string& simplices) {
+    folder.write(name + ".node", points);
+    return folder.write(name + ".ele", simplices);
+  }
+  bool has_cert() const { return std::filesystem::exists(cert); }
+};
+
+TEST_CASE("certify: a certificate of what holds, a refutation of what does not") {
+  const Meshes meshes;
+  const Run holds = run({"certify", meshes.good, "-o", meshes.cert});
+  CHECK(holds.exit_code == 0);
+  CHECK(holds.out ==
+        "holds: delaunay " + meshes.good + " 4 points 2 triangles not-unique canonical\n");
+  const std::string certificate = contents(meshes.cert);
+  CHECK(begins_with(certificate, "circumspect-certificate 1 delaunay 2\n"));
+  CHECK(has(certificate, "\n0 0  1 0 5\n"));  // by the user's own index
+  const Run fails =
+      run({"certify", meshes.bad, "--output", meshes.cert, "--claim", "triangulation"});
+  CHECK(fails.exit_code == 1);
+  CHECK(fails.out ==
+        "fails: triangulation " + meshes.bad + " triangulation.unused-point 1 vertex 8\n");
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-refutation 1 triangulation 2 triangulation.unused-point\n"));
+  CHECK(has(contents(meshes.cert), "\nbecause 4\nend\n"));
+}
+
+TEST_CASE("certify: to standard output, which then holds nothing else") {
+  const Meshes meshes;
+  CHECK(run({"certify", meshes.good, "-o", meshes.cert}).exit_code == 0);
+  const Run result = run({"certify", meshes.good, "-o", "-"});
+  CHECK(result.exit_code == 0);
+  CHECK(result.out == contents(meshes.cert));
+  CHECK(run({"certify", meshes.bad, "-o", "-"}).exit_code == 1);
+  CHECK(run({"certify", meshes.good, "-o", "-", "--format", "json"}).exit_code == 2);
+}
+
+TEST_CASE("certify: about a domain there are no certificates, and the answer says so") {
+  const Meshes meshes;
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& found) {
+    const Run result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(is_error_line(result.err));
+    CHECK(begins_with(result.err, "circumspect: expected " + found +
+                                      ": certificates are about the claims triangulation, delaunay "
+                                      "and weighted-delaunay, of a mesh without a domain"));
+    CHECK(!meshes.has_cert());
+  };
+  refused({"certify", meshes.good, "-o", meshes.cert, "--domain", "x.poly"},
+          "no --domain for certify, found one");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
+          "no --domain-kind for certify, found one");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt"},
+          "a claim without a domain, found cdt");
+  refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},
+          "no --domain beside --certificate, found one");
+  refused({"check", meshes.good, "--certificate", meshes.cert, "--claim", "cdt"},
+          "no claim about a domain beside --certificate, found one");
+}
+
+TEST_CASE("certify: JSON, and nothing at all") {
+  const Meshes meshes;
+  const auto json =
+      document(run({"certify", meshes.good, "-o", meshes.cert, "--format", "json"}))["results"][0];
+  CHECK(json["verdict"] == "holds");
+  CHECK(json["certificate"] == meshes.cert);
+  CHECK(run({"certify", meshes.good, "-o", meshes.cert, "--quiet"}).out.empty());
+}
+
+TEST_CASE("certify: options of the input") {
+  const Meshes meshes;
+  const ScratchFolder folder;
+  const std::string points = folder.write("other.node", "4 2\n1 0 0\n2 1 0\n3 1 1\n4 1 1\n");
+  const std::string mesh = folder.write("other.ele", "1 3\n1 1 2 4\n");
+  CHECK(run({"certify", mesh, "-o", meshes.cert}).exit_code == 3);
+  CHECK(!meshes.has_cert());
+  CHECK(run({"certify", mesh, "-o", meshes.cert, "--duplicates", "merge"}).exit_code == 0);
+  CHECK(has(contents(meshes.cert), "\npoints 3\n"));
+  CHECK(run({"certify", mesh, "--points", folder.write("p.node", kSquare), "-o", meshes.cert})
+            .exit_code == 1);
+  const std::string weighted =
+      folder.write("w.node", "4 2 1\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 1 1 -9.5\n");
+  const std::string around = folder.write("w.ele", "1 3\n1 1 2 3\n");
+  CHECK(run({"certify", around, "--claim", "weighted-delaunay", "-o", meshes.cert}).exit_code == 0);
+  CHECK(has(contents(meshes.cert), "scale 1 2\n"));
+  CHECK(has(contents(meshes.cert), "\n2 2 -38  1 - 4\n"));
+}
+
+TEST_CASE("certify: what has no certificate, and where none can be written") {
+  const Meshes meshes;
+  const ScratchFolder folder;
+  folder.write("line.node", "3 2\n1 0 0\n2 1 1\n3 2 2\n");
+  const std::string line = folder.write("line.ele", "2 2\n1 1 2\n2 2 3\n");
+  const Run flat = run({"certify", line, "-o", meshes.cert});
+  CHECK(flat.exit_code == 2);
+  CHECK(is_error_line(flat.err));
+  CHECK(has(flat.err, "on one line"));
+  CHECK(!meshes.has_cert());
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"certify", meshes.good},
+           {"certify", meshes.good, "-o", folder.path("no/where")},
+           {"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt"}}) {
+    const Run result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(!result.err.empty());
+    CHECK(result.out.empty());
+  }
+  CHECK(run({"certify", folder.path("none.ele"), "-o", meshes.cert}).exit_code == 3);
+}
+
+TEST_CASE("check --certificate writes the same beside the verdict") {
+  const Meshes meshes;
+  for (const std::string& mesh : {meshes.good, meshes.bad}) {
+    const Run plain = run({"check", mesh});
+    const Run certified = run({"check", mesh, "--certificate", meshes.cert});
+    CHECK(certified.out == plain.out);
+    CHECK(certified.exit_code == plain.exit_code);
+    CHECK(contents(meshes.cert) == run({"certify", mesh, "-o", "-"}).out);
+  }
+  const auto json =
+      document(run({"check", meshes.good, "--certificate", meshes.cert, "--format", "json"}));
+  CHECK(json["results"][0]["certificate"] == meshes.cert);
+}
+
+TEST_CASE("check --certificate: what it does not go with") {
+  const Meshes meshes;
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"check", meshes.good, meshes.bad, "--certificate", meshes.cert},
+           {"check", meshes.good, "--certificate", "-"},
+           {"check", meshes.good, "--domain", meshes.good, "--certificate", meshes.cert}}) {
+    const Run result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(is_error_line(result.err));
+    CHECK(!meshes.has_cert());
+  }
+  // The simplices have opposite orientations, which is no part of the claim.
+  const Run oriented = run({"check", meshes.good, "--oriented", "--certificate", meshes.cert});
+  CHECK(oriented.exit_code == 2);
+  CHECK(has(oriented.out, "fails: "));
+  CHECK(has(oriented.err, "simplex.orientation"));
+  CHECK(!meshes.has_cert());
+}
+
+}  // namespace
+}  // namespace circumspect::cli

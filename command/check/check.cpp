@@ -1,0 +1,248 @@
+// circumspect check MESH…
+#include "oracle/judge/points/check.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/check/certificate_output.hpp"
+#include "command/check/judge_file.hpp"
+#include "command/input/domain_input.hpp"
+#include "command/input/input.hpp"
+#include "command/options/one_of.hpp"
+#include "command/options/threads_option.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "command/output/overwriting.hpp"
+#include "command/subcommands.hpp"
+#include "oracle/judge/judge_domain_quickly.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/json.hpp"
+#include "oracle/report/text.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> meshes;
+  std::optional<Claim> claim;
+  std::optional<std::string> domain;
+  std::optional<DomainKind> domain_kind;
+  std::optional<std::string> certificate;
+  check::Options check;
+  InputOptions input;
+  OutputOptions output;
+  std::uint64_t threads = 0;  // 0: as many as the machine has
+};
+
+// The same points, in whatever order?
+bool has_same_points(const PointSet& a, const PointSet& b) {
+  if (a.size() != b.size()) return false;
+  std::vector<Point> of_a = a.points();
+  std::vector<Point> of_b = b.points();
+  std::sort(of_a.begin(), of_a.end());
+  std::sort(of_b.begin(), of_b.end());
+  return of_a == of_b;
+}
+
+// What is claimed where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
+// the domain.
+Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
+  if (options.claim) return *options.claim;
+  const bool same = has_same_points(mesh.points, domain.domain.complex.points);
+  return same ? Claim::kCdt : Claim::kSteinerCdt;
+}
+
+// Which part of the plane or of space the mesh is held against.
+std::string domain_line(const LoadedDomain& domain) {
+  const PiecewiseLinearComplex& complex = domain.domain.complex;
+  const std::string_view filled = complex.kind == DomainKind::kHull  ? "the convex hull"
+                                  : complex.ambient_dimension() == 2 ? "what its segments enclose"
+                                                                     : "what its polygons enclose";
+  return fmt::format("domain: {} {}, {}\n", on_one_line(domain.name), word(complex.kind), filled);
+}
+
+// Says what a mesh was found to be. `mesh` is what the witnesses of the verdict name.
+void report_verdict(const std::string& path, const Verdict& verdict, const Mesh& mesh,
+                    const std::vector<std::string>& notes, const CheckOptions& options,
+                    const LoadedDomain* domain, Output& output) {
+  output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
+  const Domain* about = domain == nullptr ? nullptr : &domain->domain;
+  if (output.wants_text()) {
+    if (domain != nullptr) output.text(domain_line(*domain));
+    output.text(report::explanation(verdict, mesh, about));
+    output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
+  }
+  if (output.wants_json()) {
+    report::Json result = report::verdict(verdict, mesh, path, options.check.by, about);
+    if (domain != nullptr) {
+      result["domain"] = domain->name;
+      result["domain_kind"] = word(domain->domain.complex.kind);
+      result["notes"] = domain->file.notes;
+      for (const std::string& note : notes) result["notes"].push_back(note);
+    }
+    if (options.certificate) result["certificate"] = *options.certificate;
+    output.json(std::move(result));
+  }
+}
+
+void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
+  const JudgeFileOptions judging{options.check, options.input, options.certificate.has_value(),
+                                 thread_count(options.threads)};
+  const auto judged = judge_file(path, options.claim.value_or(Claim::kDelaunay), judging);
+  if (!judged) {
+    output.error(ExitCode::kInputFault, "mesh", path, judged.error());
+    return;
+  }
+  for (const std::string& note : judged->notes) output.note(note);
+  report_verdict(path, judged->verdict, judged->mesh, judged->notes, options, nullptr, output);
+  if (options.certificate) {
+    write_certificate(*options.certificate, path, judged->mesh, judged->verdict, output);
+  }
+}
+
+void check_with_domain(const std::string& path, const CheckOptions& options,
+                       const LoadedDomain& domain, Output& output) {
+  const std::size_t dimension = domain.domain.complex.ambient_dimension();
+  const auto loaded = load_mesh(path, options.input, dimension);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
+    return;
+  }
+  for (const std::string& note : loaded->notes) output.note(note);
+  const Mesh& mesh = loaded->mesh;
+  if (!mesh.points.empty() && mesh.points.ambient_dimension() != dimension) {
+    output.error(
+        ExitCode::kInputFault, "mesh", path,
+        fmt::format("{}: expected points of dimension {}, as those of {}, found dimension {}", path,
+                    dimension, domain.name, mesh.points.ambient_dimension()));
+    return;
+  }
+  const Claim claim = claim_of(options, mesh, domain);
+  const Verdict verdict = check::judge_domain_quickly(claim, mesh, domain.domain, options.check,
+                                                      thread_count(options.threads));
+  report_verdict(path, verdict, mesh, loaded->notes, options, &domain, output);
+}
+
+void check_against_domain(const CheckOptions& options, Output& output) {
+  const auto domain = load_domain(*options.domain, options.input, options.domain_kind,
+                                  options.check.max_violations);
+  if (!domain) {
+    output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
+    return;
+  }
+  for (const std::string& note : domain->file.notes) output.note(note);
+  for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, *domain, output);
+}
+
+// What a claim needs and did not get, or got and does not need; empty if all is well.
+std::string usage_fault(const CheckOptions& options) {
+  const bool about_domain = options.claim && is_about_a_domain(*options.claim);
+  if (options.certificate && (about_domain || options.domain)) {
+    return fmt::format(
+        "expected no {} beside --certificate, found one: certificates are about the claims "
+        "triangulation, delaunay and weighted-delaunay, of a mesh without a domain",
+        options.domain ? "--domain" : "claim about a domain");
+  }
+  if (about_domain && !options.domain) {
+    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.claim));
+  }
+  if (options.claim && !about_domain && options.domain) {
+    return fmt::format("expected no --domain for the claim {}, found one", name(*options.claim));
+  }
+  if (options.domain_kind && !options.domain) {
+    return "expected --domain FILE beside --domain-kind, found none";
+  }
+  if (options.certificate && options.meshes.size() != 1) {
+    return fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size());
+  }
+  if (options.certificate == "-") {
+    return "expected a file for --certificate, found -; circumspect certify writes to standard "
+           "output";
+  }
+  if (!options.certificate) return "";
+  std::vector<std::string> read = files_of_mesh(options.meshes.front());
+  if (options.input.points) read.push_back(*options.input.points);
+  return overwriting_fault({{"the certificate", *options.certificate}}, read);
+}
+
+ExitCode run(CheckOptions& options) {
+  if (const std::string fault = usage_fault(options); !fault.empty()) {
+    return usage_error(fault);
+  }
+  Output output(options.output);
+  options.input.weighted = options.claim == Claim::kWeightedDelaunay;
+  options.input.faces = options.domain.has_value();
+  if (options.domain) {
+    check_against_domain(options, output);
+  } else {
+    for (const std::string& mesh : options.meshes) check_alone(mesh, options, output);
+  }
+  return output.finish();
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Judge meshes that any program made");
+  command->footer(
+      "Example:\n"
+      "  tetgen points.node                      # TetGen writes points.1.node, points.1.ele\n"
+      "  circumspect check points.1.ele          # exit 0: Delaunay; 1: not, with a witness\n"
+      "  tetgen -pq part.poly                    # part.1.node, part.1.ele, part.1.face\n"
+      "  circumspect check part.1.ele --domain part.poly\n\n"
+      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also if it\n"
+      "has neither points nor simplices), 5 internal error.");
+  command
+      ->add_option("mesh", options->meshes,
+                   "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i, "
+                   ".npy (with --points); - for JSON on stdin")
+      ->required();
+  add_claim_option(*command, options->claim,
+                   "What is claimed of the mesh (default: delaunay; with a domain cdt, or "
+                   "steiner-cdt if the mesh has "
+                   "more vertices); weights are the first attribute of a .node file, as for tetgen "
+                   "-w, or the key "
+                   "weights of JSON");
+  command
+      ->add_option("--domain", options->domain,
+                   "The domain that the mesh is to fill: .poly, .smesh, .off, .stl, .ply, .mesh; "
+                   "dangling triangles and edges of the mesh are in the .face and the .edge beside "
+                   "the .ele")
+      ->option_text("FILE");
+  add_domain_kind_option(*command, options->domain_kind);
+  command->add_option("--points", options->input.points, "The file with the points of the mesh")
+      ->option_text("FILE");
+  const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},
+                                                 {"definition", check::By::kDefinition}};
+  command
+      ->add_option("--by", options->check.by,
+                   "Judge by the lemmas (default) or, slowly, by the definitions")
+      ->transform(one_of(ways))
+      ->option_text("lemma|definition");
+  command
+      ->add_option("--certificate", options->certificate,
+                   "Write what proves the verdict, as circumspect certify does")
+      ->option_text("FILE");
+  command->add_flag("--oriented", options->check.oriented,
+                    "Demand that all simplices list their vertices with one orientation");
+  command->add_flag("--neighbors", options->input.neighbors,
+                    "Also hold the .neigh file beside each .ele against the mesh");
+  command
+      ->add_option("--max-errors", options->check.max_violations,
+                   "How many witnesses are kept (default 20; 0: all)")
+      ->check(whole_number())
+      ->option_text("N");
+  add_threads_option(*command, options->threads);
+  add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
+  add_allow_empty_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,340 @@
+// circumspect compare A B
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command/input/input.hpp"
+#include "command/options/threads_option.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "command/subcommands.hpp"
+#include "oracle/formats/flat_mesh.hpp"
+#include "oracle/judge/flat_difference.hpp"
+#include "oracle/judge/points/difference.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct CompareOptions {
+  std::string a;
+  std::string b;
+  std::size_t most = 20;  // differences of each kind that are shown; 0: all
+  InputOptions input;
+  OutputOptions output;
+};
+
+// A mesh as it was read: in arrays, or exactly.
+struct MeshRead {
+  const std::string& name;
+  std::optional<formats::FlatMesh> flat = {};
+  std::optional<LoadedMesh> exact = {};
+
+  std::size_t simplex_count() const {
+    if (exact) return exact->mesh.simplices.size();
+    return std::visit([](const auto& rows) { return rows.rows(); }, flat->simplices);
+  }
+  bool has_weights(bool asked_for) const {
+    return exact ? exact->mesh.points.is_weighted() : asked_for;
+  }
+};
+
+using MeshOrFault = tl::expected<MeshRead, std::string>;
+
+MeshOrFault exact_mesh(const std::string& name, formats::RawMesh raw, const InputOptions& options) {
+  auto loaded = mesh_of(name, std::move(raw), options);
+  if (!loaded) return tl::unexpected(std::move(loaded.error()));
+  return MeshRead{name, {}, std::move(*loaded)};
+}
+
+MeshOrFault read(const std::string& name, const InputOptions& options) {
+  formats::MeshRequest request{name, options.points, options.coordinates, false, options.faces};
+  formats::load_streams(request);
+  auto flat = formats::read_flat_mesh(request, {thread_count(0)});
+  const bool lacks_weights =
+      flat && options.weighted && flat->points.weights.rows() != flat->points.coordinates.rows();
+  if (lacks_weights) return exact_mesh(name, formats::raw_mesh(*flat), options);  // says so
+  if (flat) return MeshRead{name, std::move(flat)};
+  auto raw = formats::read_mesh(request);
+  if (!raw) return tl::unexpected(raw.error().to_string());
+  return exact_mesh(name, std::move(*raw), options);
+}
+
+// A point or a simplex that the other mesh lacks, by the user's own indices.
+struct NamedPoint {
+  Vertex label;
+  Point coordinates;
+  std::optional<Rational> weight;
+};
+
+// What one of the two meshes has and the other has not.
+struct Side {
+  const std::string& name;
+  std::size_t point_count = 0;
+  std::size_t simplex_count = 0;
+  std::vector<NamedPoint> points = {};  // those that are shown
+  std::vector<Simplex> simplices = {};
+};
+
+struct Comparison {
+  std::size_t points_of_a = 0;
+  std::size_t simplices_of_a = 0;
+  bool weighted = false;
+  Side only_in_a;
+  Side only_in_b;
+
+  bool is_same() const {
+    return only_in_a.point_count + only_in_b.point_count + only_in_a.simplex_count +
+               only_in_b.simplex_count ==
+           0;
+  }
+};
+
+std::size_t shown(std::size_t count, std::size_t most) {
+  return most == 0 ? count : std::min(count, most);
+}
+
+// `point(v)` and `label(v)` say what vertex v is.
+template <class ToPoint, class ToLabel>
+Side side(const std::string& name, const std::vector<Vertex>& points,
+          const std::vector<Simplex>& simplices, std::size_t most, const ToPoint& point,
+          const ToLabel& label) {
+  Side side{name, points.size(), simplices.size()};
+  for (std::size_t i = 0; i < shown(points.size(), most); ++i) {
+    side.points.push_back(point(points[i]));
+  }
+  for (std::size_t i = 0; i < shown(simplices.size(), most); ++i) {
+    Simplex& labels = side.simplices.emplace_back(simplices[i]);
+    for (Vertex& v : labels) v = label(v);
+  }
+  return side;
+}
+
+Side side(const std::string& name, const Mesh& mesh, const std::vector<Vertex>& points,
+          const std::vector<Simplex>& simplices, std::size_t most) {
+  const auto label = [&mesh](Vertex v) { return mesh.label(v); };
+  const auto point = [&mesh](Vertex v) {
+    NamedPoint named{mesh.label(v), mesh.points[v], {}};
+    if (mesh.points.is_weighted()) named.weight = mesh.points.weight(v);
+    return named;
+  };
+  return side(name, points, simplices, most, point, label);
+}
+
+Side side(const std::string& name, const check::FlatComplex& complex,
+          const std::vector<Vertex>& points, const std::vector<Simplex>& simplices,
+          std::size_t most) {
+  const formats::FlatPoints& flat = complex.points;
+  const auto label = [&flat](Vertex v) { return v + flat.first_index; };
+  const auto point = [&](Vertex v) {
+    const auto i = static_cast<std::size_t>(v);
+    NamedPoint named{label(v), {}, {}};
+    for (const double x : flat.coordinates.row(i)) named.coordinates.push_back(exact_value(x));
+    if (flat.weights.rows() > 0) named.weight = exact_value(flat.weights.row(i)[0]);
+    return named;
+  };
+  return side(name, points, simplices, most, point, label);
+}
+
+// Both meshes in doubles; none if that cannot be.
+std::optional<Comparison> compared_as_doubles(const MeshRead& a, const MeshRead& b,
+                                              const CompareOptions& options) {
+  const auto complex = [&options](const MeshRead& input) -> std::optional<check::FlatComplex> {
+    if (!input.flat) return check::flat_complex(input.exact->mesh);
+    return check::flat_complex(*input.flat, options.input.weighted);
+  };
+  const auto of_a = complex(a);
+  if (!of_a) return std::nullopt;
+  const auto of_b = complex(b);
+  if (!of_b) return std::nullopt;
+  const auto found = check::difference(*of_a, *of_b);
+  if (!found) return std::nullopt;
+  const auto only_in = [&options](const MeshRead& input, const check::FlatComplex& own,
+                                  const std::vector<Vertex>& points,
+                                  const std::vector<Simplex>& simplices) {
+    if (input.exact) return side(input.name, input.exact->mesh, points, simplices, options.most);
+    return side(input.name, own, points, simplices, options.most);
+  };
+  return Comparison{of_a->points.coordinates.rows(), a.simplex_count(),
+                    a.has_weights(options.input.weighted) || b.has_weights(options.input.weighted),
+                    only_in(a, *of_a, found->points_only_in_a, found->simplices_only_in_a),
+                    only_in(b, *of_b, found->points_only_in_b, found->simplices_only_in_b)};
+}
+
+// Requires: both are exact.
+Comparison compared(const MeshRead& input_a, const MeshRead& input_b, std::size_t most) {
+  const Mesh& a = input_a.exact->mesh;
+  const Mesh& b = input_b.exact->mesh;
+  const check::Difference found = check::difference(a, b);
+  return {a.points.size(), a.simplices.size(), a.points.is_weighted() || b.points.is_weighted(),
+          side(input_a.name, a, found.points_only_in_a, found.simplices_only_in_a, most),
+          side(input_b.name, b, found.points_only_in_b, found.simplices_only_in_b, most)};
+}
+
+std::string coordinates_text(const NamedPoint& point) {
+  std::string text;
+  for (const Rational& x : point.coordinates)
+    text += (text.empty() ? "" : ", ") + to_text_of_double_or_fraction(x);
+  if (point.weight) text += "; weight " + to_text_of_double_or_fraction(*point.weight);
+  return text;
+}
+
+// "and 7 more", where not all are shown.
+std::string rest(const Side& side, std::string_view what, std::size_t count, std::size_t shown) {
+  if (shown == count) return "";
+  return fmt::format("only in {}: {} more {}; --max-errors 0 shows all\n", on_one_line(side.name),
+                     count - shown, what);
+}
+
+std::string text_of(const Side& side) {
+  const std::string name = on_one_line(side.name);
+  std::string text;
+  for (const NamedPoint& point : side.points) {
+    text += fmt::format("only in {}: point {} ({})\n", name, point.label, coordinates_text(point));
+  }
+  text += rest(side, "points", side.point_count, side.points.size());
+  for (const Simplex& simplex : side.simplices) {
+    text += fmt::format("only in {}: simplex {}\n", name, fmt::join(simplex, " "));
+  }
+  return text + rest(side, "simplices", side.simplex_count, side.simplices.size());
+}
+
+report::Json json_of(const Side& side) {
+  report::Json points = report::Json::array();
+  for (const NamedPoint& point : side.points) {
+    report::Json entry = {{"index", point.label},
+                          {"coordinates", report::point(point.coordinates)}};
+    if (point.weight) entry["weight"] = to_string(*point.weight);
+    points.push_back(std::move(entry));
+  }
+  report::Json simplices = report::Json::array();
+  for (const Simplex& simplex : side.simplices) simplices.push_back(simplex);
+  return {{"point_count", side.point_count},
+          {"simplex_count", side.simplex_count},
+          {"points", points},
+          {"simplices", simplices}};
+}
+
+std::string counts(const Side& side) {
+  return fmt::format("{} {} only in {}", report::counted(side.point_count, "point"),
+                     report::counted(side.simplex_count, "simplex", "simplices"),
+                     on_one_line(side.name));
+}
+
+void report_comparison(const CompareOptions& options, const Comparison& comparison,
+                       const std::vector<std::string>& notes, Output& output) {
+  const bool same = comparison.is_same();
+  output.exit_with(same ? ExitCode::kHolds : ExitCode::kFails);
+  for (const std::string& note : notes) output.note(note);
+  if (output.wants_text()) {
+    output.text(text_of(comparison.only_in_a) + text_of(comparison.only_in_b));
+    output.text(
+        same ? fmt::format("same: {} {} {} {}{}\n", on_one_line(options.a), on_one_line(options.b),
+                           report::counted(comparison.points_of_a, "point"),
+                           report::counted(comparison.simplices_of_a, "simplex", "simplices"),
+                           comparison.weighted ? " weighted" : "")
+             : fmt::format("differ: {}, {}\n", counts(comparison.only_in_a),
+                           counts(comparison.only_in_b)));
+  }
+  if (output.wants_json()) {
+    output.json({{"a", options.a},
+                 {"b", options.b},
+                 {"same", same},
+                 {"weighted", comparison.weighted},
+                 {"notes", notes},
+                 {"only_in_a", json_of(comparison.only_in_a)},
+                 {"only_in_b", json_of(comparison.only_in_b)}});
+  }
+}
+
+// What ought to be known where only one of the meshes has weights; else nothing.
+std::vector<std::string> notes_of(const MeshRead& a, const MeshRead& b, bool weighted) {
+  if (a.has_weights(weighted) == b.has_weights(weighted)) return {};
+  const bool first = a.has_weights(weighted);
+  return {fmt::format(
+      "{} has weights and {} has none; --weighted takes the first attributes of a .node file for "
+      "weights",
+      (first ? a : b).name, (first ? b : a).name)};
+}
+
+// False, and said, if the mesh has a fault that reading it into arrays does not find.
+bool make_exact(MeshRead& input, const CompareOptions& options, Output& output) {
+  if (input.exact) return true;
+  MeshOrFault exact = exact_mesh(input.name, formats::raw_mesh(*input.flat), options.input);
+  if (!exact) output.error(ExitCode::kInputFault, "mesh", input.name, exact.error());
+  if (exact) input.exact = std::move(exact->exact);
+  return exact.has_value();
+}
+
+void compare(const CompareOptions& options, Output& output) {
+  if (options.a == "-" && options.b == "-") {
+    output.error(ExitCode::kUsage, "mesh", "-", "expected one mesh on standard input, found two");
+    return;
+  }
+  auto a = read(options.a, options.input);
+  if (!a) output.error(ExitCode::kInputFault, "mesh", options.a, a.error());
+  auto b = read(options.b, options.input);
+  if (!b) output.error(ExitCode::kInputFault, "mesh", options.b, b.error());
+  if (!a || !b) return;
+  std::optional<Comparison> comparison = compared_as_doubles(*a, *b, options);
+  if (!comparison) {
+    // Numbers that are no doubles, or equal points, which are refused or merged.
+    const bool are_exact = make_exact(*a, options, output) && make_exact(*b, options, output);
+    if (!are_exact) return;
+    comparison.emplace(compared(*a, *b, options.most));
+  }
+  report_comparison(options, *comparison, notes_of(*a, *b, options.input.weighted), output);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<CompareOptions>();
+  options->input.faces = true;
+  options->input.listed_weights = true;
+  CLI::App* command = app.add_subcommand(
+      "compare", "Are two meshes the same complex, up to numbering? If not, what differs");
+  command->footer(
+      "Example:\n"
+      "  circumspect build delaunay points.node -o ours.json\n"
+      "  circumspect compare theirs.1.ele ours.json\n\n"
+      "Points are matched by their exact coordinates and weights, simplices as sets of points; "
+      "the\n"
+      "order of points, simplices and vertices means nothing. Weights are what JSON calls so, and\n"
+      "with --weighted the first attributes of a .node file; a point without any has weight 0. "
+      "Two\n"
+      "Delaunay triangulations of points that are not generic may differ and both be right: "
+      "`check`\n"
+      "tells.\n\n"
+      "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 5 internal error.");
+  command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
+  command->add_option("b", options->b, "Another")->required();
+  command
+      ->add_option("--max-errors", options->most,
+                   "How many differences of each kind are shown (default 20; 0: all)")
+      ->check(whole_number())
+      ->option_text("N");
+  command->add_flag("--weighted", options->input.weighted,
+                    "Both meshes have weights: the first attribute of a .node file, as for check "
+                    "--claim weighted-delaunay, or the key weights of JSON. Without it only the "
+                    "latter count");
+  add_coordinates_option(*command, options->input);
+  add_duplicates_option(*command, options->input);
+  add_allow_empty_option(*command, options->input);
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] {
+    Output output(options->output);
+    compare(*options, output);
+    exit_code = output.finish();
+  });
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,235 @@
+// circumspect generate FAMILY: random inputs for programs under test.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command/generate/generate_list.hpp"
+#include "command/options/one_of.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "command/subcommands.hpp"
+#include "fuzz/campaign/domain_text.hpp"
+#include "inputs/in_doubles.hpp"
+#include "inputs/triangulated/domain_families.hpp"
+#include "oracle/formats/json.hpp"
+#include "oracle/formats/node.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+struct GenerateOptions {
+  std::string family;
+  bool list = false;
+  std::uint64_t seed = 0;
+  std::size_t count = 1;
+  std::size_t points = 12;
+  std::optional<std::size_t> dimension = {};
+  bool fewer = false;
+  bool exact = false;
+  std::string output_file;
+  OutputOptions output;
+
+  std::size_t dimension_or_space() const { return dimension.value_or(3); }
+};
+
+// One input, and how it is written.
+struct Generated {
+  std::size_t points = 0;
+  std::string extension;
+  std::function<void(std::ostream&)> write;       // as a file of that extension
+  std::function<void(std::ostream&)> write_json;  // in our JSON; none for domains
+};
+
+using Draw = std::function<Generated(std::uint64_t seed)>;
+
+formats::PointFile point_file(const generators::PointsCase& set, std::size_t dimension) {
+  formats::PointFile file{dimension, set.points};
+  for (const Rational& weight : set.weights) file.attributes.push_back({weight});
+  return file;
+}
+
+Draw draw_points(const generators::Family& family, const GenerateOptions& options) {
+  const std::size_t dimension = options.dimension_or_space();
+  return [&options, dimension, repeats = family.repeats_points,
+          cases = family.cases(dimension, options.points)](std::uint64_t seed) -> Generated {
+    generators::PointsCase set =
+        generators::drawn(cases, seed, options.fewer ? rc::kNominalSize : generators::kFullSize);
+    if (!options.exact) set = generators::in_doubles(set, repeats);
+    const std::size_t count = set.points.size();
+    const auto write = [set, dimension](std::ostream& out) {
+      formats::write_node(out, point_file(set, dimension));
+    };
+    return {count, ".node", write, [set, dimension](std::ostream& out) {
+              formats::write_json(out, {{dimension, set.points}, set.weights});
+            }};
+  };
+}
+
+Draw draw_domains(const generators::ComplexFamily& family, const GenerateOptions& options) {
+  return [&options, complexes = family.complexes(options.points)](std::uint64_t seed) -> Generated {
+    generators::ComplexCase made = generators::drawn(complexes, seed);
+    if (!options.exact) made = generators::in_doubles(made);
+    const std::size_t count = made.input.points.size();
+    return {count, ".poly",
+            [made](std::ostream& out) {
+              out << "# " << made.family << "; --domain-kind "
+                  << (made.input.kind == DomainKind::kHull ? "hull" : "enclosed") << "\n"
+                  << campaign::poly_text(made.input, 0);
+            },
+            nullptr};
+  };
+}
+
+// How to draw what is asked for, or one line that says why nothing can be.
+tl::expected<Draw, std::string> draw(const GenerateOptions& options) {
+  if (const auto* family = generators::find_family(options.family)) {
+    const std::size_t dimension = options.dimension_or_space();
+    if (family->exists_in(dimension)) return draw_points(*family, options);
+    return tl::unexpected(
+        fmt::format("{} exists in dimension {}; expected --dimension so, found {}", family->name,
+                    dimensions_text(*family), dimension));
+  }
+  const auto* family = properties::find_domain_family(options.family);
+  if (family == nullptr) return tl::unexpected(unknown_family(options.family));
+  if (options.dimension.value_or(family->dimension) == family->dimension) {
+    return draw_domains(*family, options);
+  }
+  return tl::unexpected(fmt::format("{} exists in dimension {}; expected --dimension so, found {}",
+                                    family->name, family->dimension, *options.dimension));
+}
+
+bool is_json(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
+
+// To stdout alone.
+ExitCode print(const Draw& draw, const GenerateOptions& options) {
+  if (options.count != 1) {
+    return usage_error(fmt::format("expected -o FOLDER for {} inputs, found {}", options.count,
+                                   options.output_file.empty() ? "none" : "-o -"));
+  }
+  const Generated input = draw(options.seed);
+  const bool json = options.output.format == OutputFormat::kJson;
+  if (json && !input.write_json) {
+    return usage_error(
+        fmt::format("expected points for --format json, found the domain family {}: our JSON has "
+                    "no domains; leave --format out for a .poly file",
+                    options.family));
+  }
+  const std::string failure = write_file("-", json ? input.write_json : input.write);
+  if (failure.empty()) return ExitCode::kHolds;
+  usage_error(failure);
+  return ExitCode::kInternalError;
+}
+
+// To files: one, or one a seed in a folder.
+void write(const Draw& draw, const GenerateOptions& options, Output& output) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const bool in_folder = options.count > 1 || fs::is_directory(options.output_file, error);
+  if (in_folder) fs::create_directories(options.output_file, error);
+  for (std::size_t i = 0; i < options.count; ++i) {
+    const std::uint64_t seed = options.seed + i;
+    const Generated input = draw(seed);
+    const std::string path = in_folder
+                                 ? (fs::path(options.output_file) /
+                                    fmt::format("{}-{}{}", options.family, seed, input.extension))
+                                       .string()
+                                 : options.output_file;
+    const bool json = is_json(path) && input.write_json;
+    const std::string failure = write_file(path, json ? input.write_json : input.write);
+    if (!failure.empty()) {
+      output.error(ExitCode::kUsage, "family", options.family, failure);
+      return;
+    }
+    if (output.wants_text()) {
+      output.text(fmt::format("generated: {} {} {} seed {}\n", options.family, on_one_line(path),
+                              report::counted(input.points, "point"), seed));
+    }
+    output.json(
+        {{"family", options.family}, {"seed", seed}, {"points", input.points}, {"output", path}});
+  }
+}
+
+ExitCode run(const GenerateOptions& options) {
+  Output output(options.output);
+  if (options.list) {
+    if (output.wants_text()) output.text(families_text());
+    if (output.wants_json()) output.json(families_json());
+    return output.finish();
+  }
+  if (options.family.empty()) {
+    return usage_error("expected the name of a family or --list, found neither");
+  }
+  const auto drawing = draw(options);
+  if (!drawing) {
+    output.error(ExitCode::kUsage, "family", options.family, drawing.error());
+    return output.finish();
+  }
+  if (options.output_file.empty() || options.output_file == "-") return print(*drawing, options);
+  write(*drawing, options, output);
+  return output.finish();
+}
+
+// What is to be drawn.
+void add_drawing_options(CLI::App& command, GenerateOptions& options) {
+  command.add_option("--seed", options.seed, "The same seed gives the same bytes (default: 0)")
+      ->check(whole_number())
+      ->option_text("N");
+  command
+      .add_option("--count", options.count,
+                  "How many inputs, of the seeds N, N+1, ... (default: 1)")
+      ->check(whole_number(1, 1'000'000'000))
+      ->option_text("K");
+  command
+      .add_option(
+          "--points", options.points,
+          "How many points; equal ones count once; domains have about as many (default: 12)")
+      ->check(whole_number(1, 1'000'000))
+      ->option_text("N");
+  command.add_flag("--fewer", options.fewer, "Any number of points up to that, as campaigns draw");
+  command
+      .add_option("--dimension", options.dimension,
+                  "Of the points (default: 3; domains: their own)")
+      ->check(whole_number(1, formats::kLargestDimension))
+      ->option_text("D");
+  command
+      .add_option_function<std::string>(
+          "--coordinates", [&options](const std::string& word) { options.exact = word == "exact"; },
+          "Rounded to doubles (default), or exact: fractions where they are no doubles")
+      ->check(one_of_words({"double", "exact"}))
+      ->option_text("double|exact");
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<GenerateOptions>();
+  CLI::App* command = app.add_subcommand(
+      "generate", "Random inputs to try programs with: degenerate, nearly so, extreme; seeded");
+  command->footer(
+      "Example:\n"
+      "  circumspect generate --list\n"
+      "  circumspect generate sphere+ulp --seed 7 -o points.node\n"
+      "  circumspect generate protected-solids --count 100 -o domains\n\n"
+      "Points are a .node file, with weights as its attribute; domains a .poly file. On standard\n"
+      "output without -o; then --format json writes our JSON (points only), as -o OUT.json does.\n"
+      "In a folder the files are FAMILY-SEED.node and FAMILY-SEED.poly.\n\n"
+      "Exit codes: 0 written, 2 usage, no such family or not in that dimension, or a place that\n"
+      "cannot be written to.");
+  command->add_option("family", options->family, "A family of points or domains; see --list");
+  command->add_flag("--list", options->list, "Print the table of families");
+  add_drawing_options(*command, *options);
+  command
+      ->add_option("-o,--output", options->output_file,
+                   "A file, or a folder, which is made if there is more than one input; - stdout")
+      ->option_text("OUT");
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,140 @@
+#include "command/input/breach_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+// Longer exact values are given by their decimals; JSON has them whole.
+constexpr std::size_t kLongestExact = 60;
+
+std::string labels(const std::vector<Vertex>& vertices, const formats::DomainFile& file) {
+  std::vector<Vertex> own;
+  for (const Vertex v : vertices) own.push_back(file.label(v));
+  return fmt::format("{}", fmt::join(own, " "));
+}
+
+// The line on which a segment is listed, alone or as an edge of a polygon; 0 if that is not known.
+std::size_t line_of_segment(const Simplex& segment, const formats::DomainFile& file) {
+  for (std::size_t i = 0; i < file.input.segments.size(); ++i) {
+    if (sorted(file.input.segments[i]) == segment) return file.segment_lines[i];
+  }
+  for (std::size_t i = 0; i < file.input.polygons.size(); ++i) {
+    for (const auto& line : file.input.polygons[i].lines) {
+      for (std::size_t j = 0; j < line.size(); ++j) {
+        if (sorted({line[j], line[(j + 1) % line.size()]}) == segment) return file.polygon_lines[i];
+      }
+    }
+  }
+  return 0;
+}
+
+std::string segment_text(const Simplex& segment, const formats::DomainFile& file) {
+  const std::size_t line = line_of_segment(sorted(segment), file);
+  return "segment " + labels(segment, file) + (line == 0 ? "" : fmt::format(" (line {})", line));
+}
+
+// The first axis along which an offset is measured: see Breach.
+char offset_axis(const std::vector<Vertex>& plane, const formats::DomainFile& file) {
+  const auto& points = file.input.points;
+  const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(plane[i])]; };
+  const Point u = at(1) - at(0);
+  const Point v = at(2) - at(0);
+  std::size_t best = 0;
+  Rational largest = -1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t a = (axis + 1) % 3;
+    const std::size_t b = (axis + 2) % 3;
+    const Rational size = abs(Rational(u[a] * v[b] - u[b] * v[a]));
+    if (size <= largest) continue;
+    largest = size;
+    best = axis;
+  }
+  return "xyz"[best];
+}
+
+std::string offset_text(const Rational& offset) {
+  const std::string exact = to_string(offset);
+  const std::string decimal = to_decimal(offset);
+  if (exact == decimal) return exact;
+  return exact.size() > kLongestExact ? "~ " + decimal : exact + " ~ " + decimal;
+}
+
+// The subject that is off a plane, then the plane: the last three vertices.
+std::string off_plane_text(const Breach& breach, const formats::DomainFile& file) {
+  const std::vector<Vertex> plane(breach.vertices.end() - 3, breach.vertices.end());
+  return fmt::format("{} off the plane of vertices {} along {}", offset_text(*breach.offset),
+                     labels(plane, file), offset_axis(plane, file));
+}
+
+}  // namespace
+
+std::string point_text(const Point& point) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const std::string exact = to_text_of_double_or_fraction(point[i]);
+    text += i == 0 ? "" : ", ";
+    text += exact.size() > kLongestExact ? "~ " + to_decimal(point[i]) : exact;
+  }
+  return text + ")";
+}
+
+std::string polygon_name(std::size_t polygon, const formats::DomainFile& file) {
+  const std::size_t line = file.polygon_lines[polygon];
+  return std::to_string(polygon + 1) + (line == 0 ? "" : fmt::format(" (line {})", line));
+}
+
+std::string breach_place(const Breach& breach, const formats::DomainFile& file) {
+  std::size_t line = 0;
+  if (!breach.polygons.empty()) {
+    line = file.polygon_lines[breach.polygons.front()];
+  } else if (!breach.segments.empty()) {
+    line = line_of_segment(sorted(breach.segments.front()), file);
+  }
+  return file.name + (line == 0 ? "" : ":" + std::to_string(line));
+}
+
+std::string breach_line(const Breach& breach, const formats::DomainFile& file) {
+  std::vector<std::string> parts;
+  const bool is_off_plane = breach.offset && breach.vertices.size() >= 3;
+  for (const std::size_t polygon : breach.polygons) {
+    parts.push_back("polygon " + polygon_name(polygon, file));
+  }
+  for (const Simplex& segment : breach.segments) parts.push_back(segment_text(segment, file));
+  const std::size_t own = breach.vertices.size() - (is_off_plane ? 3 : 0);
+  if (own > 0) {
+    const std::vector<Vertex> vertices(breach.vertices.begin(),
+                                       breach.vertices.begin() + static_cast<std::ptrdiff_t>(own));
+    parts.push_back((own == 1 ? "vertex " : "vertices ") + labels(vertices, file));
+  }
+  if (breach.point) parts.push_back("point " + point_text(*breach.point));
+  if (is_off_plane) parts.push_back(off_plane_text(breach, file));
+  return fmt::format("{}: {}: {}", identifier(breach.kind), meaning(breach.kind),
+                     fmt::join(parts, ", "));
+}
+
+report::Json breach_json(const Breach& breach, const formats::DomainFile& file) {
+  report::Json object = {{"rule", identifier(breach.kind)}, {"meaning", meaning(breach.kind)}};
+  const auto own = [&](const std::vector<Vertex>& vertices) {
+    report::Json array = report::Json::array();
+    for (const Vertex v : vertices) array.push_back(file.label(v));
+    return array;
+  };
+  if (!breach.vertices.empty()) object["vertices"] = own(breach.vertices);
+  for (const Simplex& segment : breach.segments) object["segments"].push_back(own(segment));
+  for (const std::size_t polygon : breach.polygons) {
+    report::Json entry = {{"polygon", polygon + 1}};
+    if (file.polygon_lines[polygon] != 0) entry["line"] = file.polygon_lines[polygon];
+    object["polygons"].push_back(entry);
+  }
+  if (breach.point) object["point"] = report::point(*breach.point);
+  if (breach.offset) object["offset"] = to_string(*breach.offset);
+  return object;
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,238 @@
+#include "command/input/enclosure.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command/input/breach_text.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+bool is_planar(const Domain& domain) { return domain.complex.ambient_dimension() == 2; }
+
+// What encloses: in the plane segments, in space polygons.
+std::string wall_noun(const Domain& domain, std::size_t count) {
+  const std::string one = is_planar(domain) ? "segment" : "polygon";
+  return count == 1 ? one : one + "s";
+}
+
+Regions regions_if_enclosed(const Domain& domain) {
+  PiecewiseLinearComplex enclosed = domain.complex;
+  enclosed.kind = DomainKind::kEnclosed;
+  return Regions(enclosed);
+}
+
+// The ridges that are faces of one wall alone, each with that wall: edges of triangles, in the plane
+// ends of segments.
+std::map<Simplex, Simplex> open_ridges(const std::vector<Simplex>& walls) {
+  std::map<Simplex, Simplex> open;
+  std::set<Simplex> closed;
+  for (const Simplex& wall : walls) {
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+      Simplex ridge = wall;
+      ridge.erase(ridge.begin() + static_cast<std::ptrdiff_t>(i));
+      if (closed.contains(ridge)) continue;
+      if (open.emplace(ridge, wall).second) continue;
+      open.erase(ridge);
+      closed.insert(std::move(ridge));
+    }
+  }
+  return open;
+}
+
+// The name of the polygon, or of the segment, that a wall is part of.
+std::string name_of(const Simplex& wall, const Domain& domain) {
+  if (is_planar(domain)) {
+    return fmt::format("segment {} {}", domain.label(wall[0]), domain.label(wall[1]));
+  }
+  const std::vector<Polygon>& polygons = domain.complex.polygons;
+  const auto polygon = std::find_if(polygons.begin(), polygons.end(), [&](const Polygon& p) {
+    return std::find(p.triangles.begin(), p.triangles.end(), wall) != p.triangles.end();
+  });
+  return "polygon " + domain.polygon_name(static_cast<std::size_t>(polygon - polygons.begin()));
+}
+
+// "edge 1 2, from (0, 0, 0) to (1, 0, 0), belongs to one polygon alone, polygon 3 (line 17), and so
+// do 2 more". A surface without an open edge may yet enclose nothing: Bing's house with two rooms.
+std::string open_place(const std::map<Simplex, Simplex>& open, const Domain& domain) {
+  if (open.empty()) return "though none of their edges is open";
+  const auto& [ridge, wall] = *open.begin();
+  const PointSet& points = domain.complex.points;
+  std::string text =
+      is_planar(domain)
+          ? fmt::format("vertex {} at {}", domain.label(ridge[0]), point_text(points[ridge[0]]))
+          : fmt::format("edge {} {}, from {} to {},", domain.label(ridge[0]),
+                        domain.label(ridge[1]), point_text(points[ridge[0]]),
+                        point_text(points[ridge[1]]));
+  text += fmt::format(" belongs to one {} alone, {}", wall_noun(domain, 1), name_of(wall, domain));
+  if (open.size() > 1) {
+    text += fmt::format(", and so {} {} more", open.size() == 2 ? "does" : "do", open.size() - 1);
+  }
+  return text;
+}
+
+bool is_flat(const Domain& domain) {
+  const PointSet& points = domain.complex.points;
+  return points.dimension() < static_cast<int>(points.ambient_dimension());
+}
+
+// "all on one line"
+std::string flat_text(const Domain& domain) {
+  const int dimension = domain.complex.points.dimension();
+  if (dimension == 0) return "all in one place";
+  return dimension == 1 ? "all on one line" : "all in one plane";
+}
+
+std::string flat_hull(const Domain& domain) {
+  const bool in_plane = is_planar(domain);
+  return fmt::format(
+      "expected points that span {}, so that their convex hull has something to fill, found {}; "
+      "--domain-kind enclosed meshes {} alone{}",
+      in_plane ? "the plane" : "space", flat_text(domain),
+      in_plane ? "segments and vertices" : "polygons, segments and vertices",
+      in_plane ? "" : ", and points with two coordinates are meshed in their plane");
+}
+
+std::string leak_text(const std::vector<Simplex>& walls, const Domain& domain) {
+  const std::size_t count =
+      is_planar(domain) ? domain.complex.segments.size() : domain.complex.polygons.size();
+  return fmt::format(
+      "expected {} that enclose something, found {} that {} nothing: {}; close the gap, or say "
+      "--domain-kind enclosed if they are to be meshed alone and nothing filled, --domain-kind "
+      "hull "
+      "if the convex hull is to be filled",
+      wall_noun(domain, 2), count, count == 1 ? "encloses" : "enclose",
+      open_place(open_ridges(walls), domain));
+}
+
+// Nobody says, and nothing is enclosed. Where all lies in one plane there is no choice: neither kind
+// fills anything, and polygons are meshed alone.
+tl::expected<ChosenKind, std::string> kind_without_enclosure(const Domain& domain, Leak leak) {
+  const std::vector<Simplex> some = walls(domain.complex);
+  if (is_flat(domain)) {
+    const std::string why = some.empty() ? flat_hull(domain) : "points " + flat_text(domain);
+    if (some.empty() && leak == Leak::kRefused) return tl::unexpected(why);
+    return ChosenKind{DomainKind::kEnclosed, {why + ": there is nothing to fill"}};
+  }
+  if (some.empty()) {
+    return ChosenKind{
+        DomainKind::kHull,
+        {fmt::format("no {} to enclose anything: the domain is the convex hull (--domain-kind)",
+                     wall_noun(domain, 2))}};
+  }
+  std::string text = leak_text(some, domain);
+  if (leak == Leak::kRefused) return tl::unexpected(std::move(text));
+  return ChosenKind{DomainKind::kHull, {std::move(text) + "; taken as hull"}};
+}
+
+// Seeds that make no hole, and seeds that leave nothing.
+void note_seeds(const Regions& regions, const Domain& domain, std::vector<std::string>& notes) {
+  for (const std::size_t seed : regions.ignored_seeds()) {
+    notes.push_back(fmt::format("hole seed {} at {}: ignored, it is in nothing enclosed", seed + 1,
+                                point_text(domain.complex.hole_seeds[seed])));
+  }
+  std::size_t holes = 0;
+  for (std::size_t i = 0; i < regions.size(); ++i) holes += regions.where(i) == Where::kHole;
+  if (holes > 0 && holes + 1 == regions.size()) {
+    notes.push_back(
+        fmt::format("hole seeds empty all that is enclosed ({}): nothing is left to fill",
+                    holes == 1 ? "one region" : fmt::format("{} regions", holes)));
+  }
+}
+
+// The walls with the outside on both sides.
+std::set<Simplex> dangling_walls(const Regions& regions) {
+  std::set<Simplex> dangling;
+  for (const Simplex& wall : regions.walls().simplices()) {
+    const OrientedFacet front{wall, false};
+    if (regions.in_front_of(front) == Regions::kUnbounded &&
+        regions.in_front_of(front.reverse()) == Regions::kUnbounded) {
+      dangling.insert(wall);
+    }
+  }
+  return dangling;
+}
+
+// Which polygons consist of such walls, and which of these and of others: a bridge over the mouth of a
+// tunnel bounds what is beside the tunnel.
+struct Dangling {
+  std::size_t whole = 0;
+  std::vector<std::size_t> in_part = {};
+};
+
+Dangling dangling_polygons(const Domain& domain, const std::set<Simplex>& walls) {
+  Dangling dangling;
+  const auto dangles = [&](const Simplex& triangle) { return walls.contains(triangle); };
+  for (std::size_t p = 0; p < domain.complex.polygons.size(); ++p) {
+    const std::vector<Simplex>& triangles = domain.complex.polygons[p].triangles;
+    const auto found = std::count_if(triangles.begin(), triangles.end(), dangles);
+    if (found == 0) continue;
+    if (static_cast<std::size_t>(found) < triangles.size()) {
+      dangling.in_part.push_back(p);
+    } else {
+      ++dangling.whole;
+    }
+  }
+  return dangling;
+}
+
+constexpr std::string_view kIsMeant = "; --domain-kind enclosed says that this is meant";
+
+// Something is enclosed, and something else may have leaked: walls between the outside and itself.
+void note_dangling(const Regions& regions, const Domain& domain, std::vector<std::string>& notes) {
+  const std::set<Simplex> walls = dangling_walls(regions);
+  const Dangling dangling =
+      is_planar(domain) ? Dangling{walls.size()} : dangling_polygons(domain, walls);
+  if (dangling.whole > 0) {
+    std::map<Simplex, Simplex> open = open_ridges(regions.walls().simplices());
+    std::erase_if(open, [&](const auto& of_wall) { return !walls.contains(of_wall.second); });
+    notes.push_back(fmt::format("{} {} with the outside on both sides {} nothing: {}{}",
+                                dangling.whole, wall_noun(domain, dangling.whole),
+                                dangling.whole == 1 ? "bounds" : "bound", open_place(open, domain),
+                                kIsMeant));
+  }
+  for (const std::size_t p : dangling.in_part) {
+    notes.push_back(fmt::format(
+        "polygon {}: a part of it has the outside on both sides and bounds nothing, the rest of it "
+        "bounds what is enclosed{}",
+        domain.polygon_name(p), kIsMeant));
+  }
+}
+
+}  // namespace
+
+tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
+                                                  std::optional<DomainKind> asked, Leak leak) {
+  const std::size_t seeds = domain.complex.hole_seeds.size();
+  ChosenKind chosen{DomainKind::kHull};
+  if (asked == DomainKind::kHull) {
+    if (is_flat(domain)) return tl::unexpected(flat_hull(domain));
+  } else {
+    const Regions regions = regions_if_enclosed(domain);
+    const bool encloses = regions.size() > 1;
+    if (encloses || asked) {
+      chosen.kind = DomainKind::kEnclosed;
+      note_seeds(regions, domain, chosen.notes);
+      if (!asked) note_dangling(regions, domain, chosen.notes);
+      if (!encloses) chosen.notes.emplace_back("nothing is enclosed: there is nothing to fill");
+      return chosen;
+    }
+    auto other = kind_without_enclosure(domain, leak);
+    if (!other) return other;
+    chosen = std::move(*other);
+  }
+  for (std::size_t seed = 0; seed < seeds; ++seed) {
+    chosen.notes.push_back(fmt::format(
+        "hole seed {} at {}: ignored, {}", seed + 1, point_text(domain.complex.hole_seeds[seed]),
+        chosen.kind == DomainKind::kHull ? "there are no holes in a hull"
+                                         : "it is in nothing enclosed"));
+  }
+  return chosen;
+}
+
+}  // namespace circumspect::cli

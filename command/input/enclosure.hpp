@@ -1,0 +1,36 @@
+// Which part of the plane or of space a domain fills, where its user says so and where nobody does.
+// Book: Section 4.5.1, Definition 4.3.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/model/domain.hpp"
+
+namespace circumspect::cli {
+
+// A domain has polygons (in the plane: segments) that enclose nothing, and nobody says of which kind
+// it is. That may be a surface with a leak, which nothing but its author can tell from one that is
+// meant to dangle: a judgement refuses it, an inspection tells.
+enum class Leak { kRefused, kTold };
+
+// The kind, and what the user ought to know of it, one line each: a default that is no matter of
+// course, hole seeds that make no hole or leave nothing, polygons that bound nothing.
+struct ChosenKind {
+  DomainKind kind;
+  std::vector<std::string> notes = {};
+};
+
+// `asked`: what the user says, if anything. Otherwise a domain is enclosed if it encloses anything,
+// its convex hull if it has nothing that could enclose, and enclosed if all of it lies in one
+// hyperplane, where neither kind fills anything; `domain.complex.kind` does not matter.
+// Errors (one line, without the name of the file): a leak, where it is refused; a convex hull that
+// is flat and thus fills nothing.
+// Requires: a valid complex that has points.
+tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
+                                                  std::optional<DomainKind> asked, Leak leak);
+
+}  // namespace circumspect::cli

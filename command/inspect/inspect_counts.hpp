@@ -1,0 +1,22 @@
+// `inspect`: how many simplices the canonical Delaunay triangulation has, and how many it could have.
+// Book: Section 4.1 ("a triangulation of n vertices in R³ has at most …").
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/kernel/complex/triangulation.hpp"
+
+namespace circumspect::cli {
+
+struct SimplexCount {
+  int dimension;
+  std::size_t count;
+  // What no triangulation of as many points exceeds; known for three-dimensional sets.
+  std::optional<std::size_t> bound;
+};
+
+// One entry for each dimension from 1 to that of the triangulation of `points` points.
+std::vector<SimplexCount> simplex_counts(const Triangulation& triangulation, std::size_t points);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,32 @@
+// `inspect` of a piecewise linear complex: is it one, what is it made of, has it a CDT?
+// Book: Sections 4.5 and 5.6.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command/input/input.hpp"
+#include "command/inspect/domain_facts.hpp"
+#include "command/output/output.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
+
+namespace circumspect::cli {
+
+struct DomainInspection {
+  bool is_asked_for = false;  // whatever the name of the file says
+  std::optional<DomainKind> kind = {};
+  bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
+  std::size_t max_errors = kBreachLimit;  // how many breaches are reported; 0: all
+  SearchLimits limits = {};
+  std::string refutations = {};  // where proofs go that there is no triangulation; empty: nowhere
+};
+
+// --domain, --domain-kind, --all-segments, --max-errors, --search-vertices, --search-conflicts,
+// --refutations.
+void add_domain_inspection_options(CLI::App& command, DomainInspection& options);
+
+void inspect_domain(const std::string& path, const InputOptions& input,
+                    const DomainInspection& options, Output& output);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,62 @@
+// How subcommands speak: results on stdout, errors on stderr, files whole or not at all.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "command/output/exit_code.hpp"
+#include "oracle/report/json.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace circumspect::cli {
+
+enum class OutputFormat { kText, kJson };
+
+struct OutputOptions {
+  OutputFormat format = OutputFormat::kText;
+  bool quiet = false;  // nothing but errors
+};
+
+void add_output_options(CLI::App& command, OutputOptions& options);
+
+// Collects what a run says: text as it comes, or one JSON document {"circumspect": 1, "results": […]}
+// at the end; and the worst exit code so far.
+class Output {
+ public:
+  explicit Output(const OutputOptions& options) : options_(options) {}
+
+  bool wants_text() const { return options_.format == OutputFormat::kText && !options_.quiet; }
+  bool wants_json() const { return options_.format == OutputFormat::kJson && !options_.quiet; }
+
+  // Lines; what would move a cursor is escaped. Names in them have been put on one line (printable.hpp).
+  void text(const std::string& text) const;
+  // One line: what was read otherwise than it stands there.
+  void note(const std::string& note) const;
+  void json(report::Json result) { results_.push_back(std::move(result)); }
+  // One line on stderr, and in JSON {subject: name, "error": message}.
+  void error(ExitCode code, const std::string& subject, const std::string& name,
+             const std::string& message);
+  void exit_with(ExitCode code) { code_ = worse(code_, code); }
+
+  ExitCode exit_code() const { return code_; }
+
+  // Prints the JSON document, if that is wanted, and says with what to exit.
+  ExitCode finish() const;
+
+ private:
+  OutputOptions options_;
+  report::Json results_ = report::Json::array();
+  ExitCode code_ = ExitCode::kHolds;
+};
+
+// Says what is wrong with a command line, in one line on stderr.
+ExitCode usage_error(const std::string& message);
+
+// Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message, or an empty string.
+std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+}  // namespace circumspect::cli

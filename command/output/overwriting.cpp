@@ -1,0 +1,115 @@
+#include "command/output/overwriting.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "command/output/unfinished_file.hpp"
+#include "oracle/formats/mesh_files.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> with_extensions(const std::string& path,
+                                         const std::vector<std::string_view>& extensions) {
+  std::vector<std::string> paths = {path};
+  const std::string end = formats::extension(path);
+  if (std::find(extensions.begin(), extensions.end(), end) == extensions.end()) return paths;
+  const std::string stem = path.substr(0, path.size() - end.size());
+  for (const std::string_view extension : extensions) {
+    paths.push_back(stem + std::string(extension));
+  }
+  return paths;
+}
+
+struct Identity {
+  dev_t device;
+  ino_t number;
+
+  bool operator==(const Identity&) const = default;
+};
+
+// Of a file that is there, or of the one that stands for "-"; none of a pipe, a device or a folder.
+std::optional<Identity> identity(const std::string& path, int stream) {
+  struct stat status = {};
+  const int failure = path == "-" ? fstat(stream, &status) : stat(path.c_str(), &status);
+  if (failure != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return Identity{status.st_dev, status.st_ino};
+}
+
+// Would the two be one file, one of which may not be there yet?
+bool are_one_place(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return false;
+  const auto is_no_file = [](const std::string& path) {
+    return formats::exists(path) && !formats::is_regular(path);
+  };
+  if (is_no_file(a) || is_no_file(b)) return false;
+  const auto identity_of_a = identity(a, STDOUT_FILENO);
+  if (identity_of_a) return identity_of_a == identity(b, STDOUT_FILENO);
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(a), error);
+  return !error && place == fs::weakly_canonical(fs::absolute(b), error);
+}
+
+// "found x.node, which is read", or by which other name it is.
+std::string clash(const Written& file, const std::string& read) {
+  const std::string other = read == file.path ? ""
+                                              : fmt::format(" ({} is the same file)",
+                                                            read == "-" ? "standard input" : read);
+  return fmt::format("expected another name for {}, found {}, which is read{}", file.what,
+                     file.path == "-" ? "standard output" : file.path, other);
+}
+
+}  // namespace
+
+std::vector<std::string> files_of_mesh(const std::string& path) {
+  const std::string end = formats::extension(path);
+  if (end == ".qhull" || end == ".qhull-i") return with_extensions(path, {".qhull", ".qhull-i"});
+  return with_extensions(path, {".node", ".ele", ".neigh", ".face", ".edge", ".poly", ".smesh"});
+}
+
+std::vector<std::string> files_of_domain(const std::string& path) {
+  return with_extensions(path, {".poly", ".smesh", ".node"});
+}
+
+std::string overwriting_fault(const std::vector<Written>& written,
+                              const std::vector<std::string>& read) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const Written& file = written[i];
+    std::vector<std::string> targets = {file.path};
+    if (file.path != "-") targets.push_back(name_until_complete(file.path));
+    for (const std::string& target : targets) {
+      const auto written_to = identity(target, STDOUT_FILENO);
+      if (!written_to) continue;
+      for (const std::string& source : read) {
+        if (identity(source, STDIN_FILENO) == written_to) return clash({file.what, target}, source);
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!are_one_place(written[j].path, file.path)) continue;
+      return fmt::format("expected another name for {}, found {}, to which {} is written",
+                         file.what, file.path, written[j].what);
+    }
+  }
+  return "";
+}
+
+bool lies_in(const std::string& path, const std::string& folder) {
+  std::error_code error;
+  fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+  const fs::path above = fs::weakly_canonical(fs::absolute(folder), error);
+  while (!error && place.has_relative_path()) {
+    place = place.parent_path();
+    if (place == above) return true;
+  }
+  return false;
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,317 @@
+#include "fuzz/campaign/campaign.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <thread>
+
+#include "fuzz/campaign/finding_folder.hpp"
+#include "fuzz/campaign/runner.hpp"
+#include "inputs/mixed.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What the threads share. Cases are handed out, and registered, in order.
+class Campaign {
+ public:
+  Campaign(const Plan& plan, Journal journal, const std::atomic<bool>& stop)
+      : plan_(plan), stop_(stop), journal_(std::move(journal)) {
+    for (const FindingRecord& record : journal_.findings()) {
+      first_[record.signature] = record.case_number;
+      if (!record.is_minimised) unfinished_.push_back(record);
+      if (!record.is_minimised && record.is_cut_off) cut_off_.insert(record.signature);
+    }
+    minimising_ = unfinished_.size();
+    for (const CaseRecord& record : journal_.cases()) count(record);
+    given_ = registered_ = result_.cases_before = result_.cases;
+  }
+
+  // The life of a thread.
+  void work(Runner& runner) {
+    try {
+      while (std::optional<FindingRecord> record = take_unfinished()) {
+        finish(*record, runner);
+      }
+      while (const std::optional<std::size_t> number = take_case()) {
+        const Input input = drawn(*number);
+        add(*number, runner.run(input), runner);
+      }
+    } catch (const std::system_error& error) {
+      // The disk takes no more, or the like: what is on it is good, and the campaign can go on later.
+      const std::lock_guard lock(mutex_);
+      if (not_run_.empty()) not_run_ = error.what();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    --working_;
+    one_ended_.notify_one();
+  }
+
+  void start(std::size_t jobs) { working_ = jobs; }
+  // Waits for the end, but not longer than this.
+  bool is_over_within(std::chrono::milliseconds time) {
+    std::unique_lock lock(mutex_);
+    return one_ended_.wait_for(lock, time, [this] { return working_ == 0; });
+  }
+  bool must_stop() {
+    const std::lock_guard lock(mutex_);
+    return stop_ || failure_ || !not_run_.empty();
+  }
+
+  Progress progress() {
+    const std::lock_guard lock(mutex_);
+    return {result_.cases, first_.size(), seconds(), !drawing_is_over_, minimising_};
+  }
+
+  tl::expected<Result, std::string> result() {
+    if (failure_) std::rethrow_exception(failure_);
+    if (!not_run_.empty()) return tl::unexpected(not_run_);
+    result_.interrupted = stop_;
+    result_.seconds = seconds();
+    for (const auto& [signature, number] : first_) {
+      Finding finding{signature,
+                      family_of(number),
+                      number,
+                      0,
+                      finding_folder(plan_.output, signature),
+                      cut_off_.count(signature) != 0};
+      for (const auto& family : result_.statistics) {
+        const auto found = family.second.find(signature);
+        if (found != family.second.end()) finding.count += found->second;
+      }
+      result_.findings.push_back(std::move(finding));
+    }
+    std::sort(result_.findings.begin(), result_.findings.end(),
+              [](const Finding& a, const Finding& b) { return a.case_number < b.case_number; });
+    return std::move(result_);
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  bool time_is_over() const { return plan_.seconds && seconds() >= *plan_.seconds; }
+  // Requires: the mutex is locked.
+  bool time_for_cases_is_over() const {
+    const double share = minimising_ > 0 ? kMinimisingShare : 0;
+    return plan_.seconds && seconds() >= (1 - share) * *plan_.seconds;
+  }
+
+  std::optional<FindingRecord> take_unfinished() {
+    const std::lock_guard lock(mutex_);
+    const bool must_end = stop_ || failure_ || !not_run_.empty() || time_is_over();
+    if (must_end || unfinished_.empty()) return std::nullopt;
+    FindingRecord record = unfinished_.back();
+    unfinished_.pop_back();
+    return record;
+  }
+
+  std::optional<std::size_t> take_case() {
+    const std::lock_guard lock(mutex_);
+    const std::size_t replayed = plan_.replayed.size();
+    const bool all_done =
+        given_ >= replayed &&
+        (plan_.sources.empty() || (plan_.cases && given_ - replayed >= *plan_.cases));
+    drawing_is_over_ = drawing_is_over_ || all_done || time_for_cases_is_over();
+    if (stop_ || failure_ || !not_run_.empty() || drawing_is_over_) return std::nullopt;
+    return given_++;
+  }
+
+  const Source& source_of(std::size_t number) const {
+    return plan_.sources[(number - plan_.replayed.size()) % plan_.sources.size()];
+  }
+  std::string family_of(std::size_t number) const {
+    if (number < plan_.replayed.size()) return "corpus";
+    return source_of(number).family;
+  }
+  Input drawn(std::size_t number) {
+    if (number < plan_.replayed.size()) return plan_.replayed[number].input;
+    // RapidCheck keeps state that all threads share.
+    const std::lock_guard lock(drawing_);
+    return source_of(number).drawn(seed_of_case(plan_.seed, number - plan_.replayed.size()));
+  }
+
+  // Registers the outcome of a case, and of those after it that waited for it. A thread that registers
+  // new signatures makes their inputs small.
+  void add(std::size_t number, Outcome outcome, Runner& runner) {
+    std::vector<FindingRecord> fresh;
+    {
+      const std::lock_guard lock(mutex_);
+      if (outcome.kind == OutcomeKind::kInterrupted) return;
+      if (outcome.kind == OutcomeKind::kNotRun) {
+        not_run_ = outcome.text;
+        return;
+      }
+      waiting_.emplace(number, std::move(outcome));
+      for (auto next = waiting_.begin(); next != waiting_.end() && next->first == registered_;
+           next = waiting_.erase(next)) {
+        if (register_next(next->second)) fresh.push_back({next->second.signature, next->first});
+      }
+      minimising_ += fresh.size();
+    }
+    for (const FindingRecord& record : fresh) finish(record, runner);
+  }
+
+  // Is it the first with its signature? Then its input is on the disk before the journal says so.
+  bool register_next(const Outcome& outcome) {
+    const std::size_t number = registered_;
+    const bool finds = is_finding(outcome.kind);
+    const bool is_new = finds && first_.count(outcome.signature) == 0;
+    if (is_new) {
+      write_input(finding_folder(plan_.output, outcome.signature), plan_.subject, drawn(number));
+      journal_.add_finding(outcome.signature, number);
+      first_[outcome.signature] = number;
+    }
+    const CaseRecord record{family_of(number), finds ? outcome.signature : word(outcome.kind),
+                            finds};
+    journal_.add_case(number, record);
+    count(record);
+    ++registered_;
+    return is_new;
+  }
+
+  void count(const CaseRecord& record) {
+    ++result_.cases;
+    ++result_.statistics[record.family][record.what];
+  }
+
+  // An equal part, for each that waits, of the time that is left, but no more than the plan gives one.
+  MinimiseLimits limits_now() {
+    MinimiseLimits limits = plan_.minimise;
+    if (!plan_.seconds) return limits;
+    const std::lock_guard lock(mutex_);
+    const double at_once = static_cast<double>(plan_.jobs + 1);
+    const double rounds = std::max(1.0, std::ceil(static_cast<double>(minimising_) / at_once));
+    const double left = std::max(0.0, *plan_.seconds - seconds());
+    limits.time = std::min(limits.time, std::chrono::duration<double>(left / rounds));
+    return limits;
+  }
+
+  // The input to begin with: the one that was found, or what an earlier call made of it.
+  Input begun(const FindingRecord& record, const Input& found, Runner& runner) {
+    if (!record.is_cut_off) return found;
+    const auto reached =
+        read_minimal(finding_folder(plan_.output, record.signature), plan_.subject);
+    return reached && runner.run(*reached).signature == record.signature ? *reached : found;
+  }
+
+  void finish(const FindingRecord& record, Runner& runner) {
+    const Input found = drawn(record.case_number);
+    const MinimiseLimits limits = limits_now();
+    const Clock::time_point begin = Clock::now();
+    const Input minimal =
+        minimised(begun(record, found, runner), record.signature, runner, limits, stop_);
+    const bool is_cut_off =
+        limits.time < plan_.minimise.time && Clock::now() - begin >= limits.time;
+    Outcome outcome = runner.run(minimal);
+    if (stop_ || outcome.kind == OutcomeKind::kInterrupted) return;
+    if (outcome.kind == OutcomeKind::kNotRun) {
+      const std::lock_guard lock(mutex_);
+      not_run_ = outcome.text;
+      return;
+    }
+    if (outcome.signature != record.signature) {
+      outcome.text = "not every time: when it was run again, " +
+                     (outcome.signature.empty() ? "the mesh was right" : outcome.signature);
+      outcome.signature = record.signature;
+    }
+    const std::string folder = finding_folder(plan_.output, record.signature);
+    write_minimal(folder, plan_.subject,
+                  {family_of(record.case_number), record.case_number, plan_.seed}, found, minimal,
+                  outcome, runner);
+    const std::lock_guard lock(mutex_);
+    --minimising_;
+    if (is_cut_off) {
+      journal_.add_cut_off(record.signature);
+      cut_off_.insert(record.signature);
+    } else {
+      journal_.add_minimised(record.signature);
+      cut_off_.erase(record.signature);
+    }
+  }
+
+  const Plan& plan_;
+  const std::atomic<bool>& stop_;
+  const Clock::time_point start_ = Clock::now();
+  std::mutex drawing_;
+
+  std::mutex mutex_;  // for all below
+  std::condition_variable one_ended_;
+  Journal journal_;
+  std::size_t working_ = 0;
+  std::size_t given_ = 0;
+  std::size_t registered_ = 0;
+  std::map<std::size_t, Outcome> waiting_;
+  std::map<std::string, std::size_t> first_;
+  std::vector<FindingRecord> unfinished_;
+  std::size_t minimising_ = 0;  // those, and what is being made small
+  std::set<std::string> cut_off_;
+  bool drawing_is_over_ = false;
+  Result result_;
+  std::string not_run_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) {
+  return generators::mixed(generators::mixed(seed) ^ number);
+}
+
+Input minimised(const Input& input, const std::string& signature, Runner& runner,
+                const MinimiseLimits& limits, const std::atomic<bool>& stop) {
+  const auto fails = [&](const Input& candidate) {
+    return !stop && runner.run(candidate).signature == signature;
+  };
+  if (const auto* const set = std::get_if<PointsCase>(&input)) {
+    return minimised(
+        *set, StillFails<PointsCase>([&](const PointsCase& one) { return fails(one); }), limits);
+  }
+  return minimised(std::get<ComplexCase>(input),
+                   StillFails<ComplexCase>([&](const ComplexCase& one) { return fails(one); }),
+                   limits);
+}
+
+tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,
+                                      const std::function<void(const Progress&)>& progress) {
+  auto journal = Journal::open(plan.output, plan.settings);
+  if (!journal) return tl::unexpected(journal.error());
+  std::optional<Gate> gate;  // Runners use it to their ends.
+  std::vector<std::unique_ptr<Runner>> runners;
+  try {
+    gate.emplace(plan.jobs);
+    // Runners fork, which is cheapest before there are threads. One more than programs may run: it
+    // judges, and makes the next input ready, while the others wait for theirs.
+    for (std::size_t i = 0; i < plan.jobs + 1; ++i) {
+      runners.push_back(std::make_unique<Runner>(plan.subject, gate->turn()));
+    }
+  } catch (const std::system_error& error) {
+    return tl::unexpected(std::string(error.what()));
+  }
+  Campaign campaign(plan, std::move(*journal), stop);
+  campaign.start(runners.size());
+  std::vector<std::thread> threads;
+  for (const auto& runner : runners) {
+    threads.emplace_back([&campaign, &runner] { campaign.work(*runner); });
+  }
+  while (!campaign.is_over_within(std::chrono::milliseconds(20))) {
+    if (campaign.must_stop()) {
+      for (const auto& runner : runners) runner->interrupt();
+    }
+    progress(campaign.progress());
+  }
+  for (std::thread& thread : threads) thread.join();
+  return campaign.result();
+}
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,98 @@
+// Runs a program on many inputs, and keeps what goes wrong.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "fuzz/campaign/input.hpp"
+#include "fuzz/campaign/journal.hpp"
+#include "fuzz/campaign/minimise.hpp"
+#include "fuzz/campaign/subject.hpp"
+
+namespace circumspect::campaign {
+
+// Where inputs come from: each seed stands for one.
+struct Source {
+  std::string family;
+  std::function<Input(std::uint64_t seed)> drawn;
+};
+
+// An input from a file, which is tried before all that are drawn.
+struct Replayed {
+  std::string name;
+  Input input;
+};
+
+struct Plan {
+  Subject subject;
+  std::vector<Source> sources;
+  std::vector<Replayed> replayed = {};
+  std::uint64_t seed = 0;
+  std::optional<std::size_t> cases = {};  // drawn ones; without it, until the time is over
+  // Of this call, making small with it; without it, until the cases are done and what was found is small.
+  std::optional<double> seconds = {};
+  std::size_t jobs = 1;
+  std::string output;      // the folder for the journal and the findings
+  Settings settings = {};  // what must not change when it is continued
+  MinimiseLimits minimise = {};
+};
+
+// Once something is found, cases are drawn until this share of the time is left: it is for making that small.
+inline constexpr double kMinimisingShare = 0.25;
+
+// Everything with one signature.
+struct Finding {
+  std::string signature;
+  std::string family;           // of the first case
+  std::size_t case_number = 0;  // the first case
+  std::size_t count = 0;
+  std::string folder;
+  bool cut_off = false;  // there was no time to make it smaller: the next call goes on with it
+};
+
+struct Result {
+  std::size_t cases = 0;               // in all, those of earlier calls with them
+  std::size_t cases_before = 0;        // done by earlier calls
+  std::vector<Finding> findings = {};  // in the order of their first cases
+  // For each family how often each outcome was met: "holds", "refused", "skipped", or a signature.
+  std::map<std::string, std::map<std::string, std::size_t>> statistics = {};
+  bool interrupted = false;
+  double seconds = 0;  // of this call
+};
+
+// How far it is, for a progress line.
+struct Progress {
+  std::size_t cases = 0;
+  std::size_t signatures = 0;
+  double seconds = 0;
+  bool drawing = true;         // will there be more cases?
+  std::size_t minimising = 0;  // findings that are being made small, or wait for it
+};
+
+// Case i is the i-th replayed input or, after those, the input that seed_of_case(seed, i) stands for in
+// source i mod sources.size(). Cases are counted in this order whatever the number of jobs, so that the
+// first case with a signature, and all that follows from it, depends only on the plan, the program and
+// the number of cases. When a plan with the same settings finds a journal in `output`, it goes on there.
+// When the time is over, what then runs is finished, and what was found but not made small yet is made so by
+// the next call, which goes on where this one was. When `stop` becomes true it ends within a second; what runs then is forgotten, and run the next time.
+// Errors: the journal belongs to another campaign; the program cannot be started.
+// Requires: sources or replayed inputs; cases or seconds; jobs ≥ 1; called while there is one thread.
+tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,
+                                      const std::function<void(const Progress&)>& progress);
+
+// splitmix64 of both numbers: seeds of different campaigns have nothing in common.
+std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number);
+
+// Makes an input small on which a program fails with this outcome's signature. If `stop` becomes true,
+// what was reached.
+Input minimised(const Input& input, const std::string& signature, class Runner& runner,
+                const MinimiseLimits& limits, const std::atomic<bool>& stop);
+
+}  // namespace circumspect::campaign

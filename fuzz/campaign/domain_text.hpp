@@ -1,0 +1,22 @@
+// Domains as the files of mesh generators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::campaign {
+
+// As a .poly file: of Triangle in the plane, of TetGen in space, where a lone segment is a facet with
+// one polygon of two corners. A facet lists all that lies in it, as TetGen wants it, if the domain is
+// valid: segments as polygons of two corners, vertices as polygons of one.
+std::string poly_text(const PiecewiseLinearInput& input, Vertex first_index);
+
+// As a .geo file for Gmsh, in space: the polygons are the surfaces of one volume; segments are one
+// element long. Nothing for what has no place in it: domains of the plane, polygons of more than one
+// line or one that passes a vertex again, polygons that are not closed up edge to edge (each edge in
+// exactly two), segments that are no edges, isolated vertices, hole seeds.
+std::optional<std::string> geo_text(const PiecewiseLinearInput& input);
+
+}  // namespace circumspect::campaign

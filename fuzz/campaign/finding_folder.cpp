@@ -1,0 +1,252 @@
+#include "fuzz/campaign/finding_folder.hpp"
+
+#include <cctype>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The format in which this program reads inputs itself.
+std::string own_extension(const Input& input) {
+  return std::holds_alternative<PointsCase>(input) ? ".node" : ".poly";
+}
+
+// Whole or not at all, and on the disk.
+void write_durably(const std::string& path, const std::string& text) {
+  const std::string unfinished = path + ".unfinished";
+  const int file = open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  bool done = file >= 0;
+  for (std::size_t at = 0; done && at < text.size();) {
+    const ssize_t count = write(file, text.data() + at, text.size() - at);
+    done = count > 0;
+    at += done ? static_cast<std::size_t>(count) : 0;
+  }
+  done = done && fsync(file) == 0;
+  if (file >= 0) close(file);
+  if (!done || rename(unfinished.c_str(), path.c_str()) != 0) {
+    const int reason = errno;
+    unlink(unfinished.c_str());
+    throw std::system_error(reason, std::generic_category(), path);
+  }
+}
+
+void write_input_as(const std::string& stem, const Subject& subject, const Input& input) {
+  std::set<std::string> extensions = {own_extension(input)};
+  extensions.insert(formats::extension(subject.input_name));
+  for (const std::string& extension : extensions) {
+    const auto text = file_text(input, extension, subject.first_index, subject.dimension);
+    if (text) write_durably(stem + extension, *text);
+  }
+}
+
+// Files beyond this many bytes, and beyond this many, are left out of a finding.
+constexpr std::uintmax_t kLargestCopy = 1 << 20;
+constexpr std::size_t kMostCopies = 100;
+
+void copy_file(const std::string& from, const std::string& to, const Runner& runner) {
+  std::ostringstream text;
+  text << std::ifstream(from, std::ios::binary).rdbuf();
+  std::ofstream(to, std::ios::binary) << runner.without_places(text.str());
+}
+
+// What the program wrote, without its input.
+void copy_output(const std::string& folder, const Subject& subject, const Runner& runner) {
+  std::error_code error;
+  fs::remove_all(folder + "/output", error);
+  fs::create_directories(folder + "/output", error);
+  std::vector<std::string> paths;
+  fs::directory_iterator entry(runner.work_folder(), error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    if (entry->path().filename() != subject.input_name) paths.push_back(entry->path().string());
+    if (paths.size() >= kMostCopies) break;
+  }
+  if (subject.writes_stdout && !runner.mesh_file().empty()) paths.push_back(runner.mesh_file());
+  for (const std::string& path : paths) {
+    const bool is_small = fs::is_regular_file(fs::symlink_status(path, error)) &&
+                          fs::file_size(path, error) <= kLargestCopy;
+    if (is_small) copy_file(path, folder + "/output/" + fs::path(path).filename().string(), runner);
+  }
+}
+
+std::string count_of(const Input& input) {
+  const std::size_t count = point_count(input);
+  return report::counted(count, "point");
+}
+
+report::Json verdict_document(const Subject& subject, const Origin& origin, const Input& found,
+                              const Input& minimal, const Outcome& outcome) {
+  report::Json finding = {
+      {"signature", outcome.signature}, {"kind", word(outcome.kind)},
+      {"text", outcome.text},           {"command", subject.command},
+      {"claim", name(subject.claim)},   {"seed", origin.seed},
+      {"case", origin.case_number},     {"family", origin.family},
+      {"points", point_count(found)},   {"minimal_points", point_count(minimal)}};
+  if (outcome.kind == OutcomeKind::kFails) finding["verdict"] = outcome.verdict;
+  return {{"circumspect", 1}, {"results", report::Json::array({finding})}};
+}
+
+std::string readme(const Subject& subject, const Origin& origin, const Input& found,
+                   const Input& minimal, const Outcome& outcome) {
+  const std::string own = own_extension(minimal);
+  return fmt::format(
+      "{}\n{}\n\n"
+      "The program:  {}\n"
+      "The claim:    {}\n"
+      "Found by:     seed {}, case {}, family {}\n\n"
+      "input{}     the input with which it was found, {}\n"
+      "minimal{}   a small input with the same failure, {}\n"
+      "output/        what the program wrote for the small one\n"
+      "said.txt       and what it said\n"
+      "verdict.json   the verdict, with exact witnesses\n"
+      "reproduce.sh   runs the program on the small one and judges what it writes\n\n"
+      "{}",
+      outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
+      origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
+      outcome.explanation);
+}
+
+// "$(printf 'a\012b')": a word with control characters that shows none. The shell cuts off line ends at the end
+// of what is printed.
+std::string printed_by_shell(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n') + 1;
+  std::string word = "\"$(printf '";
+  for (const char c : std::string_view(text).substr(0, end)) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    word += is_plain
+                ? std::string(1, c)
+                : fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  }
+  return word + "')\"" + (end < text.size() ? "'" + text.substr(end) + "'" : "");
+}
+
+// A name of a file in the folder of the script that no program takes for an option.
+std::string in_folder(const std::string& name) { return name[0] == '-' ? "./" + name : name; }
+
+std::string check_line(const Subject& subject, const Input& minimal) {
+  std::string line = "\"${CIRCUMSPECT:-circumspect}\" check " +
+                     quoted_for_shell(in_folder(subject.mesh_name)) + " --claim " +
+                     std::string(name(subject.claim));
+  if (subject.is_about_domains()) {
+    return line + " --domain \"$here/minimal.poly\" --domain-kind " +
+           (subject.domain_kind == DomainKind::kHull ? "hull" : "enclosed");
+  }
+  const std::string extension = formats::extension(subject.mesh_name);
+  if (extension == ".ele" || extension == ".qhull-i") line += " --points \"$here/minimal.node\"";
+  const auto& points = std::get<PointsCase>(minimal).points;
+  const bool repeats = std::set<Point>(points.begin(), points.end()).size() < points.size();
+  return line + (repeats ? " --duplicates merge" : "");
+}
+
+}  // namespace
+
+std::string finding_folder(const std::string& output, const std::string& signature) {
+  return output + "/findings/" + signature;
+}
+
+void write_input(const std::string& folder, const Subject& subject, const Input& input) {
+  fs::create_directories(folder);
+  write_input_as(folder + "/input", subject, input);
+  for (const std::string& path : {folder, fs::path(folder).parent_path().string()}) {
+    const int directory = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (directory < 0) continue;
+    fsync(directory);
+    close(directory);
+  }
+}
+
+void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
+                   const Input& found, const Input& minimal, const Outcome& outcome,
+                   const Runner& runner) {
+  write_input_as(folder + "/minimal", subject, minimal);
+  copy_output(folder, subject, runner);
+  write_durably(folder + "/said.txt", on_lines(runner.said()));
+  const report::Json document = verdict_document(subject, origin, found, minimal, outcome);
+  write_durably(folder + "/verdict.json", report::document_text(document));
+  write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
+  write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));
+  fs::permissions(folder + "/reproduce.sh", fs::perms::owner_exec, fs::perm_options::add);
+}
+
+std::optional<Input> read_minimal(const std::string& folder, const Subject& subject) {
+  if (subject.is_about_domains()) {
+    auto domain = formats::read_domain(folder + "/minimal.poly", NumberReading::kDouble);
+    if (!domain) return std::nullopt;
+    return Input(ComplexCase{"minimal", std::move(domain->input)});
+  }
+  auto raw = formats::read_points(folder + "/minimal.node", NumberReading::kDouble);
+  if (!raw) return std::nullopt;
+  PointsCase set{std::move(raw->points.points), {}};
+  for (const std::vector<Rational>& attributes : raw->points.attributes) {
+    if (!attributes.empty()) set.weights.push_back(attributes.front());
+  }
+  return Input(std::move(set));
+}
+
+std::string quoted_for_shell(const std::string& text) {
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-+./=:,@%") == std::string::npos;
+  if (plain) return text;
+  if (on_one_line(text) != text) return printed_by_shell(text);
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string command_line(const Subject& subject) {
+  std::string line;
+  for (const std::string& argument : subject.command) {
+    line += (line.empty() ? "" : " ") + quoted_for_shell(argument);
+  }
+  return line;
+}
+
+std::string reproduction(const Subject& subject, const Input& minimal, const Outcome& outcome) {
+  // The paths in the arguments are those of the folder that the script makes: names without it do.
+  Subject own = subject;
+  own.command =
+      filled_in(subject, {".", in_folder(subject.input_name), in_folder(subject.mesh_name)});
+  const std::string extension = formats::extension(subject.input_name);
+  std::string limit;
+  if (subject.limits.memory != 0) {
+    limit = fmt::format("ulimit -v {}; ", subject.limits.memory / 1024);
+  }
+  std::string run = fmt::format(
+      "({}exec timeout -s KILL {} {}{}{})", limit, subject.limits.seconds, command_line(own),
+      subject.reads_stdin ? " < " + quoted_for_shell(subject.input_name) : "",
+      subject.writes_stdout ? " > " + quoted_for_shell(subject.mesh_name) : "");
+  return fmt::format(
+      "#!/bin/sh\n"
+      "# Shows {} again: runs the program on the small input beside this script in a\n"
+      "# folder of its own, and judges what it writes. Exit code 0 would mean that all is well.\n"
+      "here=$(cd \"$(dirname \"$0\")\" && pwd) || exit 2\n"
+      "folder=$(mktemp -d) || exit 2\n"
+      "trap 'rm -rf \"$folder\"' EXIT\n"
+      "cd \"$folder\" || exit 2\n"
+      "cp \"$here/minimal{}\" {}\n"
+      "{}\n"
+      "code=$?\n"
+      "if [ $code -ne 0 ]; then echo \"the program ended with exit code $code\"; exit $code; fi\n"
+      "{}\n",
+      outcome.signature, extension, quoted_for_shell(in_folder(subject.input_name)), run,
+      check_line(subject, minimal));
+}
+
+}  // namespace circumspect::campaign

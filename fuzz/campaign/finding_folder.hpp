@@ -1,0 +1,44 @@
+// What a user gets for a finding: a folder with everything that is needed to see it again.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fuzz/campaign/runner.hpp"
+
+namespace circumspect::campaign {
+
+// Where it comes from.
+struct Origin {
+  std::string family;
+  std::size_t case_number = 0;
+  std::uint64_t seed = 0;  // of the campaign
+};
+
+// The folder of a signature: OUTPUT/findings/SIGNATURE.
+std::string finding_folder(const std::string& output, const std::string& signature);
+
+// Makes the folder and writes the input as it was found: input.node (or input.poly), and in the
+// program's own format if that is another. All of it is on the disk when this returns. Throws
+// std::system_error.
+void write_input(const std::string& folder, const Subject& subject, const Input& input);
+
+// Adds the smallest input, what the program made of it, the verdict, README.txt and reproduce.sh.
+// `runner` has just run the program on it, with this outcome.
+void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
+                   const Input& found, const Input& minimal, const Outcome& outcome,
+                   const Runner& runner);
+
+// The input that write_minimal wrote there, to go on from; nothing if it cannot be read.
+std::optional<Input> read_minimal(const std::string& folder, const Subject& subject);
+
+// A shell script that runs the program on minimal.* beside it and judges what it writes.
+std::string reproduction(const Subject& subject, const Input& minimal, const Outcome& outcome);
+
+// The text as one word of a shell.
+std::string quoted_for_shell(const std::string& text);
+
+// The name of the program and its arguments, as a person would type them.
+std::string command_line(const Subject& subject);
+
+}  // namespace circumspect::campaign

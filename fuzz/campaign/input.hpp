@@ -1,0 +1,44 @@
+// What a program under test is given: points or a domain, and the files that say so.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "inputs/complex_case.hpp"
+#include "inputs/points_case.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+
+namespace circumspect::campaign {
+
+using generators::ComplexCase;
+using generators::PointsCase;
+
+using Input = std::variant<PointsCase, ComplexCase>;
+
+std::size_t point_count(const Input& input);
+
+// Are all coordinates, weights and seeds doubles, so that a program reads what is judged?
+bool is_of_doubles(const Input& input);
+
+// The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz" for
+// points, ".poly .geo" for domains.
+bool is_points_extension(const std::string& extension);
+bool is_domain_extension(const std::string& extension);
+
+// The text of such a file. The points are counted from `first_index` where the format leaves the choice.
+//
+//   .node, .qhull, .off, .json   as oracle/formats writes them
+//   .xyz                         a line of coordinates a point, and its weight, if there are any
+//   .poly                        of Triangle in the plane, of TetGen in space
+//   .geo                         Gmsh's: the surface of one volume (in the plane: of one surface, whose
+//                                outline is the first closed line), each segment one element long
+//
+// Numbers are the shortest decimals of their doubles. `dimension` is that of an empty set.
+// Requires: an extension for this kind of input. Returns nothing if the format has no way to say it
+// (.geo: polygons with slits or holes, dangling cells, several surfaces, hole seeds).
+std::optional<std::string> file_text(const Input& input, const std::string& extension,
+                                     Vertex first_index, std::size_t dimension);
+
+}  // namespace circumspect::campaign

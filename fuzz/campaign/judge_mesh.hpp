@@ -1,0 +1,26 @@
+// From the file that a program wrote to an outcome.
+#pragma once
+
+#include <string>
+
+#include "fuzz/campaign/input.hpp"
+#include "fuzz/campaign/outcome.hpp"
+#include "fuzz/campaign/subject.hpp"
+
+namespace circumspect::campaign {
+
+// Judges the mesh in the file at `path` against the input that the program was given. Files of
+// simplices alone (.ele, .qhull-i) are about the points of the input, whatever the program made of
+// them; a mesh that lists its points (.off, .mesh, .json) must have exactly those of the input, in
+// any order. Meshes of domains are judged by the coordinates that the program wrote.
+// Requires: the file is a regular one.
+Outcome judged(const Subject& subject, const Input& input, const std::string& path);
+
+// Can the input be judged at all? Empty, or why it is skipped: it is not made of doubles; the points
+// do not span the space, where that is asked for; the domain is invalid or encloses nothing.
+std::string reason_to_skip(const Subject& subject, const Input& input);
+
+// Do the points lie in a hyperplane, or are they too few not to? (Domains: never said of them.)
+bool is_flat(const Subject& subject, const Input& input);
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,175 @@
+#include "fuzz/campaign/minimise.hpp"
+
+#include <numeric>
+#include <set>
+
+#include "fuzz/campaign/budget.hpp"
+#include "fuzz/campaign/drop_items.hpp"
+#include "fuzz/campaign/simpler_numbers.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+using generators::ComplexCase;
+using generators::PointsCase;
+
+std::size_t distinct_points(const PointsCase& set) {
+  return std::set<Point>(set.points.begin(), set.points.end()).size();
+}
+
+PointsCase chosen(const PointsCase& set, const std::vector<std::size_t>& places) {
+  PointsCase part;
+  for (const std::size_t v : places) {
+    part.points.push_back(set.points[v]);
+    if (!set.weights.empty()) part.weights.push_back(set.weights[v]);
+  }
+  return part;
+}
+
+std::vector<std::size_t> places(std::size_t count) {
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+bool drop_points(PointsCase& set, const StillFails<PointsCase>& accepts) {
+  std::vector<std::size_t> kept = places(set.points.size());
+  const PointsCase whole = set;
+  const bool dropped = drop_items<std::size_t>(
+      kept, [&](const std::vector<std::size_t>& part) { return accepts(chosen(whole, part)); });
+  if (dropped) set = chosen(whole, kept);
+  return dropped;
+}
+
+// The cells of a domain and its vertices, each an item that may be dropped.
+struct Part {
+  std::vector<std::size_t> polygons;
+  std::vector<std::size_t> segments;
+  std::vector<std::size_t> hole_seeds;
+};
+
+template <class T>
+std::vector<T> those(const std::vector<T>& all, const std::vector<std::size_t>& which) {
+  std::vector<T> part;
+  for (const std::size_t i : which) part.push_back(all[i]);
+  return part;
+}
+
+PiecewiseLinearInput with_cells(const PiecewiseLinearInput& input,
+                                const std::vector<std::size_t>& cells) {
+  Part part;
+  const std::size_t polygons = input.polygons.size();
+  const std::size_t segments = input.segments.size();
+  for (const std::size_t cell : cells) {
+    if (cell < polygons) {
+      part.polygons.push_back(cell);
+    } else if (cell < polygons + segments) {
+      part.segments.push_back(cell - polygons);
+    } else {
+      part.hole_seeds.push_back(cell - polygons - segments);
+    }
+  }
+  PiecewiseLinearInput result = input;
+  result.polygons = those(input.polygons, part.polygons);
+  result.segments = those(input.segments, part.segments);
+  result.hole_seeds = those(input.hole_seeds, part.hole_seeds);
+  return result;
+}
+
+using AcceptsInput = std::function<bool(const PiecewiseLinearInput&)>;
+
+bool drop_cells(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
+  const std::size_t count = input.polygons.size() + input.segments.size() + input.hole_seeds.size();
+  std::vector<std::size_t> kept = places(count);
+  const PiecewiseLinearInput whole = input;
+  const bool dropped = drop_items<std::size_t>(
+      kept, [&](const std::vector<std::size_t>& part) { return accepts(with_cells(whole, part)); });
+  if (dropped) input = with_cells(whole, kept);
+  return dropped;
+}
+
+PiecewiseLinearInput without(PiecewiseLinearInput input, const std::vector<std::size_t>& unused,
+                             const std::vector<std::size_t>& kept) {
+  std::vector<bool> dropped(input.points.size(), false);
+  for (const std::size_t v : unused) dropped[v] = true;
+  for (const std::size_t v : kept) dropped[v] = false;
+  generators::drop_points(input, dropped);
+  return input;
+}
+
+bool drop_unused_points(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
+  const std::vector<bool> used = generators::is_used(input);
+  std::vector<std::size_t> unused;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) unused.push_back(v);
+  }
+  std::vector<std::size_t> kept = unused;
+  const PiecewiseLinearInput whole = input;
+  const bool dropped = drop_items<std::size_t>(kept, [&](const std::vector<std::size_t>& part) {
+    return accepts(without(whole, unused, part));
+  });
+  if (dropped) input = without(whole, unused, kept);
+  return dropped;
+}
+
+// The vertices and hole seeds of a domain as a set of points, and back.
+PointsCase all_points(const PiecewiseLinearInput& input) {
+  PointsCase set{input.points, {}};
+  set.points.insert(set.points.end(), input.hole_seeds.begin(), input.hole_seeds.end());
+  for (const PolygonLines& polygon : input.polygons) {
+    set.points.insert(set.points.end(), polygon.hole_seeds.begin(), polygon.hole_seeds.end());
+  }
+  return set;
+}
+
+PiecewiseLinearInput with_points(PiecewiseLinearInput input, const PointsCase& set) {
+  auto next = set.points.begin();
+  for (Point& point : input.points) point = *next++;
+  for (Point& seed : input.hole_seeds) seed = *next++;
+  for (PolygonLines& polygon : input.polygons) {
+    for (Point& seed : polygon.hole_seeds) seed = *next++;
+  }
+  return input;
+}
+
+bool move_points(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
+  PointsCase set = all_points(input);
+  const bool simpler = simplify_numbers(
+      set, [&](const PointsCase& moved) { return accepts(with_points(input, moved)); });
+  if (simpler) input = with_points(input, set);
+  return simpler;
+}
+
+}  // namespace
+
+PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
+                     const MinimiseLimits& limits) {
+  Budget budget(limits);
+  const bool may_repeat = distinct_points(set) < set.points.size();
+  const StillFails<PointsCase> accepts = [&](const PointsCase& candidate) {
+    if (!may_repeat && distinct_points(candidate) < candidate.points.size()) return false;
+    return budget.take() && still_fails(candidate);
+  };
+  drop_points(set, accepts);
+  while (simplify_numbers(set, accepts) && drop_points(set, accepts)) {
+  }
+  return set;
+}
+
+ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
+                      const MinimiseLimits& limits) {
+  Budget budget(limits);
+  const AcceptsInput accepts = [&](const PiecewiseLinearInput& candidate) {
+    if (candidate.points.empty() || budget.is_spent() || !validated(candidate, 1)) return false;
+    return budget.take() && still_fails({whole.family, candidate});
+  };
+  for (bool again = true; again;) {
+    again = drop_cells(whole.input, accepts);
+    again = drop_unused_points(whole.input, accepts) || again;
+    again = move_points(whole.input, accepts) || again;
+  }
+  return whole;
+}
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,40 @@
+// Makes a failing input small: fewer points and cells, coordinates nearer to small integers, as long as
+// it fails in the same way.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+
+#include "inputs/complex_case.hpp"
+#include "inputs/points_case.hpp"
+
+namespace circumspect::campaign {
+
+// When to stop, if nothing simpler is found before. The time is there for programs that are slow: the
+// result depends on it only if it runs out.
+struct MinimiseLimits {
+  std::size_t tries = 50'000;
+  std::chrono::duration<double> time = std::chrono::seconds(120);
+};
+
+// Chunks of points are dropped, half of all at first (delta debugging: Zeller and Hildebrandt,
+// "Simplifying and isolating failure-inducing input", 2002), then coordinates and weights are moved:
+// those of all points at once (ranks, coarser grids, the origin), then one by one. In the end no
+// point can be left out alone. Equal points appear only if the input had some.
+// `still_fails` is asked about inputs that are never the same twice in a row.
+// Requires: it fails; still_fails(it) may be asked any number of times.
+template <class Case>
+using StillFails = std::function<bool(const Case&)>;
+
+generators::PointsCase minimised(generators::PointsCase set,
+                                 const StillFails<generators::PointsCase>& still_fails,
+                                 const MinimiseLimits& limits = {});
+
+// The same for domains: polygons, segments and hole seeds are dropped, then vertices that no cell uses,
+// then coordinates are moved. `still_fails` is asked about valid inputs only.
+generators::ComplexCase minimised(generators::ComplexCase whole,
+                                  const StillFails<generators::ComplexCase>& still_fails,
+                                  const MinimiseLimits& limits = {});
+
+}  // namespace circumspect::campaign

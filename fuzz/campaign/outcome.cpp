@@ -1,0 +1,56 @@
+#include "fuzz/campaign/outcome.hpp"
+
+namespace circumspect::campaign {
+
+bool is_finding(OutcomeKind kind) {
+  switch (kind) {
+    case OutcomeKind::kHolds:
+    case OutcomeKind::kSkipped:
+    case OutcomeKind::kRefused:
+    case OutcomeKind::kNotRun:
+    case OutcomeKind::kInterrupted:
+      return false;
+    default:
+      return true;
+  }
+}
+
+std::string word(OutcomeKind kind) {
+  switch (kind) {
+    case OutcomeKind::kHolds:
+      return "holds";
+    case OutcomeKind::kSkipped:
+      return "skipped";
+    case OutcomeKind::kRefused:
+      return "refused";
+    case OutcomeKind::kFails:
+      return "fails";
+    case OutcomeKind::kOtherPoints:
+      return "other-points";
+    case OutcomeKind::kUnreadable:
+      return "unreadable-mesh";
+    case OutcomeKind::kNoMesh:
+      return "no-mesh";
+    case OutcomeKind::kExitCode:
+      return "exit-code";
+    case OutcomeKind::kCrash:
+      return "crash";
+    case OutcomeKind::kHang:
+      return "hang";
+    case OutcomeKind::kMemoryLimit:
+      return "memory-limit";
+    case OutcomeKind::kOutputLimit:
+      return "output-limit";
+    case OutcomeKind::kProcessLimit:
+      return "process-limit";
+    case OutcomeKind::kKillsParent:
+      return "kills-parent";
+    case OutcomeKind::kNotRun:
+      return "not-run";
+    case OutcomeKind::kInterrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+}  // namespace circumspect::campaign

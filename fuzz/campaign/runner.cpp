@@ -1,0 +1,232 @@
+#include "fuzz/campaign/runner.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include "fuzz/campaign/judge_mesh.hpp"
+#include "fuzz/campaign/replace_all.hpp"
+#include "fuzz/process/folders.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/model/printable.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file system in memory is faster, and wears nothing out. A container may have a very small one.
+fs::path place_for_scratch(const Limits& limits) {
+  const fs::path memory = "/dev/shm";
+  std::error_code error;
+  const fs::space_info space = fs::space(memory, error);
+  const bool has_room = !error && space.available / 32 >= limits.output;
+  const char* const chosen = std::getenv("TMPDIR");
+  if (has_room && chosen == nullptr && access(memory.c_str(), W_OK) == 0) return memory;
+  return fs::absolute(chosen == nullptr ? "/tmp" : chosen);
+}
+
+std::string new_scratch_folder(const Limits& limits) {
+  std::string path = (place_for_scratch(limits) / "circumspect-campaign-XXXXXX").string();
+  if (mkdtemp(path.data()) == nullptr) {
+    throw std::system_error(errno, std::generic_category(), path);
+  }
+  return path;
+}
+
+// Is it a file, and not a pipe or a link that would lead a reader astray?
+bool is_plain_file(const std::string& path) {
+  struct stat status {};
+  return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// The beginning of a file, about as much of it as a person reads.
+std::string beginning_of(const std::string& path) {
+  constexpr std::size_t kBytes = 8000;
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) {
+    return "";
+  }
+  std::string text(kBytes, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(text.data(), static_cast<std::streamsize>(kBytes));
+  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return text;
+}
+
+std::string signal_name(int number) {
+  const char* const name = sigabbrev_np(number);
+  return name == nullptr ? std::to_string(number) : std::string("SIG") + name;
+}
+
+// The line that says most: the first that speaks of an error, else the last.
+std::string telling_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    last = line;
+    if (line.find("rror") != std::string::npos || line.find("ERROR") != std::string::npos) break;
+  }
+  return last.empty() ? "and said nothing" : formats::quote(last);
+}
+
+bool speaks_of_memory(const std::string& text) {
+  const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
+  return has("bad_alloc") || has("ut of memory") || has("MemoryError") ||
+         has("not enough memory") || has("nsufficient memory") || has("annot allocate memory") ||
+         has("memory exhausted");
+}
+
+Outcome not_run(const std::string& text) {
+  return {OutcomeKind::kNotRun, word(OutcomeKind::kNotRun), text};
+}
+
+// Is there so little room left that a program may have failed for want of it?
+bool is_full(const std::string& folder) {
+  struct statvfs status {};
+  constexpr std::uint64_t kNeeded = 1 << 20;
+  return statvfs(folder.c_str(), &status) == 0 && status.f_bavail * status.f_frsize < kNeeded;
+}
+
+}  // namespace
+
+Runner::Runner(const Subject& subject, Turn turn)
+    : subject_(subject),
+      scratch_(new_scratch_folder(subject.limits)),
+      supervisor_(scratch_, turn) {}
+
+Runner::~Runner() = default;
+
+std::string Runner::mesh_file() const {
+  const std::string path = (subject_.writes_stdout ? scratch_ : work_) + "/" + subject_.mesh_name;
+  return is_plain_file(path) ? path : "";
+}
+
+std::string Runner::said() const {
+  const auto said_in = [&](const std::string& name) {
+    constexpr std::size_t kShown = 4000;
+    return without_places(beginning_of(scratch_ + "/" + name)).substr(0, kShown);
+  };
+  return (subject_.writes_stdout ? "" : said_in("stdout")) + said_in("stderr");
+}
+
+std::string Runner::without_places(std::string text) const {
+  replace_all(text, work_ + "/", "");
+  replace_all(text, scratch_ + "/", "");
+  return text;
+}
+
+// The folder of the last run may resist; then it is left, and the next one has another. The program
+// may have deleted the one around it.
+std::string Runner::prepare_work_folder() {
+  if (!work_.empty() && emptied(work_)) return "";
+  if (work_.empty() || !removed(work_)) {
+    work_ = scratch_ + "/work" + (folders_ == 0 ? "" : std::to_string(folders_));
+    ++folders_;
+  }
+  if (mkdir(work_.c_str(), 0700) == 0) return "";
+  if (errno == ENOENT || errno == ENOTDIR) {
+    removed(scratch_);
+    if (mkdir(scratch_.c_str(), 0700) == 0 && mkdir(work_.c_str(), 0700) == 0) return "";
+  }
+  return work_ + ": " + std::strerror(errno);
+}
+
+Outcome Runner::run(const Input& input) {
+  const std::string reason = reason_to_skip(subject_, input);
+  if (!reason.empty()) return {OutcomeKind::kSkipped, "skipped", reason};
+  const auto text = file_text(input, formats::extension(subject_.input_name), subject_.first_index,
+                              subject_.dimension);
+  if (!text) return {OutcomeKind::kSkipped, "skipped", "the format has no way to say this input"};
+  Outcome outcome = run_on(input, *text);
+  // Anybody may have killed the supervisor: only a program that does it again is to blame.
+  if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text);
+  if (!is_finding(outcome.kind)) return outcome;
+  if (is_full(scratch_)) return not_run(scratch_ + ": the disk is full");
+  if (outcome.kind != OutcomeKind::kFails && is_flat(subject_, input)) outcome.signature += "-flat";
+  return outcome;
+}
+
+Outcome Runner::run_on(const Input& input, const std::string& text) {
+  const std::string fault = prepare_work_folder();
+  if (!fault.empty()) return not_run(fault);
+  const Paths paths{work_, work_ + "/" + subject_.input_name, work_ + "/" + subject_.mesh_name};
+  if (!(std::ofstream(paths.input, std::ios::binary) << text << std::flush)) {
+    return not_run(paths.input + ": cannot be written: " + std::strerror(errno));
+  }
+  Request request;
+  request.command = filled_in(subject_, paths);
+  request.folder = work_;
+  if (subject_.reads_stdin) request.stdin_file = paths.input;
+  request.stdout_file = scratch_ + "/" + (subject_.writes_stdout ? subject_.mesh_name : "stdout");
+  request.stderr_file = scratch_ + "/stderr";
+  const Ended ended = supervisor_.run(request, subject_.limits);
+  Outcome outcome = outcome_of(ended, input);
+  outcome.text = on_one_line(without_places(std::move(outcome.text)));
+  outcome.explanation = on_lines(without_places(std::move(outcome.explanation)));
+  return outcome;
+}
+
+Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
+  const auto named = [&](OutcomeKind kind, const std::string& detail, const std::string& text) {
+    return Outcome{kind, word(kind) + detail, text, indented(said())};
+  };
+  switch (ended.ending) {
+    case Ending::kInterrupted:
+      return named(OutcomeKind::kInterrupted, "", "interrupted");
+    case Ending::kNotStarted:
+      return named(OutcomeKind::kNotRun, "",
+                   subject_.command.front() + ": could not be run: " + std::strerror(ended.code));
+    case Ending::kSupervisorKilled:
+      return named(OutcomeKind::kKillsParent, "", "it killed the process that started it");
+    case Ending::kTimeLimit:
+      return named(OutcomeKind::kHang, "", "it ran longer than allowed, and was killed");
+    case Ending::kOutputLimit:
+      return named(OutcomeKind::kOutputLimit, "", "it wrote more than allowed, and was killed");
+    case Ending::kProcessLimit:
+      return named(OutcomeKind::kProcessLimit, "",
+                   "it started more processes than allowed, and was killed");
+    default:
+      break;
+  }
+  const std::string what = said();
+  const bool refuses =
+      (ended.ending == Ending::kExited && subject_.refusal_codes.count(ended.code) != 0) ||
+      std::any_of(subject_.refusal_texts.begin(), subject_.refusal_texts.end(),
+                  [&](const std::string& text) { return what.find(text) != std::string::npos; });
+  if (refuses) return named(OutcomeKind::kRefused, "", telling_line(what));
+  const bool failed = ended.ending == Ending::kSignalled || ended.code != 0;
+  if (failed && subject_.limits.memory != 0 && speaks_of_memory(what)) {
+    return named(OutcomeKind::kMemoryLimit, "",
+                 "its memory did not suffice: " + telling_line(what));
+  }
+  if (ended.ending == Ending::kSignalled) {
+    const std::string name = signal_name(ended.code);
+    return named(OutcomeKind::kCrash, "-" + name, "it died of signal " + name);
+  }
+  if (ended.code != 0) {
+    const std::string code = std::to_string(ended.code);
+    return named(OutcomeKind::kExitCode, "-" + code,
+                 "it ended with exit code " + code + ": " + telling_line(what));
+  }
+  const std::string mesh = mesh_file();
+  if (mesh.empty() || (subject_.writes_stdout && fs::file_size(mesh) == 0)) {
+    return named(OutcomeKind::kNoMesh, "",
+                 "it ended with exit code 0 and wrote no " + subject_.mesh_name);
+  }
+  return judged(subject_, input, mesh);
+}
+
+}  // namespace circumspect::campaign

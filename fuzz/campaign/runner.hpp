@@ -1,0 +1,53 @@
+// Runs one case: writes the input, runs the program, reads and judges the mesh.
+#pragma once
+
+#include <string>
+
+#include "fuzz/campaign/input.hpp"
+#include "fuzz/campaign/outcome.hpp"
+#include "fuzz/campaign/subject.hpp"
+
+namespace circumspect::campaign {
+
+// Has a scratch folder, which is gone at its end, however this process ends:
+//
+//   work/   the program's own, empty but for its input before each run
+//   mesh…   what it wrote on stdout, if that is the mesh; what it said otherwise
+//
+// Each thread has one, all made before there are threads (see Supervisor). The folder is in memory
+// (/dev/shm) if there is room and TMPDIR says nothing else.
+class Runner {
+ public:
+  // `turn`: of the gate that limits how many programs run at a time.
+  explicit Runner(const Subject& subject, Turn turn = {});
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  Outcome run(const Input& input);
+
+  // The mesh that the last run wrote; empty if it wrote none.
+  std::string mesh_file() const;
+  // Everything that the last run left: what it wrote in its folder and what it said.
+  const std::string& work_folder() const { return work_; }
+  std::string said() const;
+  // The text with names in place of the paths of files in the scratch folder, which differ each time.
+  std::string without_places(std::string text) const;
+
+  // From any thread: the run that is under way ends at once.
+  void interrupt() { supervisor_.interrupt(); }
+
+ private:
+  Outcome outcome_of(const Ended& ended, const Input& input) const;
+  Outcome run_on(const Input& input, const std::string& text);
+  // What is wrong if there is none in the end; else an empty string.
+  std::string prepare_work_folder();
+
+  const Subject& subject_;
+  std::string scratch_;
+  std::string work_;
+  std::size_t folders_ = 0;
+  Supervisor supervisor_;
+};
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,104 @@
+#include "fuzz/campaign/runner.hpp"
+
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+namespace circumspect::campaign {
+namespace {
+
+Subject shell(const std::string& script) {
+  Subject subject;
+  subject.command = {"/bin/sh", "-c", script, "{points}", "{mesh}"};
+  return subject;
+}
+
+const PointsCase kTetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}};
+
+TEST_CASE("a mesh is judged by the points of the input") {
+  const Subject right = shell("echo '1 4 0\n0 0 1 2 3' > $1");
+  Runner runner(right);
+  CHECK(runner.run(kTetrahedron).kind == OutcomeKind::kHolds);
+  const Subject wrong = shell("echo '1 4 0\n0 0 1 2 2' > $1");
+  Runner other(wrong);
+  const Outcome outcome = other.run(kTetrahedron);
+  CHECK(outcome.kind == OutcomeKind::kFails);
+  CHECK(outcome.signature == "simplex.repeated-vertex");
+}
+
+TEST_CASE("a mesh that lists its points must have those of the input, in any order") {
+  const std::string head = "echo 'MeshVersionFormatted 2 Dimension 3 Vertices 4 ";
+  const std::string tail = " Tetrahedra 1 1 2 3 4 0 End' > x.mesh";
+  Subject subject = shell(head + "0 0 1 0  0 1 0 0  1 0 0 0  0 0 0 0" + tail);
+  subject.mesh_name = "x.mesh";
+  CHECK(Runner(subject).run(kTetrahedron).kind == OutcomeKind::kHolds);
+  subject.command[2] = head + "0 0 1 0  0 1 0 0  1 0 0 0  0 0 0.5 0" + tail;
+  CHECK(Runner(subject).run(kTetrahedron).signature == "other-points");
+}
+
+TEST_CASE("what is flat is told apart, skipped or refused") {
+  Subject subject = shell("echo 'all points are coplanar'; exit 3");
+  const PointsCase flat = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {}};
+  CHECK(Runner(subject).run(flat).signature == "exit-code-3-flat");
+  CHECK(Runner(subject).run(kTetrahedron).signature == "exit-code-3");
+  subject.full_dimension = true;
+  CHECK(Runner(subject).run(flat).kind == OutcomeKind::kSkipped);
+  subject.full_dimension = false;
+  subject.refusal_texts = {"are coplanar"};
+  CHECK(Runner(subject).run(flat).kind == OutcomeKind::kRefused);
+}
+
+TEST_CASE("no case finds what the one before it left") {
+  const Subject subject =
+      shell("ls -A . | grep -v x.node && exit 9; mkdir -p a/b; touch a/b/c d; chmod 0 a; exit 0");
+  Runner runner(subject);
+  for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).signature == "no-mesh");
+}
+
+TEST_CASE("a program may delete the folder around its own, or put a link or a pipe there") {
+  const Subject deleting = shell("cd /; rm -rf \"$(dirname \"$(dirname \"$0\")\")\"");
+  Runner runner(deleting);
+  for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).signature == "no-mesh");
+  const Subject linking = shell("cd ..; rm -rf work; ln -s /nowhere work");
+  Runner other(linking);
+  for (int i = 0; i < 3; ++i) CHECK(other.run(kTetrahedron).signature == "no-mesh");
+  const Subject piping = shell("cd ..; rm -f stdout; mkfifo stdout; echo '1 4 0\n0 0 1 2 3' > $1");
+  Runner third(piping);
+  for (int i = 0; i < 2; ++i) CHECK(third.run(kTetrahedron).kind == OutcomeKind::kHolds);
+}
+
+TEST_CASE(
+    "a program that kills the process that started it is told apart, and no other is blamed") {
+  const Subject killing = shell("[ -e ../killed ] && exit 3; touch ../killed; kill -9 $PPID");
+  Runner runner(killing);
+  CHECK(runner.run(kTetrahedron).signature == "exit-code-3");
+  const Subject always = shell("kill -9 $PPID; sleep 100");
+  CHECK(Runner(always).run(kTetrahedron).signature == "kills-parent");
+}
+
+TEST_CASE("what is kept of a run does not hold the path of the scratch folder") {
+  const Subject subject = shell("echo \"error: cannot open $0\"; exit 3");
+  Runner runner(subject);
+  const Outcome outcome = runner.run(kTetrahedron);
+  CHECK(outcome.text == "it ended with exit code 3: \"error: cannot open x.node\"");
+  CHECK(outcome.explanation == "  error: cannot open x.node\n");
+  const Subject colourful = shell("printf 'a\\033[2Jb\\n'; exit 3");
+  CHECK(Runner(colourful).run(kTetrahedron).explanation == "  a\\x1b[2Jb\n");
+  const Subject unreadable = shell("echo nonsense > $1");
+  CHECK(Runner(unreadable).run(kTetrahedron).text.rfind("x.ele:1: expected", 0) == 0);
+}
+
+TEST_CASE("a scratch folder is gone with its runner") {
+  std::string folder;
+  {
+    const Subject subject = shell("touch y");
+    Runner runner(subject);
+    runner.run(kTetrahedron);
+    folder = std::filesystem::path(runner.work_folder()).parent_path();
+    CHECK(std::filesystem::exists(folder));
+  }
+  CHECK(!std::filesystem::exists(folder));
+}
+
+}  // namespace
+}  // namespace circumspect::campaign

@@ -1,0 +1,254 @@
+#include "fuzz/process/process.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <type_traits>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "fuzz/process/folders.hpp"
+#include "fuzz/process/supervised.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+// What goes through the socket: a length and as many bytes.
+
+bool write_all(int file, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = send(file, bytes, count, MSG_NOSIGNAL);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+// Who waits in read() is also woken when the other side takes what was sent to it. Then it may queue
+// behind the program that has just begun, and stay there while the next request waits for it.
+void wait_for_bytes(int file) {
+  pollfd waited = {file, POLLIN, 0};
+  while (poll(&waited, 1, -1) < 0 && errno == EINTR) {
+  }
+}
+
+bool read_all(int file, char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t got = read(file, bytes, count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+template <class T>
+void put(std::string& message, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  message.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+void put(std::string& message, const std::string& text) {
+  put(message, text.size());
+  message += text;
+}
+
+// At once: whoever waits for it is woken once.
+bool send_message(int file, const std::string& message) {
+  std::string bytes;
+  put(bytes, message);
+  return write_all(file, bytes.data(), bytes.size());
+}
+
+// A message that is taken apart in the order in which it was put together.
+class Message {
+ public:
+  static std::optional<Message> receive(int file) {
+    wait_for_bytes(file);
+    std::size_t size = 0;
+    if (!read_all(file, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
+    Message message;
+    message.bytes_.resize(size);
+    if (!read_all(file, message.bytes_.data(), size)) return std::nullopt;
+    return message;
+  }
+
+  template <class T>
+  T take() {
+    T value;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
+    return value;
+  }
+  std::string text() {
+    const auto size = take<std::size_t>();
+    at_ += size;
+    return bytes_.substr(at_ - size, size);
+  }
+
+ private:
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+std::string message_of(const Request& request, const Limits& limits) {
+  std::string message;
+  put(message, limits);
+  put(message, request.command.size());
+  for (const std::string& argument : request.command) put(message, argument);
+  for (const std::string* const text :
+       {&request.folder, &request.stdin_file, &request.stdout_file, &request.stderr_file}) {
+    put(message, *text);
+  }
+  return message;
+}
+
+Request request_of(Message& message) {
+  Request request;
+  request.command.resize(message.take<std::size_t>());
+  for (std::string& argument : request.command) argument = message.text();
+  for (std::string* const text :
+       {&request.folder, &request.stdin_file, &request.stdout_file, &request.stderr_file}) {
+    *text = message.text();
+  }
+  return request;
+}
+
+// The life of the process that runs the programs.
+[[noreturn]] void supervise(int socket, const std::string& folder, Turn turn) {
+  while (std::optional<Message> message = Message::receive(socket)) {
+    const auto limits = message->take<Limits>();
+    std::string answer;
+    put(answer, run_supervised(request_of(*message), limits, {socket, turn}));
+    if (!send_message(socket, answer)) break;
+  }
+  if (!folder.empty()) removed(folder);
+  _exit(0);
+}
+
+// Waits for a child until it ends, and lets it go on whenever it is stopped. Its exit status.
+int status_of(pid_t child) {
+  int status = 0;
+  while (true) {
+    const pid_t changed = waitpid(child, &status, WUNTRACED);
+    if (changed < 0 && errno != EINTR) return 0;
+    if (changed == child && !WIFSTOPPED(status)) return status;
+    if (changed == child) kill(child, SIGCONT);
+  }
+}
+
+// The life of the guardian. Its own file is the only one of its parent's that it keeps, and its child
+// after it.
+[[noreturn]] void guard(int socket, const std::string& folder, Turn turn, pid_t parent) {
+  const int null = open("/dev/null", O_RDWR);
+  for (int file = 0; file < 3; ++file) dup2(null, file);
+  const int own = 3;
+  if (socket != own) dup2(socket, own);
+  close_range(own + 1, ~0U, 0);
+  fcntl(own, F_SETFD, FD_CLOEXEC);
+  // A session of its own has no terminal: neither Ctrl-C nor what a program reads comes from there.
+  setsid();
+  for (const int ignored : kIgnored) signal(ignored, SIG_IGN);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const pid_t child = fork();
+  if (child == 0) {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // It is not inherited.
+    supervise(own, folder, turn);
+  }
+  close(own);
+  const bool was_killed = child < 0 || WIFSIGNALED(status_of(child));
+  kill_descendants();
+  // Else the parent has another one for the same folder.
+  if (was_killed && getppid() != parent && !folder.empty()) removed(folder);
+  _exit(0);
+}
+
+}  // namespace
+
+Supervisor::Supervisor(const std::string& folder, Turn turn) : folder_(folder), turn_(turn) {
+  start();
+}
+
+Supervisor::~Supervisor() {
+  end();
+  if (!folder_.empty()) removed(folder_);
+}
+
+void Supervisor::start() {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::system_error(errno, std::generic_category(), "socketpair");
+  }
+  const pid_t parent = getpid();
+  guardian_ = fork();
+  if (guardian_ == 0) guard(ends[1], folder_, turn_, parent);
+  const int error = errno;
+  close(ends[1]);
+  const std::lock_guard lock(mutex_);
+  socket_ = ends[0];
+  if (is_interrupted_) shutdown(socket_, SHUT_RDWR);
+  if (guardian_ < 0) throw std::system_error(error, std::generic_category(), "fork");
+}
+
+void Supervisor::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (socket_ >= 0) close(socket_);
+    socket_ = -1;
+  }
+  while (guardian_ > 0 && waitpid(guardian_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  guardian_ = -1;
+  turn_.give_back();  // The supervisor may have been killed before it did.
+}
+
+Ended Supervisor::run(const Request& request, const Limits& limits) {
+  if (socket_ >= 0 && send_message(socket_, message_of(request, limits))) {
+    std::optional<Message> answer = Message::receive(socket_);
+    if (answer) return answer->take<Ended>();
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_interrupted_) return {};
+  }
+  end();
+  start();
+  return {Ending::kSupervisorKilled, SIGKILL};
+}
+
+void Supervisor::interrupt() {
+  const std::lock_guard lock(mutex_);
+  is_interrupted_ = true;
+  shutdown(socket_, SHUT_RDWR);
+}
+
+std::string find_program(const std::string& name) {
+  namespace fs = std::filesystem;
+  const auto runs = [](const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+  };
+  if (name.find('/') != std::string::npos) return runs(name) ? fs::absolute(name).string() : "";
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string folder; !name.empty() && std::getline(folders, folder, ':');) {
+    const fs::path candidate = fs::path(folder.empty() ? "." : folder) / name;
+    if (runs(candidate)) return fs::absolute(candidate).string();
+  }
+  return "";
+}
+
+}  // namespace circumspect::campaign

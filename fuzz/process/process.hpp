@@ -1,0 +1,91 @@
+// Running other people's programs: whatever they do, they end, and nothing of them is left.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "fuzz/process/gate.hpp"
+
+namespace circumspect::campaign {
+
+// What a program may use. It is killed when it uses more.
+struct Limits {
+  double seconds = 10;                             // by the clock on the wall
+  std::uint64_t memory = std::uint64_t{4} << 30;   // bytes of address space a process; 0: any
+  std::uint64_t output = std::uint64_t{64} << 20;  // bytes on disk: each file, and all together
+  std::size_t processes = 256;                     // at a time
+};
+
+struct Request {
+  std::vector<std::string> command;  // command[0] is the path of the program
+  std::string folder;                // it runs there, and is watched there for how much it writes
+  std::string stdin_file = "/dev/null";
+  std::string stdout_file = "/dev/null";
+  std::string stderr_file = "/dev/null";
+};
+
+enum class Ending {
+  kExited,            // code: its exit code
+  kSignalled,         // code: the signal that it died of
+  kTimeLimit,         // it ran too long, and was killed, as for the next two
+  kOutputLimit,       // it wrote too much
+  kProcessLimit,      // it started too many processes
+  kNotStarted,        // code: errno
+  kSupervisorKilled,  // somebody killed the process that ran it, and the next run has another
+  kInterrupted,       // Supervisor::interrupt was called
+};
+
+struct Ended {
+  Ending ending = Ending::kInterrupted;
+  int code = 0;
+  double seconds = 0;
+};
+
+// A process apart that runs programs one after the other. All that a program starts are descendants
+// of this process, even if they leave their process group, their session and their parent (it is a
+// "child subreaper"), so that it can kill them all when the program ends; it does the same when this
+// process dies, even by SIGKILL. It has one thread, little memory and no terminal, so that to start a
+// program from it is cheap. Its own parent, the guardian, does nothing but wait for it: if a program
+// kills the process that started it, the guardian kills the rest; if the program stops it, the
+// guardian lets it go on. Threads may have one each.
+//
+// What is not prevented: a program that kills processes of its user at random, that writes outside
+// of its folder, or that holds files open that it has deleted (each of which is limited, not their sum).
+class Supervisor {
+ public:
+  // Forks. `folder`, if any, is removed with all that is in it at the end of the supervisor, even if
+  // this process dies before it. `turn`: what it waits for before each program. Throws std::system_error.
+  explicit Supervisor(const std::string& folder = "", Turn turn = {});
+  ~Supervisor();
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  // Runs one program to its end. Not from two threads at a time. Throws as the constructor.
+  Ended run(const Request& request, const Limits& limits);
+
+  // From any thread: the program that runs is killed, and `run` returns; so do all later ones.
+  void interrupt();
+
+  // The process that runs the programs has this parent.
+  int guardian() const { return guardian_; }
+
+ private:
+  void start();
+  void end();
+
+  std::string folder_;
+  Turn turn_;
+  int guardian_ = -1;
+  std::mutex mutex_;  // for what interrupt needs
+  int socket_ = -1;
+  bool is_interrupted_ = false;
+};
+
+// The path of a program as a shell finds it in PATH; empty if there is none that may be run. A name
+// with a slash is taken from the current folder, and comes back absolute.
+std::string find_program(const std::string& name);
+
+}  // namespace circumspect::campaign

@@ -1,0 +1,247 @@
+#include "fuzz/process/supervised.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "fuzz/process/folders.hpp"
+
+namespace circumspect::campaign {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+rlimit both(std::uint64_t value) { return {value, value}; }
+
+// All that the new process needs, made before it exists: between vfork and exec it may only make
+// system calls.
+struct Start {
+  const char* folder;
+  char* const* arguments;
+  int files[3];
+  rlimit memory;
+  rlimit file_size;
+  rlimit cpu;
+  bool limits_memory;
+  Surroundings around;
+  int failure;  // errno, written by the child
+};
+
+void become_program(Start* start) {
+  setpgid(0, 0);
+  for (const int caught : kIgnored) signal(caught, SIG_DFL);
+  for (const int caught : {SIGPIPE, SIGXFSZ}) signal(caught, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const rlimit no_core = {0, 0};
+  bool done = setrlimit(RLIMIT_CORE, &no_core) == 0 && setrlimit(RLIMIT_CPU, &start->cpu) == 0 &&
+              setrlimit(RLIMIT_FSIZE, &start->file_size) == 0 && chdir(start->folder) == 0;
+  if (start->limits_memory) done = done && setrlimit(RLIMIT_AS, &start->memory) == 0;
+  for (int i = 0; i < 3; ++i) done = done && dup2(start->files[i], i) == i;
+  // All is ready, so that it only becomes the program when its turn comes.
+  if (done && !start->around.turn.take(start->around.lifeline)) {
+    errno = ECANCELED;
+    done = false;
+  }
+  if (done) execve(start->arguments[0], start->arguments, environ);
+  start->failure = errno;
+  _exit(127);
+}
+
+// vfork: the child borrows this process until it runs the program, so that nothing is copied.
+[[gnu::noinline]] pid_t start_process(Start* start) {
+  const pid_t child = vfork();
+  if (child == 0) become_program(start);
+  return child;
+}
+
+// Opens a file of our own, emptied. A program that ran before may have put a pipe or a link in its
+// place, which would wait for ever or lead elsewhere: that is replaced. −1: it cannot be.
+int opened_empty(const std::string& path) {
+  const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int file = open(path.c_str(), flags, 0600);
+  struct stat status {};
+  if (file >= 0 && fstat(file, &status) == 0) {
+    if (S_ISCHR(status.st_mode)) return file;  // /dev/null
+    if (S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+        (status.st_size == 0 || ftruncate(file, 0) == 0)) {
+      return file;
+    }
+  }
+  if (file >= 0) close(file);
+  return removed(path) ? open(path.c_str(), flags | O_EXCL, 0600) : -1;
+}
+
+struct OpenFiles {
+  int files[3] = {-1, -1, -1};
+  explicit OpenFiles(const Request& request) {
+    files[0] = open(request.stdin_file.c_str(), O_RDONLY | O_CLOEXEC);
+    files[1] = opened_empty(request.stdout_file);
+    files[2] = opened_empty(request.stderr_file);
+  }
+  ~OpenFiles() {
+    for (const int file : files) {
+      if (file >= 0) close(file);
+    }
+  }
+  OpenFiles(const OpenFiles&) = delete;
+  OpenFiles& operator=(const OpenFiles&) = delete;
+  bool all_open() const { return std::min({files[0], files[1], files[2]}) >= 0; }
+};
+
+// Starts the program when its turn comes. Returns its process, or −errno; ECANCELED: nobody waits for it
+// any more.
+pid_t start_program(const Request& request, const Limits& limits, const Surroundings& around) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : request.command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  }
+  arguments.push_back(nullptr);
+  const OpenFiles files(request);
+  if (!files.all_open()) return -errno;
+  // Threads share the limit on processor time; it matters only if the supervisor is gone.
+  static const auto processors = std::max(1U, std::thread::hardware_concurrency());
+  const auto cpu =
+      static_cast<std::uint64_t>(std::ceil(std::min(limits.seconds, 1e9) * processors)) + 1;
+  Start start = {request.folder.c_str(),
+                 arguments.data(),
+                 {files.files[0], files.files[1], files.files[2]},
+                 both(limits.memory),
+                 both(limits.output),
+                 {cpu, cpu + 1},
+                 limits.memory != 0,
+                 around,
+                 0};
+  const pid_t process = start_process(&start);
+  if (process < 0) return -errno;
+  if (start.failure == 0) return process;
+  waitpid(process, nullptr, 0);
+  return -start.failure;
+}
+
+// Waits for the program until it ends, or must be ended.
+class Watch {
+ public:
+  Watch(pid_t process, const Request& request, const Limits& limits, int lifeline)
+      : request_(request),
+        limits_(limits),
+        lifeline_(lifeline),
+        number_(process),
+        process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
+  ~Watch() {
+    if (process_ >= 0) close(process_);
+  }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  // kExited: it ended by itself, in whatever way.
+  Ending wait() {
+    while (true) {
+      const double left = limits_.seconds - seconds_since(start_);
+      if (left <= 0) return has_ended() ? Ending::kExited : Ending::kTimeLimit;
+      pollfd files[2] = {{process_, POLLIN, 0}, {lifeline_, POLLRDHUP, 0}};
+      const int milliseconds = static_cast<int>(std::ceil(std::min(left, kTick) * 1000));
+      poll(files, 2, milliseconds);
+      if (files[0].revents != 0 || (process_ < 0 && has_ended())) return Ending::kExited;
+      if ((files[1].revents & (POLLRDHUP | POLLHUP)) != 0) return Ending::kInterrupted;
+      if (bytes_in(request_.folder, limits_.output) >= limits_.output) return Ending::kOutputLimit;
+      const std::size_t too_many = limits_.processes + 1;
+      if (descendants(too_many).size() >= too_many) return Ending::kProcessLimit;
+    }
+  }
+
+ private:
+  static constexpr double kTick = 0.02;  // seconds between two looks at what it uses
+
+  // It stays to be reaped.
+  bool has_ended() const {
+    siginfo_t about{};
+    const auto number = static_cast<id_t>(number_);
+    return waitid(P_PID, number, &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+  }
+
+  const Request& request_;
+  const Limits& limits_;
+  int lifeline_;
+  pid_t number_;
+  int process_;  // a file that can be polled; −1 where the kernel has none
+  Clock::time_point start_ = Clock::now();
+};
+
+bool is_full(const std::string& path, std::uint64_t limit) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && static_cast<std::uint64_t>(status.st_size) >= limit;
+}
+
+Ended described(Ending ending, int status, const Request& request, const Limits& limits) {
+  if (ending != Ending::kExited) return {ending, SIGKILL};
+  const bool wrote_too_much = (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ) ||
+                              is_full(request.stdout_file, limits.output) ||
+                              is_full(request.stderr_file, limits.output) ||
+                              bytes_in(request.folder, limits.output) >= limits.output;
+  if (wrote_too_much) return {Ending::kOutputLimit, SIGXFSZ};
+  if (WIFEXITED(status)) return {Ending::kExited, WEXITSTATUS(status)};
+  if (WTERMSIG(status) == SIGXCPU) return {Ending::kTimeLimit, SIGXCPU};
+  return {Ending::kSignalled, WTERMSIG(status)};
+}
+
+}  // namespace
+
+// Those that left the program's process group are children of this process by now, or descend from
+// one. A group is killed at once, so that none of it can start another meanwhile.
+void kill_descendants() {
+  const pid_t own_group = getpgrp();
+  for (int looks = 0;; ++looks) {
+    pid_t ended = 0;
+    while ((ended = waitpid(-1, nullptr, WNOHANG)) > 0) {
+    }
+    if (ended < 0 && errno == ECHILD) return;
+    for (const pid_t process : descendants()) {
+      const pid_t group = getpgid(process);
+      if (group > 1 && group != own_group) kill(-group, SIGKILL);
+      kill(process, SIGKILL);
+    }
+    // Those that start another and end are met only by looking again at once.
+    if (looks >= 50) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+Ended run_supervised(const Request& request, const Limits& limits, const Surroundings& around) {
+  const pid_t process = start_program(request, limits, around);
+  if (process < 0) {
+    around.turn.give_back();
+    return {process == -ECANCELED ? Ending::kInterrupted : Ending::kNotStarted, -process};
+  }
+  const auto start = Clock::now();
+  const Ending ending = Watch(process, request, limits, around.lifeline).wait();
+  const double seconds = seconds_since(start);
+  // The program itself is not reaped yet, so that its number cannot belong to anybody else.
+  kill(-process, SIGKILL);
+  kill(process, SIGKILL);
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  kill_descendants();
+  around.turn.give_back();
+  Ended ended = described(ending, status, request, limits);
+  ended.seconds = seconds;
+  return ended;
+}
+
+}  // namespace circumspect::campaign

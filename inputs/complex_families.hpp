@@ -1,0 +1,34 @@
+// The named families of piecewise linear complexes: what `circumspect generate`, campaigns and
+// harnesses draw domains from. Their vertices are doubles.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "inputs/complex_case.hpp"
+#include "inputs/point_sets.hpp"
+
+namespace circumspect::generators {
+
+struct ComplexFamily {
+  std::string name;
+  std::string about;  // one line: what the domains are, and the notion of the book that they stress
+  std::size_t dimension = 3;  // 2 or 3
+  // Valid complexes; of about as many points where the family leaves a choice.
+  std::function<Complexes(std::size_t max_points)> complexes;
+};
+
+// The families that need no Delaunay triangulation to be drawn. All of them, with those that are
+// edge-protected: inputs/triangulated/domain_families.hpp.
+const std::vector<ComplexFamily>& complex_families();
+
+// Sets of integers, never empty: what the families take for vertices.
+PointSets integer_vertices(std::size_t dimension, std::size_t max_points);
+
+// The complex that a seed stands for, the same on every machine.
+ComplexCase drawn(const Complexes& complexes, std::uint64_t seed);
+
+}  // namespace circumspect::generators

@@ -1,0 +1,19 @@
+#include "inputs/points_case.hpp"
+
+#include <ostream>
+
+namespace circumspect::generators {
+
+std::ostream& operator<<(std::ostream& out, const PointsCase& set) {
+  const std::size_t dimension = set.points.empty() ? 0 : set.points.front().size();
+  out << set.points.size() << ' ' << dimension << (set.weights.empty() ? " 0 0\n" : " 1 0\n");
+  for (std::size_t v = 0; v < set.points.size(); ++v) {
+    out << v;
+    for (const Rational& x : set.points[v]) out << ' ' << x;
+    if (!set.weights.empty()) out << ' ' << set.weights[v];
+    out << '\n';
+  }
+  return out;
+}
+
+}  // namespace circumspect::generators

@@ -1,0 +1,36 @@
+// Random piecewise linear complexes made of edges of a Delaunay triangulation: edge-protected, so that
+// they have a CDT. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem).
+#pragma once
+
+#include "inputs/complex_case.hpp"
+#include "inputs/point_sets.hpp"
+
+namespace circumspect::properties {
+
+// The two readings of "edge-protected". "If the symbolic perturbations … are used to make the
+// vertices … generic, then every Delaunay edge is strongly Delaunay": the segments are edges of the
+// canonical Delaunay triangulation. Without perturbation, each has a closed circumball that contains
+// no other vertex.
+enum class Protection { kCanonical, kStrong };
+
+// Triangles of three edges of the Delaunay triangulation, seldom facets of it, and quadrilaterals of
+// four coplanar ones, as long as they do not cross; other edges as lone segments, which may be slits.
+// Of the hull kind, with dangling and isolated cells.
+generators::Complexes protected_polygons(const generators::PointSets& sets,
+                                         Protection protection = Protection::kCanonical);
+
+// The domain enclosed by tetrahedra of six edges each of the Delaunay triangulation, seldom
+// tetrahedra of it; with dangling polygons and lone segments besides. They share facets, edges,
+// vertices or nothing; with what lies in one plane as one polygon, or not.
+generators::Complexes protected_solids(const generators::PointSets& sets,
+                                       Protection protection = Protection::kCanonical);
+
+// The hull, or a face-connected union of tetrahedra of the canonical Delaunay triangulation: convex
+// or not, with or without cavities, pinched at edges or vertices. Its boundary facets of one plane that
+// are joined across edges are one polygon, which may have holes and may touch itself; or some are.
+generators::Complexes delaunay_polyhedra(const generators::PointSets& sets);
+
+// Any of them, with point sets generic and degenerate of at most `max_points` points.
+generators::Complexes any_protected_complex(std::size_t max_points);
+
+}  // namespace circumspect::properties

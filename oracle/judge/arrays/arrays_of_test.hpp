@@ -1,0 +1,91 @@
+// Meshes of the tests as arrays, and what both judges say of them.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <circumspect/check.hpp>
+
+#include "oracle/judge/points/check.hpp"
+#include "oracle/report/text.hpp"
+
+namespace circumspect::arrays {
+
+struct MeshInArrays {
+  std::size_t dimension = 0;
+  std::vector<double> coordinates = {};
+  std::vector<double> weights = {};
+  std::vector<std::int64_t> simplices = {};
+  std::vector<std::int64_t> neighbors = {};
+
+  MeshArrays<std::int64_t> view() const {
+    return {dimension, coordinates, weights, simplices, neighbors};
+  }
+};
+
+// Appends the number; false if it is no double.
+inline bool append(const Rational& number, std::vector<double>& doubles) {
+  doubles.push_back(number.get_d());
+  return exact_value(doubles.back()) == number;
+}
+
+inline bool append(const std::vector<Vertex>& row, std::vector<std::int64_t>& indices) {
+  indices.insert(indices.end(), row.begin(), row.end());
+  return true;
+}
+
+// None if some number is no double, or a row has not d + 1 entries.
+inline std::optional<MeshInArrays> arrays_of(const Mesh& mesh) {
+  MeshInArrays arrays{.dimension = mesh.points.ambient_dimension()};
+  bool fits = arrays.dimension > 0;
+  for (const Point& point : mesh.points.points()) {
+    for (const Rational& x : point) fits &= append(x, arrays.coordinates);
+    if (!mesh.points.is_weighted()) continue;
+    const auto v = static_cast<Vertex>(arrays.weights.size());
+    fits &= append(mesh.points.weight(v), arrays.weights);
+  }
+  for (const Simplex& simplex : mesh.simplices) {
+    fits &= simplex.size() == arrays.dimension + 1 && append(simplex, arrays.simplices);
+  }
+  if (mesh.neighbors) {
+    for (std::vector<Vertex> row : mesh.neighbors->rows) {
+      for (Vertex& s : row) s -= s == -1 ? 0 : mesh.neighbors->first_index;
+      fits &= append(row, arrays.neighbors);
+    }
+  }
+  if (!fits) return std::nullopt;
+  return arrays;
+}
+
+// The mesh without indices of the user's own, which arrays do not have.
+inline Mesh without_labels(Mesh mesh) {
+  mesh.labels.clear();
+  mesh.first_index = 0;
+  if (mesh.neighbors) {
+    for (std::vector<Vertex>& row : mesh.neighbors->rows) {
+      for (Vertex& s : row) s -= s == -1 ? 0 : mesh.neighbors->first_index;
+    }
+    mesh.neighbors->first_index = 0;
+  }
+  return mesh;
+}
+
+// In what the judgement of the arrays differs from that of oracle/judge/points; empty if in nothing.
+inline std::string difference_from_slow(Claim claim, const Mesh& labelled,
+                                        const MeshJudgement& judgement) {
+  const Mesh mesh = without_labels(labelled);
+  const Verdict verdict = check::judge(claim, mesh);
+  const std::string explanation = verdict.holds() ? "" : report::explanation(verdict, mesh);
+  if (judgement.holds != verdict.holds()) return "holds";
+  if (judgement.report != explanation) return "report";
+  if (judgement.unique != verdict.unique) return "unique";
+  if (judgement.canonical != verdict.canonical) return "canonical";
+  const bool is_about_facets =
+      judgement.rule == "delaunay.facet-not-local" || judgement.rule == "weighted.vertex-submerged";
+  if (judgement.counts.fast && !verdict.holds() && !is_about_facets) return "decided too much";
+  return "";
+}
+
+}  // namespace circumspect::arrays

@@ -1,0 +1,65 @@
+#include "oracle/judge/domain/coverage.hpp"
+
+#include <array>
+
+#include "oracle/judge/domain/loose_facets.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// The witness that nothing covers the side of a piece: which side, by a sign of orientation.
+Witness bare_side(const WallPiece& piece, std::size_t side) {
+  return {.face = piece.facet,
+          .values = {{"orientation of the bare side", Rational(side == 1 ? 1 : -1)}}};
+}
+
+// The simplices on the two sides of a facet.
+std::array<std::size_t, 2> simplices_at(const MeshedDomain& in, std::span<const FacetUse> group) {
+  std::array<std::size_t, 2> simplices = {kNowhere, kNowhere};
+  for (const FacetUse& use : group) {
+    Simplex with_apex = use.facet;
+    with_apex.push_back(in.mesh.simplices[use.simplex][use.opposite]);
+    simplices[side_index(orientation(in.mesh.points.configuration(), with_apex))] = use.simplex;
+  }
+  return simplices;
+}
+
+void judge_piece(const MeshedDomain& in, const WallPiece& piece,
+                 const std::array<std::size_t, 2>& simplices, Verdict& verdict) {
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const bool inside = in.is_inside(piece.regions[side]);
+    const bool covered = simplices[side] != kNowhere;
+    if (inside && !covered) verdict.add(Rule::kUncovered, bare_side(piece, side));
+    if (!inside && covered) {
+      verdict.add(Rule::kOutside,
+                  {.simplices = {in.mesh.simplices[simplices[side]]}, .face = piece.facet});
+    }
+  }
+}
+
+}  // namespace
+
+void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
+                    Verdict& verdict) {
+  std::vector<FacetUse> loose;
+  auto piece = pieces.begin();
+  for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
+    const Simplex& facet = group.front().facet;
+    for (; piece != pieces.end() && piece->facet < facet; ++piece) {
+      judge_piece(in, *piece, {kNowhere, kNowhere}, verdict);
+    }
+    if (piece != pieces.end() && piece->facet == facet) {
+      judge_piece(in, *piece, simplices_at(in, group), verdict);
+      ++piece;
+    } else if (group.size() == 1) {
+      loose.push_back(group.front());
+    }
+  });
+  for (; piece != pieces.end(); ++piece) {
+    judge_piece(in, *piece, {kNowhere, kNowhere}, verdict);
+  }
+  judge_loose_facets(in, loose, verdict);
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,118 @@
+// Meshes and domains for tests.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/domain/exact_volume_test.hpp"
+#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/domain/verdict_text_test.hpp"
+
+namespace circumspect::check {
+
+inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
+
+// The verdict by lemma: the same word for word whether anything is known of the simplices or not.
+inline Verdict verdict_by_lemma(Claim claim, const Mesh& mesh, const Domain& domain) {
+  const Verdict verdict = judge_domain(claim, mesh, domain);
+  const std::optional<KnownVolume> known = exact_volume(claim, mesh, domain);
+  if (known) CHECK(text_of(judge_domain(claim, mesh, domain, {}, &*known)) == text_of(verdict));
+  return verdict;
+}
+
+inline std::set<Rule> broken(Claim claim, const Mesh& mesh, const Domain& domain,
+                             By by = By::kLemma) {
+  std::set<Rule> rules;
+  const Verdict verdict = by == By::kLemma ? verdict_by_lemma(claim, mesh, domain)
+                                           : judge_domain(claim, mesh, domain, {.by = by});
+  for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
+  return rules;
+}
+
+inline bool holds(Claim claim, const Mesh& mesh, const Domain& domain, By by) {
+  return judge_domain(claim, mesh, domain, {.by = by}).holds();
+}
+
+// A unit cube's vertices are numbered by the bits of their coordinates, x lowest.
+inline const std::vector<Simplex> kCubeInFive = {
+    {0, 3, 5, 6}, {0, 1, 3, 5}, {0, 2, 3, 6}, {0, 4, 5, 6}, {3, 5, 6, 7}};
+inline const std::vector<Simplex> kCubeInSix = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7},
+                                                {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}};
+
+// The cells of a grid, each cut along the diagonal from its least corner to its greatest: six
+// tetrahedra, or with one z two triangles in the plane. Only those whose least corner (by its three
+// places) is kept; and only the points that these have.
+using KeepCell = std::function<bool(std::size_t i, std::size_t j, std::size_t k)>;
+inline Mesh grid(const std::vector<int>& xs, const std::vector<int>& ys, const std::vector<int>& zs,
+                 const KeepCell& keep) {
+  const bool flat = zs.size() == 1;
+  std::map<Point, Vertex> number;
+  std::vector<Point> points;
+  const auto vertex = [&](std::array<std::size_t, 3> at) {
+    Point point = {xs[at[0]], ys[at[1]]};
+    if (!flat) point.push_back(zs[at[2]]);
+    const auto [found, is_new] = number.insert({point, static_cast<Vertex>(points.size())});
+    if (is_new) points.push_back(point);
+    return found->second;
+  };
+  std::vector<Simplex> simplices;
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+      for (std::size_t k = 0; flat ? k < 1 : k + 1 < zs.size(); ++k) {
+        if (!keep(i, j, k)) continue;
+        std::vector<std::size_t> steps = {0, 1};
+        if (!flat) steps.push_back(2);
+        do {
+          std::array<std::size_t, 3> at = {i, j, k};
+          Simplex simplex = {vertex(at)};
+          for (const std::size_t step : steps) {
+            ++at[step];
+            simplex.push_back(vertex(at));
+          }
+          simplices.push_back(simplex);
+        } while (std::next_permutation(steps.begin(), steps.end()));
+      }
+    }
+  }
+  return {PointSet(points), simplices};
+}
+inline bool every_cell(std::size_t, std::size_t, std::size_t) { return true; }
+
+// The grid of eight unit cubes without a tetrahedron at its centre, (1, 1, 1), that has no facet in a
+// face of the whole; one of its facets has no vertex off these.
+inline Mesh eight_cubes_with_a_gap() {
+  Mesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  const std::vector<Point> gap = {{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {2, 1, 1}};
+  std::erase_if(mesh.simplices,
+                [&](const Simplex& simplex) { return coordinates(mesh.points, simplex) == gap; });
+  return mesh;
+}
+
+// An axis-parallel box, or in the plane (one z) a rectangle.
+inline PiecewiseLinearInput cuboid(const Point& low, const Point& high) {
+  PiecewiseLinearInput input;
+  if (low.size() == 2) {
+    input.points = {low, {high[0], low[1]}, high, {low[0], high[1]}};
+    input.segments = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
+    return input;
+  }
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Point point;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.push_back((corner >> axis) % 2 == 0 ? low[axis] : high[axis]);
+    }
+    input.points.push_back(point);
+  }
+  for (const auto& line : std::vector<std::vector<Vertex>>{
+           {0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}) {
+    input.polygons.push_back({{line}, {}});
+  }
+  return input;
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,19 @@
+// Which facets of a mesh there is something to say of, where much is known of its simplices.
+#pragma once
+
+#include <vector>
+
+#include "oracle/judge/domain/known_volume.hpp"
+#include "oracle/judge/domain/vertex_places.hpp"
+#include "reference/kernel/complex/facets.hpp"
+
+namespace circumspect::check {
+
+// Some of facet_uses(mesh.simplices), in their order; of a facet all uses or none. Left out are only
+// facets of two simplices that are not known to be not locally Delaunay, are not listed beside the
+// simplices, and have a vertex that is in no wall: so they are in no wall either.
+// Requires: Steiner points are located.
+std::vector<FacetUse> uses_of_interest(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+                                       const VertexPlaces& places, const KnownVolume& known);
+
+}  // namespace circumspect::check

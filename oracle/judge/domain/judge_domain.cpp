@@ -1,0 +1,46 @@
+#include "oracle/judge/domain/judge_domain.hpp"
+
+#include <cassert>
+
+#include "oracle/judge/domain/conforming_delaunay.hpp"
+#include "oracle/judge/domain/constrained_delaunay.hpp"
+#include "oracle/judge/domain/plc_triangulation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+bool allows_steiner_points(Claim claim) {
+  return claim != Claim::kPlcTriangulation && claim != Claim::kCdt;
+}
+bool is_constrained(Claim claim) { return claim == Claim::kCdt || claim == Claim::kSteinerCdt; }
+
+}  // namespace
+
+bool is_about_balls(Claim claim) {
+  return is_constrained(claim) || claim == Claim::kConformingDelaunay;
+}
+
+Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain, const Options& options,
+                     const KnownVolume* known) {
+  assert(is_about_a_domain(claim) && !mesh.points.is_weighted());
+  Verdict verdict(claim, mesh, options.max_violations);
+  const bool steiner = allows_steiner_points(claim);
+  if (options.by == By::kLemma) {
+    const auto then = [&](const MeshedDomain& in, const std::vector<WallPiece>& pieces) {
+      if (is_constrained(claim)) judge_constrained_delaunay_by_lemma(in, pieces, verdict);
+      if (claim == Claim::kConformingDelaunay) judge_delaunay_by_lemma(in, pieces, verdict);
+    };
+    judge_plc_triangulation_by_lemma(mesh, domain, options, known, steiner, then, verdict);
+  } else {
+    const auto then = [&](const PiecewiseLinearComplex& augmented) {
+      if (is_constrained(claim)) {
+        judge_constrained_delaunay_by_definition(mesh, augmented, verdict);
+      }
+      if (claim == Claim::kConformingDelaunay) judge_delaunay_by_definition(mesh, verdict);
+    };
+    judge_plc_triangulation_by_definition(mesh, domain, options, steiner, then, verdict);
+  }
+  return verdict;
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,189 @@
+#include "oracle/judge/domain/listed_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/exact/box_index.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+bool is_flat(const Configuration& points, const Simplex& face) {
+  if (face.size() < 3) return false;
+  for (const std::array<std::size_t, 2> axes : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {1, 2}}) {
+    if (orientation(points, axes, face) != 0) return false;
+  }
+  return true;
+}
+
+bool judge_face(const Mesh& mesh, const Simplex& face, std::size_t ambient_dimension,
+                Verdict& verdict) {
+  const auto unknown =
+      std::find_if(face.begin(), face.end(), [&](Vertex v) { return !mesh.points.names(v); });
+  if (unknown != face.end()) {
+    verdict.add(Rule::kUnknownVertex, {.simplices = {face}, .vertices = {*unknown}});
+    return false;
+  }
+  if (face.size() < 2 || face.size() > ambient_dimension) {
+    verdict.add(
+        Rule::kWrongDimension,
+        {.simplices = {face}, .values = {{"vertices", Rational(static_cast<long>(face.size()))}}});
+    return false;
+  }
+  if (has_repeated_vertex(face)) {
+    const Simplex ascending = sorted(face);
+    verdict.add(Rule::kRepeatedVertex,
+                {.simplices = {face},
+                 .vertices = {*std::adjacent_find(ascending.begin(), ascending.end())}});
+    return false;
+  }
+  if (is_flat(mesh.points.configuration(), face)) {
+    verdict.add(Rule::kDegenerateSimplex, {.simplices = {face}});
+    return false;
+  }
+  return true;
+}
+
+void cross_off(const Simplex& simplex, const std::vector<Simplex>& edges,
+               std::vector<bool>& found) {
+  for (std::size_t i = 0; i < simplex.size(); ++i) {
+    for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+      const Simplex edge = {std::min(simplex[i], simplex[j]), std::max(simplex[i], simplex[j])};
+      const auto at = std::lower_bound(edges.begin(), edges.end(), edge);
+      if (at != edges.end() && *at == edge) {
+        found[static_cast<std::size_t>(at - edges.begin())] = true;
+      }
+    }
+  }
+}
+
+// What listed faces may run into: the simplices, and the pieces of walls. Seldom wanted, so that what
+// finds them is made when it is.
+class Obstacles {
+ public:
+  Obstacles(const MeshedDomain& in, const std::vector<WallPiece>& pieces)
+      : in_(in), pieces_(pieces) {}
+
+  // The first one that meets a face in more than a common face, and the face itself before it; with a
+  // point of both. The face and its barycentre alone if there is none.
+  Witness witness(const Simplex& face) {
+    const Box box = box_of(face);
+    for (const Simplex& simplex : in_.mesh.simplices) {
+      if (auto found = meeting(face, box, simplex)) return *found;
+    }
+    for (const WallPiece& piece : pieces_) {
+      if (auto found = meeting(face, box, piece.facet)) return *found;
+    }
+    return {.simplices = {face}, .point = barycentre(coordinates(in_.mesh.points, face))};
+  }
+
+ private:
+  Box box_of(const Simplex& simplex) {
+    if (boxes_.empty()) {
+      for (const Point& point : in_.mesh.points.points()) boxes_.push_back(box_around(point));
+    }
+    Box box = boxes_[VertexPlaces::place(simplex.front())];
+    for (const Vertex v : simplex) box = box_around(box, boxes_[VertexPlaces::place(v)]);
+    return box;
+  }
+
+  std::optional<Witness> meeting(const Simplex& face, const Box& box, const Simplex& other) {
+    if (!may_meet(box, box_of(other))) return std::nullopt;
+    const auto common = improper_intersection(in_.mesh.points, face, other);
+    if (!common) return std::nullopt;
+    return Witness{.simplices = {face, other}, .point = common};
+  }
+
+  const MeshedDomain& in_;
+  const std::vector<WallPiece>& pieces_;
+  std::vector<Box> boxes_;  // of points
+};
+
+void add_stray(const MeshedDomain& in, const Simplex& face, Obstacles& obstacles,
+               Verdict& verdict) {
+  const Point middle = barycentre(coordinates(in.mesh.points, face));
+  const Where where = in.regions.locate(middle);
+  if (where == Where::kOutside || where == Where::kHole) {
+    verdict.add(Rule::kOutside, {.simplices = {face}, .point = middle});
+  } else if (verdict.keeps_more()) {
+    verdict.add(Rule::kOverlap, obstacles.witness(face));
+  } else {
+    verdict.count(Rule::kOverlap);
+  }
+}
+
+std::vector<Simplex> without_repetitions(std::vector<Simplex> simplices) {
+  std::sort(simplices.begin(), simplices.end());
+  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+  return simplices;
+}
+
+}  // namespace
+
+bool is_facet(const std::vector<FacetUse>& uses, const Simplex& facet) {
+  const auto found =
+      std::lower_bound(uses.begin(), uses.end(), facet,
+                       [](const FacetUse& use, const Simplex& f) { return use.facet < f; });
+  return found != uses.end() && found->facet == facet;
+}
+
+bool is_piece(const std::vector<WallPiece>& pieces, const Simplex& facet) {
+  const auto found =
+      std::lower_bound(pieces.begin(), pieces.end(), facet,
+                       [](const WallPiece& piece, const Simplex& f) { return piece.facet < f; });
+  return found != pieces.end() && found->facet == facet;
+}
+
+std::vector<Simplex> edges_of_nothing(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
+                                      const std::vector<Simplex>& edges) {
+  if (edges.empty()) return {};
+  std::vector<bool> found(edges.size(), false);
+  for (const Simplex& simplex : in.mesh.simplices) cross_off(simplex, edges, found);
+  for (const WallPiece& piece : pieces) cross_off(piece.facet, edges, found);
+  std::vector<Simplex> strays;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!found[e]) strays.push_back(edges[e]);
+  }
+  return strays;
+}
+
+bool judge_listed_faces(const Mesh& mesh, std::size_t ambient_dimension, Verdict& verdict) {
+  bool sound = true;
+  for (const Simplex& face : mesh.faces) {
+    sound &= judge_face(mesh, face, ambient_dimension, verdict);
+  }
+  return sound;
+}
+
+void judge_stray_faces(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
+                       Verdict& verdict) {
+  Obstacles obstacles(in, pieces);
+  std::vector<Simplex> dangling;
+  std::vector<Simplex> edges;
+  for (const Simplex& listed : in.mesh.faces) {
+    const Simplex face = sorted(listed);
+    if (face.size() < in.complex.ambient_dimension()) {
+      edges.push_back(face);
+    } else if (is_facet(in.uses, face)) {
+      continue;
+    } else if (is_piece(pieces, face)) {
+      dangling.push_back(face);
+    } else {
+      add_stray(in, face, obstacles, verdict);
+    }
+  }
+  for (const Simplex& edge : edges_of_nothing(in, pieces, without_repetitions(std::move(edges)))) {
+    if (in.chains.is_link(edge[0], edge[1])) {
+      dangling.push_back(edge);
+    } else {
+      add_stray(in, edge, obstacles, verdict);
+    }
+  }
+  verdict.dangling = without_repetitions(std::move(dangling)).size();
+}
+
+}  // namespace circumspect::check

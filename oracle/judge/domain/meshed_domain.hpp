@@ -1,0 +1,44 @@
+// A mesh and the domain it is held against, with what was found out about both.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "oracle/judge/domain/known_volume.hpp"
+#include "oracle/judge/domain/segment_chains.hpp"
+#include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/model/mesh.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+
+namespace circumspect::check {
+
+struct MeshedDomain {
+  const Mesh& mesh;
+  const PiecewiseLinearComplex& complex;
+  const Regions& regions;
+  const std::vector<FacetUse>&
+      uses;                  // of the mesh's simplices: of all, or where there is something
+  const KnownVolume* known;  // known of them, of those in facets_of_interest.hpp
+  const VertexPlaces& places;
+  const SegmentChains& chains;
+  VertexSearch& search;
+
+  bool is_inside(std::size_t region) const { return regions.where(region) == Where::kInside; }
+  // The point of the mesh that a vertex of the domain is.
+  Vertex in_mesh(Vertex v) const { return places.in_mesh[VertexPlaces::place(v)]; }
+};
+
+// A facet of the mesh, or a listed simplex of as many vertices, that lies in a wall of the domain: in
+// a polygon, or in the plane in a segment.
+struct WallPiece {
+  Simplex facet;     // ascending
+  std::size_t cell;  // which polygon, or segment
+  // The regions behind it and in front of it, where a vertex appended makes it positively oriented.
+  std::array<std::size_t, 2> regions;
+};
+
+// The place in `regions` of the side on which `apex` is. Requires: not in the facet's plane.
+inline std::size_t side_index(int orientation) { return orientation > 0 ? 1 : 0; }
+
+}  // namespace circumspect::check

@@ -1,0 +1,42 @@
+// Is a mesh a triangulation of a domain? Book: Definitions 4.4 and 4.5.
+#pragma once
+
+#include <functional>
+
+#include "oracle/judge/domain/meshed_domain.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "oracle/model/domain.hpp"
+
+namespace circumspect::check {
+
+// What remains to be asked of a mesh that is a triangulation, Steiner points aside.
+using OfTriangulation =
+    std::function<void(const MeshedDomain& in, const std::vector<WallPiece>& pieces)>;
+
+// Conditions 0–7 of oracle/judge/domain/README.md, near-linear; without those that are known to hold, if
+// `known` is anything.
+void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
+                                      const Options& options, const KnownVolume* known,
+                                      bool steiner_points_allowed, const OfTriangulation& then,
+                                      Verdict& verdict);
+
+// Word for word: every two simplices meet in a common face or not at all; the edges in each segment,
+// the triangles in each polygon and the d-simplices inside measure as much as these do. Cubic.
+// `augmented` is the domain with every vertex of the mesh for a vertex, its polygons cut as the mesh
+// cuts them, all numbered as in the mesh.
+using OfAugmented = std::function<void(const PiecewiseLinearComplex& augmented)>;
+void judge_plc_triangulation_by_definition(const Mesh& mesh, const Domain& domain,
+                                           const Options& options, bool steiner_points_allowed,
+                                           const OfAugmented& then, Verdict& verdict);
+
+// Each simplex and listed face by itself. True if they can be worked with.
+bool judge_simplices_in_space(const Mesh& mesh, std::size_t ambient_dimension, bool oriented,
+                              Verdict& verdict);
+
+// Has nothing been found but Steiner points, and orders of vertices or neighbours?
+bool is_triangulation_so_far(const Verdict& verdict);
+
+// The witnesses that nothing of the mesh belongs to an empty domain.
+void judge_against_empty_domain(const Mesh& mesh, Verdict& verdict);
+
+}  // namespace circumspect::check

@@ -1,0 +1,188 @@
+#include "oracle/judge/domain/vertex_places.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "oracle/judge/domain/coplanar.hpp"
+#include "reference/kernel/exact/box_index.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+std::vector<Vertex> lexicographic_order(const PointSet& points) {
+  std::vector<Vertex> order(points.size());
+  for (Vertex v = 0; points.names(v); ++v) order[points.configuration().rank(v)] = v;
+  return order;
+}
+
+void mark_used(const std::vector<Simplex>& simplices, std::vector<bool>& used) {
+  for (const Simplex& simplex : simplices) {
+    for (const Vertex v : simplex) used[VertexPlaces::place(v)] = true;
+  }
+}
+
+// Around each cell of which the corners are given.
+BoxIndex index_of(const std::vector<Box>& boxes_of_points, const std::vector<Simplex>& cells) {
+  std::vector<Box> boxes;
+  boxes.reserve(cells.size());
+  for (const Simplex& corners : cells) {
+    Box box = boxes_of_points[VertexPlaces::place(corners.front())];
+    for (const Vertex v : corners) box = box_around(box, boxes_of_points[VertexPlaces::place(v)]);
+    boxes.push_back(box);
+  }
+  return BoxIndex(boxes);
+}
+
+Simplex renumbered(Simplex simplex, const std::vector<Vertex>& number) {
+  for (Vertex& v : simplex) v = number[VertexPlaces::place(v)];
+  return simplex;
+}
+
+// The triangles of all polygons, by the points of the mesh.
+struct Triangles {
+  std::vector<Simplex> corners;
+  std::vector<std::size_t> polygon;
+};
+
+Triangles triangles_of(const PiecewiseLinearComplex& complex, const std::vector<Vertex>& in_mesh) {
+  Triangles triangles;
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    for (const Simplex& triangle : complex.polygons[p].triangles) {
+      triangles.corners.push_back(renumbered(triangle, in_mesh));
+      triangles.polygon.push_back(p);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+VertexPlaces match_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
+  VertexPlaces places;
+  const std::size_t size = mesh.points.size();
+  places.in_mesh.assign(complex.points.size(), kNoVertex);
+  places.in_domain.assign(size, kNoVertex);
+  places.used.assign(size, false);
+  places.segment.assign(size, kNowhere);
+  places.polygon.assign(size, kNowhere);
+  mark_used(mesh.simplices, places.used);
+  mark_used(mesh.faces, places.used);
+  const std::vector<Vertex> ours = lexicographic_order(complex.points);
+  const std::vector<Vertex> theirs = lexicographic_order(mesh.points);
+  auto candidate = theirs.begin();
+  for (const Vertex v : ours) {
+    const Point& point = complex.points[v];
+    while (candidate != theirs.end() && mesh.points[*candidate] < point) ++candidate;
+    if (candidate == theirs.end()) break;
+    if (mesh.points[*candidate] != point) continue;
+    places.in_mesh[VertexPlaces::place(v)] = *candidate;
+    places.in_domain[VertexPlaces::place(*candidate)] = v;
+  }
+  return places;
+}
+
+bool lies_within_edge(const PointSet& points, Vertex a, Vertex b, Vertex x) {
+  const Configuration& configuration = points.configuration();
+  std::size_t axis = 0;
+  while (points[a][axis] == points[b][axis]) ++axis;
+  const Rational& at = points[x][axis];
+  if (!((points[a][axis] < at && at < points[b][axis]) ||
+        (points[b][axis] < at && at < points[a][axis]))) {
+    return false;
+  }
+  for (std::size_t other = 0; other < points.ambient_dimension(); ++other) {
+    if (other == axis) continue;
+    const std::array<std::size_t, 2> axes = {axis, other};
+    if (orientation(configuration, axes, std::array{a, b, x}) != 0) return false;
+  }
+  return true;
+}
+
+bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t>& axes,
+                      const Simplex& triangle, Vertex x) {
+  if (!is_coplanar(points, triangle, x)) return false;
+  const int own = orientation(points, axes, triangle);
+  for (std::size_t place = 0; place < 3; ++place) {
+    if (orientation(points, axes, with_vertex_replaced(triangle, place, x)) == -own) return false;
+  }
+  return true;
+}
+
+void locate_steiner_points(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+                           VertexPlaces& places) {
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.points.size());
+  for (const Point& point : mesh.points.points()) boxes.push_back(box_around(point));
+  std::vector<Simplex> segments;
+  segments.reserve(complex.segments.size());
+  for (const Simplex& segment : complex.segments) {
+    segments.push_back(renumbered(segment, places.in_mesh));
+  }
+  const BoxIndex segment_index = index_of(boxes, segments);
+  const Triangles triangles = triangles_of(complex, places.in_mesh);
+  const BoxIndex index = index_of(boxes, triangles.corners);
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    if (!places.is_steiner(v)) continue;
+    const Box& box = boxes[VertexPlaces::place(v)];
+    std::size_t& on_segment = places.segment[VertexPlaces::place(v)];
+    for (const std::size_t s : segment_index.meeting(box)) {
+      if (lies_within_edge(mesh.points, segments[s][0], segments[s][1], v)) on_segment = s;
+    }
+    if (on_segment != kNowhere) continue;
+    for (const std::size_t t : index.meeting(box)) {
+      const std::size_t p = triangles.polygon[t];
+      if (!lies_in_triangle(mesh.points.configuration(), complex.polygons[p].axes,
+                            triangles.corners[t], v)) {
+        continue;
+      }
+      places.polygon[VertexPlaces::place(v)] = p;
+      break;
+    }
+  }
+}
+
+SteinerPoints count_steiner_points(const VertexPlaces& places) {
+  SteinerPoints count;
+  for (std::size_t v = 0; v < places.in_domain.size(); ++v) {
+    if (!places.is_steiner(static_cast<Vertex>(v))) continue;
+    if (places.segment[v] != kNowhere) {
+      ++count.on_segments;
+    } else if (places.polygon[v] != kNowhere) {
+      ++count.in_polygons;
+    } else {
+      ++count.in_polyhedra;
+    }
+  }
+  return count;
+}
+
+bool judge_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+                    const VertexPlaces& places, bool steiner_points_allowed, VertexSearch& search,
+                    Verdict& verdict) {
+  bool complete = true;
+  for (Vertex v = 0; complex.points.names(v); ++v) {
+    if (places.in_mesh[VertexPlaces::place(v)] != kNoVertex) continue;
+    complete = false;
+    Witness witness{.point = complex.points[v], .domain_cell = Simplex{v}};
+    if (verdict.keeps_more()) witness.nearest = search.to_point(complex.points[v]);
+    verdict.add(Rule::kDomainVertexMissing, witness);
+  }
+  ExtraVertices extra;
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    const std::size_t place = VertexPlaces::place(v);
+    if (places.in_domain[place] != kNoVertex) continue;
+    if (!places.used[place]) {
+      verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
+      continue;
+    }
+    const std::size_t limit = verdict.max_violations();
+    if (limit == 0 || extra.count < limit) extra.first.push_back(v);
+    ++extra.count;
+    if (!steiner_points_allowed) verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
+  }
+  verdict.extra_vertices = std::move(extra);
+  return complete;
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,161 @@
+// Condition 2 and what condition 3 says of boundary facets (oracle/judge/points/README.md), for links of which
+// oracle/judge/fast/README.md says what must be verified before.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/mesh_view.hpp"
+#include "oracle/judge/fast/orientations.hpp"
+#include "oracle/judge/fast/row_predicates.hpp"
+#include "oracle/judge/fast/sample_point.hpp"
+#include "oracle/judge/fast/undecided.hpp"
+
+namespace circumspect::fast {
+
+template <std::size_t kDimension, typename Index, typename Link>
+class Boundary {
+ public:
+  // `lattice`: one that all vertices lie on, if that is known.
+  Boundary(const MeshView<kDimension, Index>& mesh, Links<Link> links,
+           const Orientations& orientations, const SamplePoint<kDimension>& sample,
+           Lattice lattice = {})
+      : mesh_(mesh),
+        links_(links),
+        orientations_(orientations),
+        sample_(sample),
+        lattice_(lattice) {}
+
+  // Facets without a link, each as simplex · (d + 1) + place of the vertex opposite: is the sample
+  // point strictly on their inner sides, and does the boundary make no reflex angle at their
+  // ridges? Of the two facets at a ridge one asks.
+  std::optional<Undecided> judge(std::span<const std::uint64_t> facets, Stages& stages) const {
+    constexpr std::size_t kFacets = 64;
+    std::optional<Undecided> found;
+    for (std::size_t first = 0; first < facets.size() && !found; first += kFacets) {
+      found = judge_some(facets.subspan(first, std::min(kFacets, facets.size() - first)), stages);
+    }
+    return found;
+  }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+
+  // A turn around a ridge of a boundary facet through the mesh, from link to link, away from that
+  // facet.
+  struct Turn {
+    std::uint64_t facet;  // where it began
+    std::size_t simplex;  // where it is
+    Index leaves;         // the vertex opposite the facet through which it goes on
+    Index ridge;          // the vertices of the ridge, xor
+    Index far = 0;        // at its end: the vertex off the ridge of the other boundary facet
+  };
+
+  std::optional<Undecided> judge_some(std::span<const std::uint64_t> facets, Stages& stages) const {
+    std::vector<Turn> turns;
+    turns.reserve(facets.size() * kDimension);
+    for (const std::uint64_t facet : facets) {
+      const std::size_t s = facet / kVertices, apex = facet % kVertices;
+      if (orientation_with(row_of(s), apex, sample_, stages) * orientations_.of(s) <= 0) {
+        return Undecided::kBeyondHullFacet;
+      }
+      list_turns(facet, turns);
+    }
+    finish(turns);
+    for (const Turn& turn : turns) {
+      const std::size_t s = turn.facet / kVertices, apex = turn.facet % kVertices;
+      if (turn.far == mesh_.row(s)[apex]) continue;  // both facets are of this simplex
+      const Site<kDimension> far = mesh_.template site<false>(turn.far);
+      if (orientation_with<kDimension>(row_of(s), apex, far, stages, lattice_) *
+              orientations_.of(s) <
+          0) {
+        return Undecided::kHullNotConvex;
+      }
+    }
+    return std::nullopt;
+  }
+
+  SiteRow<kDimension> row_of(std::size_t s) const {
+    SiteRow<kDimension> row;
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      row[i] = mesh_.template site<false>(mesh_.row(s)[i]);
+    }
+    return row;
+  }
+
+  // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the other
+  // backwards. Forwards: from the lesser vertex to the greater; in the plane, towards the vertex.
+  void list_turns(std::uint64_t facet, std::vector<Turn>& turns) const {
+    const std::size_t s = facet / kVertices;
+    const auto row = mesh_.row(s);
+    const bool positive = orientations_.of(s) > 0;
+    // The apex, `off`, and the ridge's vertices are an even permutation of the row; in the plane
+    // every other time.
+    const auto& places = kFacetPlaces<kVertices>[facet % kVertices];
+    for (std::size_t k = 0; k < kDimension; ++k) {
+      const Index off = row[places[k]];
+      if constexpr (kDimension == 2) {
+        if (positive == (k == 0)) turns.push_back({facet, s, off, row[places[1 - k]]});
+      } else {
+        const Index from = row[places[(k + 1) % 3]], to = row[places[(k + 2) % 3]];
+        if (positive != (from > to)) {
+          turns.push_back({facet, s, off, static_cast<Index>(from ^ to)});
+        }
+      }
+    }
+  }
+
+  // All of them, by turns, so that what one asks the caches for comes while the others go on. They
+  // end, because links lead back: no simplex is entered twice through the same facet, and the first
+  // was not entered.
+  void finish(std::vector<Turn>& turns) const {
+    std::array<std::uint16_t, 64 * kDimension> going;
+    std::size_t count = turns.size();
+    for (std::size_t i = 0; i < count; ++i) going[i] = static_cast<std::uint16_t>(i);
+    while (count > 0) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        going[kept] = going[i];
+        kept += static_cast<std::size_t>(goes_on(turns[going[i]]));
+      }
+      count = kept;
+    }
+  }
+
+  // One step: the simplex has the vertices of the ridge, the one opposite the next facet, and
+  // another, which is opposite the facet after that.
+  bool goes_on(Turn& turn) const {
+    const auto row = mesh_.row(turn.simplex);
+    Index other = turn.ridge ^ turn.leaves;
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      other ^= row[i];
+      place = row[i] == turn.leaves ? i : place;
+    }
+    const Link beyond = links_[turn.simplex * kVertices + place];
+    turn.far = other;
+    if (beyond < 0) {
+      __builtin_prefetch(&mesh_.coordinates[static_cast<std::size_t>(other) * kDimension]);
+      return false;
+    }
+    turn.leaves = other;
+    turn.simplex = static_cast<std::size_t>(beyond);
+    __builtin_prefetch(&mesh_.simplices[turn.simplex * kVertices]);
+    __builtin_prefetch(&links_[turn.simplex * kVertices]);
+    return true;
+  }
+
+  const MeshView<kDimension, Index>& mesh_;
+  Links<Link> links_;
+  const Orientations& orientations_;
+  const SamplePoint<kDimension>& sample_;
+  Lattice lattice_;
+};
+
+}  // namespace circumspect::fast

@@ -1,0 +1,277 @@
+#include "oracle/judge/fast/facet_matching.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "oracle/judge/fast/facet_pairs.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
+#include "oracle/judge/fast/in_chunks.hpp"
+#include "oracle/judge/fast/nearby_facets.hpp"
+
+namespace circumspect::fast {
+namespace {
+
+constexpr std::size_t kFacetsInPile = 16384;  // and tables of what is left of them, within a cache
+constexpr std::size_t kMostPiles = std::size_t{1} << 14;
+constexpr std::uint64_t kMostSimplices = std::uint64_t{1} << 29;
+constexpr std::size_t kSlicesPerThread = 8;
+constexpr std::size_t kRecordsForTables = std::size_t{3}
+                                          << 16;  // that take as much memory as they, about
+constexpr std::size_t kLeastSlice = std::size_t{1} << 14;
+
+template <std::size_t kDimension, typename Index>
+class Matching {
+ public:
+  Matching(const MeshView<kDimension, Index>& mesh, Proposal proposal, unsigned threads)
+      : mesh_(mesh), proposal_(proposal), threads_(threads), layout_(mesh.simplices.size()) {
+    // Some slices of simplices for each thread, so that none waits long for another.
+    slice_ = std::max(chunks_of(mesh.size(), kSlicesPerThread * threads), kLeastSlice);
+    const std::size_t wanted = chunks_of(mesh.simplices.size(), kFacetsInPile);
+    piles_ = std::min(std::bit_ceil(wanted), kMostPiles);
+  }
+
+  tl::expected<OwnedLinks, Undecided> run() {
+    if (mesh_.size() > kMostSimplices) return tl::unexpected(Undecided::kTooLarge);
+    links_ = large_array<std::int32_t>(mesh_.simplices.size());
+    if (!count()) return tl::unexpected(Undecided::kUnknownVertex);
+    // As many piles at a time as have records for not quite half of the facets; for fewer of a small mesh,
+    // where tables weigh more.
+    const std::size_t facets = mesh_.simplices.size();
+    most_records_ =
+        std::max(facets * 7 / 16 - std::min(facets * 7 / 16, kRecordsForTables), facets / 4);
+    for (std::size_t pile = 0; pile < piles_; ++pile) {
+      most_records_ = std::max(most_records_, size_of(pile));
+    }
+    records_ = large_array<std::uint64_t>(most_records_ + slices() * kWordsInLine);
+    for (std::size_t first = 0; first < piles_;) {
+      std::size_t last = first;
+      std::size_t records = 0;
+      while (last < piles_ && records + size_of(last) <= most_records_) records += size_of(last++);
+      fill(first, last);
+      match(first, last);
+      if (overused_.load()) return tl::unexpected(Undecided::kFacetOverused);
+      first = last;
+    }
+    return OwnedLinks{std::move(links_), mesh_.simplices.size()};
+  }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+  static constexpr std::size_t kWordsInLine = 8;  // of a cache
+
+  // The last bits of a hash say into which pile a facet goes, and its record has the others.
+  std::size_t pile_of(std::uint64_t hash) const { return hash & (piles_ - 1); }
+  std::uint64_t record(std::uint64_t hash, std::uint64_t facet) const {
+    return layout_.record(hash >> bits_of(piles_ - 1), facet);
+  }
+
+  std::size_t slices() const { return chunks_of(mesh_.size(), slice_); }
+  std::span<std::uint32_t> counts_of(std::size_t slice) {
+    return {&counts_[slice * piles_], piles_};
+  }
+  std::size_t size_of(std::size_t pile) {
+    std::size_t size = 0;
+    for (std::size_t slice = 0; slice < slices(); ++slice) size += counts_of(slice)[pile];
+    return size;
+  }
+
+  // Links facets near each other, if a proposal is likely enough, and counts the others, how many each slice
+  // has for each pile. False if an index names no point.
+  bool count() {
+    counts_.assign(slices() * piles_, 0);
+    std::atomic<bool> known = true;
+    in_chunks(mesh_.size(), slice_, threads_,
+              [&](std::size_t slice, std::size_t first, std::size_t last) {
+                const bool all_known = proposal_ == Proposal::kLikely
+                                           ? count_with_nearby(slice, first, last)
+                                           : count_all(slice, first, last);
+                if (!all_known) known.store(false);
+              });
+    return known.load();
+  }
+
+  bool names_points(std::size_t s) const {
+    bool all = true;
+    for (const Index v : mesh_.row(s)) all &= mesh_.names_point(v);
+    return all;
+  }
+
+  bool count_with_nearby(std::size_t slice, std::size_t first, std::size_t last) {
+    NearbyFacets<kDimension, Index> nearby(layout_, last - first, links_.get(), counts_of(slice));
+    for (std::size_t s = first; s < last; ++s) {
+      if (!names_points(s)) return false;
+      nearby.add(mesh_.row(s), s);
+    }
+    nearby.finish();
+    return true;
+  }
+
+  bool count_all(std::size_t slice, std::size_t first, std::size_t last) {
+    std::fill(&links_[first * kVertices], links_.get() + last * kVertices, -1);
+    const std::span<std::uint32_t> counts = counts_of(slice);
+    for (std::size_t s = first; s < last; ++s) {
+      if (!names_points(s)) return false;
+      for_each_facet_of<kVertices, Index>(
+          mesh_.row(s), [&](std::uint64_t hash, std::size_t) { ++counts[pile_of(hash)]; });
+    }
+    return true;
+  }
+
+  // Writes the records of these piles, pile by pile, in the order of simplices.
+  void fill(std::size_t first_pile, std::size_t last_pile) {
+    begins_.assign(1, 0);
+    std::size_t begin = 0;
+    for (std::size_t pile = first_pile; pile < last_pile; ++pile) {
+      for (std::size_t slice = 0; slice < slices(); ++slice) {
+        // From here on, where the slice's next record goes.
+        begin += std::exchange(counts_of(slice)[pile], static_cast<std::uint32_t>(begin));
+      }
+      begins_.push_back(begin);
+    }
+    in_chunks(mesh_.size(), slice_, threads_,
+              [&](std::size_t slice, std::size_t first, std::size_t last) {
+                fill_from(slice, first, last, first_pile, last_pile);
+              });
+  }
+
+  void fill_from(std::size_t slice, std::size_t first, std::size_t last, std::size_t first_pile,
+                 std::size_t last_pile) {
+    const std::span<std::uint32_t> next = counts_of(slice);
+    std::uint64_t* const records = records_.get();
+    const std::size_t nowhere = most_records_ + slice * kWordsInLine;
+    for (std::size_t s = first; s < last; ++s) {
+      const std::int32_t* const links = &links_[s * kVertices];
+      for_each_facet_of<kVertices, Index>(mesh_.row(s), [&](std::uint64_t hash, std::size_t place) {
+        const std::size_t pile = pile_of(hash);
+        // Whether the record is wanted is a coin toss: no branch.
+        const auto wanted = static_cast<std::size_t>(links[place] < 0) &
+                            static_cast<std::size_t>(pile - first_pile < last_pile - first_pile);
+        const std::size_t to = nowhere ^ ((nowhere ^ next[pile]) & -wanted);
+        records[to] = record(hash, s * kVertices + place);
+        next[pile] += static_cast<std::uint32_t>(wanted);
+      });
+    }
+  }
+
+  void match(std::size_t first_pile, std::size_t last_pile) {
+    constexpr std::size_t kPilesInChunk = 8;
+    in_chunks(last_pile - first_pile, kPilesInChunk, threads_,
+              [&](std::size_t, std::size_t first, std::size_t last) {
+                std::vector<std::uint64_t> table;
+                for (std::size_t pile = first; pile < last; ++pile) {
+                  const std::size_t begin = begins_[pile], count = begins_[pile + 1] - begin;
+                  match_pile({&records_[begin], count}, table);
+                }
+              });
+  }
+
+  void match_pile(std::span<std::uint64_t> pile, std::vector<std::uint64_t>& table) {
+    if (proposal_ == Proposal::kLikely) {
+      const auto link_pair = [&](std::uint64_t record, std::uint64_t other, bool is_pair) {
+        const auto beyond = static_cast<std::int32_t>(layout_.facet(other) / kVertices);
+        links_[layout_.facet(record)] = beyond | (static_cast<std::int32_t>(is_pair) - 1);
+      };
+      const int skipped = bits_of(pile.size());
+      pile = pile.first(pair_by_sums(layout_, pile, 0, table, link_pair));
+      // Most of the others that have a partner shared a slot with other facets.
+      pile = pile.first(pair_by_sums(layout_, pile, skipped, table, link_pair));
+    }
+    match_one_by_one(pile, table);
+  }
+
+  // Pairs records of the same hash in a table with open addressing, of which at most half is used if all facets have
+  // two simplices.
+  void match_one_by_one(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& table) {
+    constexpr std::uint64_t kFree = ~std::uint64_t{0};
+    const int bits = bits_of(pile.size());
+    table.assign(std::size_t{1} << bits, kFree);
+    const std::size_t mask = table.size() - 1;
+    std::vector<std::uint64_t> thrice;
+    for (const std::uint64_t record : pile) {
+      auto place = static_cast<std::size_t>(record >> (64 - bits));
+      while (table[place] != kFree && !layout_.same_hash(table[place], record)) {
+        place = (place + 1) & mask;
+      }
+      if (table[place] == kFree) {
+        table[place] = record;
+      } else if (layout_.facet(table[place]) == layout_.no_facet()) {
+        thrice.push_back(record);
+      } else {
+        link(layout_.facet(table[place]), layout_.facet(record));
+        table[place] |= layout_.no_facet();
+      }
+    }
+    if (!thrice.empty()) match_by_vertices(pile, thrice);
+  }
+
+  void link(std::uint64_t a, std::uint64_t b) {
+    links_[a] = static_cast<std::int32_t>(b / kVertices);
+    links_[b] = static_cast<std::int32_t>(a / kVertices);
+  }
+
+  // Facets of which three or more have the same hash.
+  void match_by_vertices(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& thrice) {
+    for (std::uint64_t& record : thrice) record = layout_.hash(record);
+    std::sort(thrice.begin(), thrice.end());
+    std::map<std::array<Index, kDimension>, std::vector<std::uint64_t>> uses;
+    for (const std::uint64_t record : pile) {
+      if (!std::binary_search(thrice.begin(), thrice.end(), layout_.hash(record))) continue;
+      const std::uint64_t facet = layout_.facet(record);
+      links_[facet] = -1;
+      uses[vertices_of(facet)].push_back(facet);
+    }
+    for (const auto& [vertices, facets] : uses) {
+      if (facets.size() > 2) overused_.store(true);
+      if (facets.size() == 2) link(facets[0], facets[1]);
+    }
+  }
+
+  std::array<Index, kDimension> vertices_of(std::uint64_t facet) const {
+    std::array<Index, kDimension> vertices;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      if (i != facet % kVertices) vertices[next++] = mesh_.row(facet / kVertices)[i];
+    }
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  const MeshView<kDimension, Index>& mesh_;
+  Proposal proposal_;
+  unsigned threads_;
+  RecordLayout layout_;
+  std::size_t slice_ = 1;
+  std::size_t piles_ = 1;  // a power of two
+  // Of facets, a slice of simplices after the other, a pile after the other; of a pile that is filled, where
+  // the slice's records end.
+  std::vector<std::uint32_t> counts_;
+  std::size_t most_records_ = 0;       // at a time
+  LargeArray<std::uint64_t> records_;  // and a place for each slice to write what is not wanted
+  std::vector<std::size_t> begins_;    // of the piles in records_
+  LargeArray<std::int32_t> links_;
+  std::atomic<bool> overused_ = false;
+};
+
+}  // namespace
+
+template <std::size_t kDimension, typename Index>
+tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<kDimension, Index>& mesh,
+                                                   unsigned threads, Proposal proposal) {
+  return Matching<kDimension, Index>(mesh, proposal, threads).run();
+}
+
+template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<2, std::int32_t>&,
+                                                            unsigned, Proposal);
+template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<2, std::int64_t>&,
+                                                            unsigned, Proposal);
+template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<3, std::int32_t>&,
+                                                            unsigned, Proposal);
+template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<3, std::int64_t>&,
+                                                            unsigned, Proposal);
+
+}  // namespace circumspect::fast

@@ -1,0 +1,118 @@
+// Facets are matched as a dictionary of them matches them.
+#include "oracle/judge/fast/facet_matching.hpp"
+
+#include <map>
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/fast/grid_mesh_test.hpp"
+
+namespace circumspect::fast {
+namespace {
+
+template <std::size_t kDimension, typename Index>
+std::vector<std::int32_t> matched_by_dictionary(const MeshView<kDimension, Index>& mesh) {
+  constexpr std::size_t kVertices = kDimension + 1;
+  std::map<std::vector<Index>, std::size_t> unmatched;
+  std::vector<std::int32_t> links(mesh.simplices.size(), -1);
+  for (std::size_t facet = 0; facet < mesh.simplices.size(); ++facet) {
+    const auto row = mesh.row(facet / kVertices);
+    std::vector<Index> vertices(row.begin(), row.end());
+    vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(facet % kVertices));
+    std::sort(vertices.begin(), vertices.end());
+    const auto [found, is_new] = unmatched.emplace(vertices, facet);
+    if (is_new) continue;
+    links[facet] = static_cast<std::int32_t>(found->second / kVertices);
+    links[found->second] = static_cast<std::int32_t>(facet / kVertices);
+    unmatched.erase(found);
+  }
+  return links;
+}
+
+template <std::size_t kVertices, typename Index>
+void shuffle(std::vector<Index>& simplices) {
+  std::mt19937_64 random(3);
+  for (std::size_t s = simplices.size() / kVertices; s > 1; --s) {
+    const std::size_t other = random() % s;
+    std::swap_ranges(&simplices[(s - 1) * kVertices], &simplices[0] + s * kVertices,
+                     &simplices[other * kVertices]);
+  }
+}
+
+std::vector<std::int32_t> listed(const OwnedLinks& links) {
+  return {links.view().begin(), links.view().end()};
+}
+
+template <std::size_t kDimension, typename Index>
+void check_grid(std::size_t side, bool in_order = true) {
+  auto mesh = grid_mesh<kDimension, Index>(side);
+  if (!in_order) shuffle<kDimension + 1>(mesh.simplices);
+  const auto expected = matched_by_dictionary(mesh.view());
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    for (const Proposal proposal : {Proposal::kLikely, Proposal::kComplete}) {
+      const auto links = matched_facets(mesh.view(), threads, proposal);
+      REQUIRE(links.has_value());
+      CHECK(listed(*links) == expected);
+    }
+  }
+}
+
+TEST_CASE("facets of grids are matched, by one thread or several") {
+  for (const std::size_t side : {2, 3, 12}) {
+    check_grid<2, std::int32_t>(side);
+    check_grid<2, std::int64_t>(side);
+    check_grid<3, std::int32_t>(side);
+    check_grid<3, std::int64_t>(side);
+  }
+  check_grid<2, std::int32_t>(150);  // several piles, several passes
+  check_grid<3, std::int32_t>(22);
+}
+
+TEST_CASE("facets of grids are matched where those who share them stand far apart") {
+  check_grid<2, std::int32_t>(150, false);
+  check_grid<3, std::int32_t>(22, false);
+  check_grid<3, std::int64_t>(12, false);
+}
+
+TEST_CASE("a vertex of all simplices makes no pile of all facets") {
+  constexpr std::int32_t kRing = 40000;
+  MeshInArrays<2> fan;
+  for (std::int32_t v = 1; v <= kRing; ++v) {
+    fan.simplices.insert(fan.simplices.end(), {v, 0, v % kRing + 1});
+  }
+  fan.coordinates.assign((kRing + 1) * 2, 0);
+  shuffle<3>(fan.simplices);
+  for (const Proposal proposal : {Proposal::kLikely, Proposal::kComplete}) {
+    const auto links = matched_facets(fan.view(), 1, proposal);
+    REQUIRE(links.has_value());
+    CHECK(listed(*links) == matched_by_dictionary(fan.view()));
+  }
+}
+
+TEST_CASE("a facet of three simplices, and an index that names no point, are seen") {
+  MeshInArrays<2> mesh;
+  mesh.coordinates.assign(10, 0);
+  mesh.simplices = {0, 1, 2, 1, 0, 3, 0, 4, 1};
+  CHECK(matched_facets(mesh.view(), 1).error() == Undecided::kFacetOverused);
+  MeshInArrays<2> book;  // all pages at one spine
+  for (std::int32_t v = 2; v < 50000; ++v) {
+    book.simplices.insert(book.simplices.end(), {0, 1, v});
+  }
+  book.coordinates.assign(100000, 0);
+  CHECK(matched_facets(book.view(), 1).error() == Undecided::kFacetOverused);
+  auto grid = grid_mesh<3>(22);
+  const std::vector<std::int32_t> first(grid.simplices.begin(), grid.simplices.begin() + 4);
+  grid.simplices.insert(grid.simplices.end(), first.begin(), first.end());
+  CHECK(matched_facets(grid.view(), 2, Proposal::kComplete).error() == Undecided::kFacetOverused);
+  mesh.simplices = {0, 1, 2, 1, 0, 3, 0, 4, 2};
+  CHECK(listed(matched_facets(mesh.view(), 1).value()) ==
+        std::vector<std::int32_t>{-1, 2, 1, -1, -1, 0, -1, 0, -1});
+  for (const std::int32_t wrong : {-1, 5, 1 << 30}) {
+    mesh.simplices[4] = wrong;
+    CHECK(matched_facets(mesh.view(), 1).error() == Undecided::kUnknownVertex);
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::fast

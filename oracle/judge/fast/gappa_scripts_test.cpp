@@ -1,0 +1,92 @@
+// The scripts in proofs/filters say of the code's own operations and constants what Gappa proves: each is
+// written anew by running the polynomial on terms, and must be the file. After a deliberate change,
+//     CIRCUMSPECT_WRITE_GAPPA=1 build/release/tests/fast_test
+// writes the files; proofs/filters/check.sh then says whether they are proved.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/fast/filter_bounds.hpp"
+#include "oracle/judge/fast/gappa_script_test.hpp"
+#include "oracle/judge/fast/polynomials.hpp"
+
+namespace circumspect::fast {
+namespace {
+
+// As the code writes it: 0x1.001p-50.
+std::string in_hexadecimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%a", value);
+  return text;
+}
+
+// The differences of one row: of coordinates as they stand in the row, and of coordinates (and weight)
+// as they stand in its height, which are scaled otherwise.
+Row2<Term, Term> row_2(const std::string& name, bool weighted) {
+  const Term x = difference(name + "x"), y = difference(name + "y");
+  const Term w = height(difference(name + "xh"), difference(name + "yh"));
+  return {x, y, weighted ? w - difference(name + "wh") : w};
+}
+Row3<Term, Term> row_3(const std::string& name, bool weighted) {
+  const Term x = difference(name + "x"), y = difference(name + "y"), z = difference(name + "z");
+  const Term w = height(difference(name + "xh"), difference(name + "yh"), difference(name + "zh"));
+  return {x, y, z, weighted ? w - difference(name + "wh") : w};
+}
+
+void check_script(const std::string& name, const Term& result, double bound) {
+  const std::string head =
+      "# The error of `" + name + "` in oracle/judge/fast/polynomials.hpp, written by\n" +
+      "# oracle/judge/fast/gappa_scripts_test.cpp; README.md says how to read it.\n\n";
+  const std::string expected = GappaScript::of(result, head, in_hexadecimal(bound));
+  const std::string path = CIRCUMSPECT_CORPUS_DIR "/../proofs/filters/" + name + ".gappa";
+  if (std::getenv("CIRCUMSPECT_WRITE_GAPPA") != nullptr) std::ofstream(path) << expected;
+  std::ifstream file(path);
+  const std::string found{std::istreambuf_iterator<char>(file), {}};
+  INFO(path);
+  const bool script_is_that_of_the_code = found == expected;
+  CHECK(script_is_that_of_the_code);
+}
+
+TEST_CASE("F5: the Gappa scripts are those of the operations and bounds of the code") {
+  check_script("orientation_2",
+               minor(difference("ax"), difference("ay"), difference("bx"), difference("by")),
+               kOrientation2);
+  const auto a = row_3("a", false), b = row_3("b", false), c = row_3("c", false);
+  check_script("orientation_3", volume(a, b, c), kOrientation3);
+  for (const bool weighted : {false, true}) {
+    const std::string suffix = weighted ? "_weighted" : "";
+    check_script(
+        "in_circle" + suffix,
+        in_circle(cofactors(row_2("a", weighted), row_2("b", weighted)), row_2("q", weighted)),
+        weighted ? kInCircleWeighted : kInCircle);
+    check_script(
+        "in_sphere" + suffix,
+        in_sphere(cofactors(row_3("a", weighted), row_3("b", weighted), row_3("c", weighted)),
+                  row_3("q", weighted)),
+        weighted ? kInSphereWeighted : kInSphere);
+  }
+}
+
+TEST_CASE("F5: the orientation of a ball's simplex takes the operations of `orientation`") {
+  const auto a = row_3("a", false), b = row_3("b", false), c = row_3("c", false);
+  CHECK(GappaScript::of(cofactors(a, b, c).xyz, "", "1") ==
+        GappaScript::of(volume(a, b, c), "", "1"));
+  const auto p = row_2("p", true), q = row_2("q", true);
+  CHECK(GappaScript::of(cofactors(p, q).xy, "", "1") ==
+        GappaScript::of(minor(p.x, p.y, q.x, q.y), "", "1"));
+}
+
+TEST_CASE("F5: the rounding of the bound itself is no more than is added to it") {
+  for (const double bound :
+       {kOrientation2, kOrientation3, kInCircle, kInCircleWeighted, kInSphere, kInSphereWeighted}) {
+    const double low = bound * kRoundedBound;
+    CHECK(low - bound == bound * 0x1p-40);  // the product was exact
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::fast

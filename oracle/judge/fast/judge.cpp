@@ -1,0 +1,114 @@
+#include "oracle/judge/fast/judge.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "oracle/judge/fast/boundary.hpp"
+#include "oracle/judge/fast/facet_matching.hpp"
+#include "oracle/judge/fast/finite.hpp"
+#include "oracle/judge/fast/in_chunks.hpp"
+#include "oracle/judge/fast/submerged_points.hpp"
+#include "oracle/judge/fast/whole_sweep.hpp"
+
+namespace circumspect::fast {
+namespace {
+
+template <std::size_t kDimension, typename Index, typename Link>
+class Judge {
+ public:
+  Judge(const MeshView<kDimension, Index>& mesh, Links<Link> links, Question question,
+        unsigned threads)
+      : mesh_(mesh),
+        links_(links),
+        balls_(question != Question::kTriangulation),
+        weighted_(question == Question::kWeightedDelaunay && !mesh.weights.empty()),
+        threads_(threads) {}
+
+  tl::expected<Facts, Undecided> run() {
+    Stages stages;
+    const auto sample = sample_point(mesh_, stages);
+    if (!sample) return tl::unexpected(sample.error());
+    WholeSweep<kDimension, Index, Link> sweep(mesh_, links_, threads_);
+    Swept swept = sweep.run({.sample = &*sample, .balls = balls_, .weighted = weighted_});
+    const Orientations& orientations = sweep.orientations();
+    if (!swept.undecided) judge_boundary(sweep, *sample, swept);
+    if (!swept.undecided) judge_unused_points(sweep.unused(), orientations, swept);
+    if (swept.undecided) return tl::unexpected(*swept.undecided);
+    return Facts{swept.unique, swept.canonical, orientations.are_equal(),
+                 std::move(swept.not_local), sum(stages, swept.stages)};
+  }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+
+  void judge_boundary(const WholeSweep<kDimension, Index, Link>& sweep,
+                      const SamplePoint<kDimension>& sample, Swept& swept) const {
+    constexpr std::size_t kChunk = WholeSweep<kDimension, Index, Link>::kChunk;
+    const Boundary<kDimension, Index, Link> boundary(mesh_, links_, sweep.orientations(), sample,
+                                                     sweep.lattice());
+    std::vector<Swept> parts(chunks_of(mesh_.size(), kChunk));
+    in_chunks(mesh_.size(), kChunk, threads_,
+              [&](std::size_t chunk, std::size_t first, std::size_t last) {
+                const std::vector<std::uint64_t> facets =
+                    sweep.boundary().template facets<kVertices>(links_, first, last);
+                parts[chunk].undecided = boundary.judge(facets, parts[chunk].stages);
+              });
+    for (const Swept& part : parts) swept.append(part);
+  }
+
+  void judge_unused_points(const std::vector<std::size_t>& unused, const Orientations& orientations,
+                           Swept& swept) const {
+    if (unused.empty()) return;
+    swept.undecided = Undecided::kUnusedPoint;
+    if (!weighted_) return;
+    // The walks end, and the planes say something, where all facets are locally Delaunay.
+    swept.undecided = Undecided::kFacetNotLocal;
+    if (!swept.not_local.empty()) return;
+    const SubmergedPoints<kDimension, Index, Link> points(mesh_, links_, orientations);
+    swept.undecided = points.judge(unused, swept);
+  }
+
+  const MeshView<kDimension, Index>& mesh_;
+  Links<Link> links_;
+  bool balls_;
+  bool weighted_;
+  unsigned threads_;
+};
+
+}  // namespace
+
+template <std::size_t kDimension, typename Index, typename Link>
+tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Links<Link> neighbors,
+                                     Question question, unsigned threads) {
+  if (mesh.size() == 0) return tl::unexpected(Undecided::kEmpty);
+  if (!are_finite(mesh.coordinates, threads) || !are_finite(mesh.weights, threads)) {
+    return tl::unexpected(Undecided::kNotFinite);
+  }
+  return Judge<kDimension, Index, Link>(mesh, neighbors, question, threads).run();
+}
+
+template <std::size_t kDimension, typename Index>
+tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Question question,
+                                     unsigned threads) {
+  if (!mesh.neighbors.empty() || mesh.size() == 0) {
+    return judge<kDimension, Index, Index>(mesh, mesh.neighbors, question, threads);
+  }
+  const auto links = matched_facets(mesh, threads, Proposal::kLikely);
+  if (!links) return tl::unexpected(links.error());
+  return judge<kDimension, Index, std::int32_t>(mesh, links->view(), question, threads);
+}
+
+template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int32_t>&, Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int64_t>&, Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int32_t>&, Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int64_t>&, Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int32_t>&, Links<std::int32_t>,
+                                              Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int32_t>&, Links<std::int32_t>,
+                                              Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int64_t>&, Links<std::int32_t>,
+                                              Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int64_t>&, Links<std::int32_t>,
+                                              Question, unsigned);
+
+}  // namespace circumspect::fast

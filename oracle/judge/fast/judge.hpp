@@ -1,0 +1,52 @@
+// Does a mesh of doubles hold? Quickly, exactly, and only if it does: oracle/judge/points says what is wrong
+// with a mesh that does not, in its own words. oracle/judge/fast/README.md proves that this is the same answer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/judge/fast/mesh_view.hpp"
+#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/undecided.hpp"
+
+namespace circumspect::fast {
+
+// What is known of a mesh that is a triangulation of its points; if weights count: of its vertices, that
+// covers the convex hull of all points.
+struct Facts {
+  // Of Delaunay triangulations: is there no other one? is it the canonical one? (verdict.hpp)
+  bool unique = true;
+  bool canonical = true;
+  bool oriented = true;  // all simplices alike
+  // All facets that are not locally Delaunay, where that was asked: as simplex · (d + 1) + place of the
+  // vertex opposite, of the simplex that comes first of the two; ascending. The answer is yes iff there
+  // are none.
+  std::vector<std::uint64_t> not_local = {};
+  Stages stages = {};  // what decided the signs
+
+  bool holds() const { return not_local.empty(); }
+};
+
+// Is the mesh a triangulation of its points, a Delaunay one, a weighted one? Book: Definitions 2.1 and
+// 4.1, Section 5.2; weights count for the last only, and count as 0 if there are none. Given neighbours
+// must be right. If facts are returned that hold, oracle/judge/points finds that the claim holds, with the same
+// facts, and no two points are equal. If facts are returned that do not, it finds that the mesh is a
+// triangulation whose listed facets are not locally Delaunay, and nothing else wrong. If none are, nothing
+// is known. The same answer for any number of threads.
+// At most 32 bytes a simplex beside the arrays, 16 of them for neighbours if they are not given.
+// Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: threads ≥ 1; the lengths of
+// the arrays agree (mesh_view.hpp).
+template <std::size_t kDimension, typename Index>
+tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Question question,
+                                     unsigned threads = 1);
+
+// The same with these neighbours, as MeshView has them, in place of its own: of std::int32_t, where indices
+// are std::int64_t.
+template <std::size_t kDimension, typename Index, typename Link>
+tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Links<Link> neighbors,
+                                     Question question, unsigned threads);
+
+}  // namespace circumspect::fast

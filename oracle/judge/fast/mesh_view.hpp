@@ -1,0 +1,56 @@
+// A mesh where it lies: arrays of a user's, which nothing here copies.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "oracle/judge/fast/site.hpp"
+
+namespace circumspect::fast {
+
+// The answer to a question about a mesh is one of these, or none (judge.hpp).
+enum class Question { kTriangulation, kDelaunay, kWeightedDelaunay };
+
+// Points one after the other, and simplices likewise; indices from 0. Nothing is assumed about the
+// numbers but the lengths of the arrays.
+template <std::size_t kDimension, typename Index>
+struct MeshView {
+  static constexpr std::size_t kVertices = kDimension + 1;
+
+  std::span<const double> coordinates;  // kDimension a point
+  std::span<const double> weights;      // one a point, or none
+  std::span<const Index> simplices;     // kVertices a simplex
+  std::span<const Index> neighbors =
+      {};  // what is across the facet opposite each vertex, −1: nothing;
+           // as many as `simplices`, or none
+
+  std::size_t points() const { return coordinates.size() / kDimension; }
+  std::size_t size() const { return simplices.size() / kVertices; }
+
+  std::span<const Index, kVertices> row(std::size_t s) const {
+    return simplices.subspan(s * kVertices).template first<kVertices>();
+  }
+  bool names_point(Index v) const {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)) < points();
+  }
+
+  // Requires: names_point(v); weights, if kWeighted.
+  template <bool kWeighted>
+  Site<kDimension> site(Index v) const {
+    const auto place = static_cast<std::size_t>(v);
+    Site<kDimension> site;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      site.at[axis] = coordinates[place * kDimension + axis];
+    }
+    if constexpr (kWeighted) site.weight = weights[place];
+    return site;
+  }
+};
+
+// For each simplex and vertex, what is across the facet opposite: given, or found by facet_matching.hpp.
+template <typename Link>
+using Links = std::span<const Link>;
+
+}  // namespace circumspect::fast

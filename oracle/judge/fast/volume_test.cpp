@@ -1,0 +1,110 @@
+// What is said of the simplices of a mesh that need not cover anything in particular.
+#include "oracle/judge/fast/volume.hpp"
+
+#include <limits>
+#include <numeric>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/fast/grid_mesh_test.hpp"
+#include "oracle/judge/fast/judge.hpp"
+
+namespace circumspect::fast {
+namespace {
+
+using Facets = std::vector<std::uint64_t>;
+
+Undecided why_not(const MeshInArrays<2>& mesh) {
+  const auto found = volume(mesh.view(), true, 1);
+  REQUIRE_FALSE(found.has_value());
+  return found.error();
+}
+
+// Two squares that share no vertex, the second without an own Delaunay diagonal.
+const MeshInArrays<2> kTwoSquares{{0, 0, 1, 0, 0, 1, 1, 1, 5, 5, 6, 5, 5, 6, 7, 7},
+                                  {0, 1, 3, 0, 3, 2, 4, 5, 6, 5, 7, 6}};
+
+TEST_CASE("a domain in two parts: boundary, ties, and facets that are not locally Delaunay") {
+  MeshInArrays<2> mesh = kTwoSquares;
+  const auto found = volume(mesh.view(), true, 1);
+  REQUIRE(found.has_value());
+  CHECK(found->boundary == Facets{0, 2, 3, 4, 7, 8, 9, 11});
+  CHECK(found->ties == Facets{1});
+  CHECK(found->not_canonical.empty());
+  CHECK(found->not_local.empty());
+  CHECK(found->unused.empty());
+  CHECK(found->oriented);
+  CHECK(found->links.view()[1] == 1);
+  CHECK(found->links.view()[0] == -1);
+
+  mesh.simplices = {0, 1, 2, 1, 3, 2, 4, 5, 7, 4, 7, 6};
+  const auto flipped = volume(mesh.view(), true, 1);
+  REQUIRE(flipped.has_value());
+  CHECK(flipped->ties == Facets{0});
+  CHECK(flipped->not_canonical == Facets{0});
+  CHECK(flipped->not_local == Facets{7});
+
+  const auto unasked = volume(mesh.view(), false, 1);
+  REQUIRE(unasked.has_value());
+  CHECK(unasked->ties.empty());
+  CHECK(unasked->not_local.empty());
+  CHECK(unasked->boundary == flipped->boundary);
+}
+
+TEST_CASE("points that are no vertices are listed") {
+  MeshInArrays<2> mesh = kTwoSquares;
+  mesh.simplices.resize(6);
+  CHECK(volume(mesh.view(), true, 1)->unused == std::vector<std::size_t>{4, 5, 6, 7});
+}
+
+TEST_CASE("what is not sound is left undecided") {
+  const auto with = [](auto change) {
+    MeshInArrays<2> mesh = kTwoSquares;
+    change(mesh);
+    return why_not(mesh);
+  };
+  CHECK(with([](auto& m) { m.simplices.clear(); }) == Undecided::kEmpty);
+  CHECK(with([](auto& m) { m.simplices[0] = 8; }) == Undecided::kUnknownVertex);
+  CHECK(with([](auto& m) { m.simplices[7] = 4; }) == Undecided::kFlatSimplex);
+  CHECK(with([](auto& m) { m.coordinates[3] = std::numeric_limits<double>::infinity(); }) ==
+        Undecided::kNotFinite);
+  // A simplex twice, alone and beside another one; three at an edge; two on the same side of one.
+  CHECK(with([](auto& m) {
+          m.simplices.insert(m.simplices.end(), {6, 5, 4});
+        }) == Undecided::kFacetOverused);
+  CHECK(why_not({{0, 0, 1, 0, 0, 1}, {0, 1, 2, 2, 0, 1}}) == Undecided::kUnmatchedNeighbor);
+  CHECK(with([](auto& m) {
+          m.simplices.insert(m.simplices.end(), {0, 3, 5});
+        }) == Undecided::kFacetOverused);
+  CHECK(why_not({{0, 0, 1, 0, 0, 1, 1, 1}, {0, 1, 2, 0, 1, 3}}) == Undecided::kSameSide);
+}
+
+// As `judge` says of a grid, for any number of threads.
+template <std::size_t kDimension>
+void check_grid(bool mirrored) {
+  const auto mesh = grid_mesh<kDimension, std::int32_t>(kDimension == 2 ? 200 : 24, mirrored);
+  const auto judged = judge(mesh.view(), Question::kDelaunay, 1);
+  const auto first = volume(mesh.view(), true, 1);
+  REQUIRE(judged.has_value());
+  REQUIRE(first.has_value());
+  CHECK(first->oriented == judged->oriented);
+  CHECK(first->ties.empty() == judged->unique);
+  CHECK(first->not_canonical.empty() == judged->canonical);
+  const auto again = volume(mesh.view(), true, 3);
+  REQUIRE(again.has_value());
+  CHECK(again->boundary == first->boundary);
+  CHECK(again->ties == first->ties);
+  CHECK(again->not_canonical == first->not_canonical);
+  CHECK(std::is_sorted(first->boundary.begin(), first->boundary.end()));
+  CHECK(std::is_sorted(first->ties.begin(), first->ties.end()));
+}
+
+TEST_CASE("grids, however their simplices are oriented") {
+  for (const bool mirrored : {false, true}) {
+    check_grid<2>(mirrored);
+    check_grid<3>(mirrored);
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::fast

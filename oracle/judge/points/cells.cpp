@@ -1,0 +1,190 @@
+#include "oracle/judge/points/cells.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace circumspect::check {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+using Key = std::span<const Vertex>;
+
+bool is_less(Key a, Key b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+bool is_equal(Key a, Key b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
+
+Cells sorted_keys(const Cells& cells) {
+  Cells keys;
+  Simplex key;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    key.assign(cells[i].begin(), cells[i].end());
+    std::sort(key.begin(), key.end());
+    keys.add(key);
+  }
+  return keys;
+}
+
+// Finds the cells that have the same vertices as a given one. They lie in buckets by their least vertices,
+// each of which is small in a mesh and sorted in any case.
+class Index {
+ public:
+  Index(const Cells& cells, std::size_t points) : keys_(sorted_keys(cells)), starts_(points + 2) {
+    for (std::size_t i = 0; i < size(); ++i) ++starts_[bucket(keys_[i]) + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+    order_.resize(size());
+    for (std::size_t i = 0; i < size(); ++i) order_[next[bucket(keys_[i])]++] = i;
+    for (std::size_t k = 0; k + 1 < starts_.size(); ++k) {
+      // As listed, where keys are equal: the buckets were filled so.
+      std::stable_sort(at(starts_[k]), at(starts_[k + 1]), [this](std::size_t i, std::size_t j) {
+        return is_less(keys_[i], keys_[j]);
+      });
+    }
+    first_of_.resize(size());
+    for (std::size_t place = 0; place < size(); ++place) {
+      const std::size_t i = order_[place];
+      const bool repeats = place > 0 && is_equal(keys_[order_[place - 1]], keys_[i]);
+      first_of_[i] = repeats ? first_of_[order_[place - 1]] : place;
+    }
+  }
+
+  std::size_t size() const { return keys_.size(); }
+  // The sorted vertices of a cell.
+  Key key(std::size_t i) const { return keys_[i]; }
+  // All cells, equal ones side by side, as listed.
+  std::size_t cell_at(std::size_t place) const { return order_[place]; }
+  // The place of the first cell that equals cell i.
+  std::size_t first_place(std::size_t i) const { return first_of_[i]; }
+  // The same for these sorted vertices; kNone if there is no such cell.
+  std::size_t find(Key key) const {
+    const std::size_t k = bucket(key);
+    const auto last = order_.begin() + static_cast<std::ptrdiff_t>(starts_[k + 1]);
+    const auto found =
+        std::lower_bound(order_.begin() + static_cast<std::ptrdiff_t>(starts_[k]), last, key,
+                         [this](std::size_t i, Key sought) { return is_less(keys_[i], sought); });
+    if (found == last || !is_equal(keys_[*found], key)) return kNone;
+    return static_cast<std::size_t>(found - order_.begin());
+  }
+
+ private:
+  // Vertices that name no point are in the first bucket or in the last.
+  std::size_t bucket(Key key) const {
+    if (key.empty() || key.front() < 0) return 0;
+    return std::min(static_cast<std::size_t>(key.front()), starts_.size() - 2);
+  }
+  std::vector<std::size_t>::iterator at(std::size_t place) {
+    return order_.begin() + static_cast<std::ptrdiff_t>(place);
+  }
+
+  Cells keys_;
+  std::vector<std::size_t> starts_;    // of each bucket, in order_
+  std::vector<std::size_t> order_;     // cells
+  std::vector<std::size_t> first_of_;  // for each cell a place in order_
+};
+
+// Calls `visit` with every face of `size` vertices, sorted as the cell is.
+template <class Visit>
+void for_each_face(Key cell, std::size_t size, Simplex& face, const Visit& visit) {
+  if (size == 0) return visit(Key(face));
+  for (std::size_t i = 0; i + size <= cell.size(); ++i) {
+    face.push_back(cell[i]);
+    for_each_face(cell.subspan(i + 1), size - 1, face, visit);
+    face.pop_back();
+  }
+}
+
+// Listed faces, and which of them are known to be faces of something.
+class Faces {
+ public:
+  Faces(const Cells& faces, std::size_t points) : index_(faces, points), covered_(faces.size()) {
+    for (std::size_t i = 0; i < faces.size(); ++i) sizes_.insert(faces[i].size());
+  }
+
+  // All faces of the cell from its edges on, and the cell itself.
+  void cover(Key cell) {
+    Simplex face;
+    for (const std::size_t size : sizes_) {
+      if (size > cell.size() || (size < 2 && size != cell.size())) continue;
+      for_each_face(cell, size, face, [this](Key one) {
+        const std::size_t place = index_.find(one);
+        if (place != kNone) covered_[place] = true;
+      });
+    }
+  }
+  bool is_covered(std::size_t face) const { return covered_[index_.first_place(face)]; }
+  Key key(std::size_t face) const { return index_.key(face); }
+
+ private:
+  Index index_;
+  std::set<std::size_t> sizes_;
+  std::vector<bool> covered_;  // by the place of the first of equal faces
+};
+
+}  // namespace
+
+void add_dangling(Cells& cells, const std::vector<Simplex>& faces, std::size_t points) {
+  if (faces.empty()) return;
+  std::vector<std::size_t> largest_first(faces.size());
+  std::iota(largest_first.begin(), largest_first.end(), std::size_t{0});
+  std::stable_sort(
+      largest_first.begin(), largest_first.end(),
+      [&faces](std::size_t i, std::size_t j) { return faces[i].size() > faces[j].size(); });
+  Cells listed;
+  for (const std::size_t i : largest_first) listed.add(faces[i]);
+  Faces known(listed, points);
+  Simplex key;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    key.assign(cells[i].begin(), cells[i].end());
+    std::sort(key.begin(), key.end());
+    known.cover(key);
+  }
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    if (known.is_covered(i)) continue;
+    known.cover(known.key(i));
+    cells.add(listed[i]);
+  }
+}
+
+CellDifference difference_of_cells(const Cells& a, const Cells& b,
+                                   const std::vector<Vertex>& place_in_b, std::size_t points_of_b) {
+  CellDifference result;
+  const Index index(b, points_of_b);
+  // For each group of equal cells of b, by its first place: how many of a have met one.
+  std::vector<std::size_t> met(b.size());
+  const auto is_in_group = [&](std::size_t place, std::size_t first) {
+    return place < b.size() && index.first_place(index.cell_at(place)) == first;
+  };
+  const auto place_of = [&](Vertex v) -> Vertex {
+    const bool names = v >= 0 && static_cast<std::size_t>(v) < place_in_b.size();
+    return names ? place_in_b[static_cast<std::size_t>(v)] : -1;
+  };
+  Simplex image;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    image.clear();
+    for (const Vertex v : a[i]) image.push_back(place_of(v));
+    std::sort(image.begin(), image.end());
+    const bool is_whole = image.empty() || image.front() >= 0;
+    const std::size_t first = is_whole ? index.find(image) : kNone;
+    if (first == kNone || !is_in_group(first + met[first], first)) {
+      result.only_in_a.emplace_back(a[i].begin(), a[i].end());
+    } else {
+      ++met[first];  // the first of b that is still there
+    }
+  }
+  // Of those of b that are left, a cell is named where the first that lists it so stands.
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const std::size_t first = index.first_place(i);
+    const std::size_t left = first + met[first];
+    if (!is_in_group(left, first) || !is_equal(b[index.cell_at(left)], b[i])) continue;
+    ++met[first];
+    result.only_in_b.emplace_back(b[i].begin(), b[i].end());
+  }
+  return result;
+}
+
+}  // namespace circumspect::check

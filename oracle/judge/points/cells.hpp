@@ -1,0 +1,51 @@
+// The cells of a mesh, one after another in one piece of memory, and which of two meshes have the same: what
+// it is to compare meshes once their points are matched.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "reference/kernel/complex/simplex.hpp"
+
+namespace circumspect::check {
+
+class Cells {
+ public:
+  std::size_t size() const { return ends_.size(); }
+  std::span<const Vertex> operator[](std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return std::span(vertices_).subspan(begin, ends_[i] - begin);
+  }
+
+  void reserve(std::size_t cells, std::size_t vertices) {
+    ends_.reserve(cells);
+    vertices_.reserve(vertices);
+  }
+  template <class Range>
+  void add(const Range& cell) {
+    vertices_.insert(vertices_.end(), cell.begin(), cell.end());
+    ends_.push_back(vertices_.size());
+  }
+
+ private:
+  std::vector<std::size_t> ends_;
+  std::vector<Vertex> vertices_;
+};
+
+// Adds those of the faces that are faces of no cell that is there: they are in the complex by themselves. A
+// face that is listed twice, as from the two tetrahedra beside it, is one face. `points`: how many there are.
+void add_dangling(Cells& cells, const std::vector<Simplex>& faces, std::size_t points);
+
+// What one list has and the other has not, each in its order.
+struct CellDifference {
+  std::vector<Simplex> only_in_a = {};
+  std::vector<Simplex> only_in_b = {};
+};
+
+// Cells as sets of vertices, each as often as it is listed. `place_in_b`: for each point of a the one of b that
+// it is, or −1. A cell with a vertex that names no point, or one that is not in b, matches nothing.
+CellDifference difference_of_cells(const Cells& a, const Cells& b,
+                                   const std::vector<Vertex>& place_in_b, std::size_t points_of_b);
+
+}  // namespace circumspect::check

@@ -1,0 +1,91 @@
+// Which cells two lists have in common, against lists that are looked through one by one.
+#include "oracle/judge/points/cells.hpp"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include <doctest/doctest.h>
+
+namespace circumspect::check {
+namespace {
+
+Cells cells_of_lists(const std::vector<Simplex>& lists) {
+  Cells cells;
+  for (const Simplex& list : lists) cells.add(list);
+  return cells;
+}
+
+std::vector<Simplex> lists_of(const Cells& cells) {
+  std::vector<Simplex> lists;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    lists.emplace_back(cells[i].begin(), cells[i].end());
+  return lists;
+}
+
+// As said in words: strikes out of b the first that a cell of a meets.
+CellDifference by_hand(const std::vector<Simplex>& a, std::vector<Simplex> b,
+                       const std::vector<Vertex>& place_in_b) {
+  CellDifference result;
+  for (const Simplex& cell : a) {
+    Simplex image;
+    bool is_whole = true;
+    for (const Vertex v : cell) {
+      const bool names = v >= 0 && v < static_cast<Vertex>(place_in_b.size());
+      image.push_back(names ? place_in_b[static_cast<std::size_t>(v)] : -1);
+      is_whole = is_whole && image.back() >= 0;
+    }
+    const auto met = std::find_if(b.begin(), b.end(), [&image](const Simplex& other) {
+      return sorted(other) == sorted(image);
+    });
+    if (!is_whole || met == b.end()) {
+      result.only_in_a.push_back(cell);
+    } else {
+      b.erase(met);
+    }
+  }
+  result.only_in_b = std::move(b);
+  return result;
+}
+
+TEST_CASE("random lists: vertices that name nothing, cells listed twice, cells of any size") {
+  std::mt19937 random(7);
+  const auto below = [&random](int n) {
+    return static_cast<Vertex>(random() % static_cast<unsigned>(n));
+  };
+  for (int round = 0; round < 3000; ++round) {
+    const int points = 1 + static_cast<int>(below(6));
+    std::vector<Vertex> place_in_b(static_cast<std::size_t>(points));
+    for (int v = 0; v < points; ++v) place_in_b[static_cast<std::size_t>(v)] = v;
+    std::shuffle(place_in_b.begin(), place_in_b.end(), random);
+    if (below(3) == 0) place_in_b.front() = -1;
+    const auto lists = [&] {
+      std::vector<Simplex> all(static_cast<std::size_t>(below(9)));
+      for (Simplex& list : all) {
+        list.resize(1 + static_cast<std::size_t>(below(3)));
+        for (Vertex& v : list) v = below(10) == 0 ? below(20) - 10 : below(points);
+      }
+      return all;
+    };
+    const std::vector<Simplex> a = lists(), b = lists();
+    const CellDifference found = difference_of_cells(cells_of_lists(a), cells_of_lists(b),
+                                                     place_in_b, static_cast<std::size_t>(points));
+    const CellDifference expected = by_hand(a, b, place_in_b);
+    CHECK(found.only_in_a == expected.only_in_a);
+    // Equal ones that are left may stand where an earlier one stood.
+    CHECK(std::multiset<Simplex>(found.only_in_b.begin(), found.only_in_b.end()) ==
+          std::multiset<Simplex>(expected.only_in_b.begin(), expected.only_in_b.end()));
+  }
+}
+
+TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
+  Cells cells = cells_of_lists({{0, 1, 2, 3}});
+  add_dangling(cells, {{4, 3}, {2, 1}, {3, 2, 1}, {3, 4, 5}, {5, 4}, {5, 4, 3}, {6, 5}, {5, 6}}, 7);
+  CHECK(lists_of(cells) == std::vector<Simplex>{{0, 1, 2, 3}, {3, 4, 5}, {6, 5}});
+  Cells none;
+  add_dangling(none, {{9, 1}, {1, 9}, {-3, 1}}, 2);
+  CHECK(lists_of(none) == std::vector<Simplex>{{9, 1}, {-3, 1}});
+}
+
+}  // namespace
+}  // namespace circumspect::check

@@ -1,0 +1,116 @@
+#include "oracle/judge/points/check.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <stdexcept>
+
+#include "oracle/judge/points/delaunay.hpp"
+#include "oracle/judge/points/neighbors.hpp"
+#include "oracle/judge/points/simplices.hpp"
+#include "oracle/judge/points/submerged_points.hpp"
+#include "oracle/judge/points/triangulation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+using FacetUses = std::vector<FacetUse>;
+
+// Whether the simplices are a complex that covers a convex set, if every one of them can be worked
+// with. Returns the uses of the facets if these have their meaning, so that whether they are locally
+// Delaunay can be asked.
+std::optional<FacetUses> judge_complex(const Mesh& mesh, const Options& options,
+                                       bool simplices_are_sound, Verdict& verdict) {
+  if (!simplices_are_sound) return std::nullopt;
+  FacetUses uses = facet_uses(mesh.simplices);
+  const bool facets_match = options.by == By::kLemma ? judge_complex_by_lemma(mesh, uses, verdict)
+                                                     : judge_complex_by_definition(mesh, verdict);
+  if (!facets_match) return std::nullopt;
+  if (mesh.neighbors) judge_neighbors(mesh, uses, verdict);
+  return uses;
+}
+
+// The simplices one by one, then the vertex set, then how they fit together.
+std::optional<FacetUses> judge_triangulation(const Mesh& mesh, const Options& options,
+                                             Verdict& verdict) {
+  const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
+  judge_vertex_set(mesh, verdict);
+  return judge_complex(mesh, options, simplices_are_sound, verdict);
+}
+
+void judge_balls(const Mesh& mesh, const FacetUses& uses, const Options& options, Verdict& verdict,
+                 Ambiguity& ambiguity) {
+  if (options.by == By::kLemma) {
+    judge_facets_locally_delaunay(mesh, uses, verdict, ambiguity);
+  } else {
+    judge_balls_empty(mesh, verdict, ambiguity);
+  }
+}
+
+}  // namespace
+
+Verdict triangulation(const Mesh& mesh, const Options& options) {
+  Verdict verdict(Claim::kTriangulation, mesh, options.max_violations);
+  judge_triangulation(mesh, options, verdict);
+  return verdict;
+}
+
+Verdict delaunay(const Mesh& mesh, const Options& options) {
+  assert(!mesh.points.is_weighted());
+  Verdict verdict(Claim::kDelaunay, mesh, options.max_violations);
+  const auto uses = judge_triangulation(mesh, options, verdict);
+  if (!uses) return verdict;
+  Ambiguity ambiguity;
+  judge_balls(mesh, *uses, options, verdict, ambiguity);
+  ambiguity.conclude(verdict);
+  return verdict;
+}
+
+Verdict weighted_delaunay(const Mesh& mesh, const Options& options) {
+  Verdict verdict(Claim::kWeightedDelaunay, mesh, options.max_violations);
+  const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
+  // A mesh without simplices leaves every point uncovered; otherwise not all points are vertices.
+  if (mesh.simplices.empty()) judge_vertex_set(mesh, verdict);
+  const auto uses = judge_complex(mesh, options, simplices_are_sound, verdict);
+  if (!uses) return verdict;
+  Ambiguity ambiguity;
+  const bool is_triangulation = verdict.holds();
+  judge_balls(mesh, *uses, options, verdict, ambiguity);
+  // By definition the balls have been held against all points already.
+  if (is_triangulation && options.by == By::kLemma) {
+    judge_submerged_points(mesh, *uses, verdict, ambiguity);
+  }
+  ambiguity.conclude(verdict);
+  return verdict;
+}
+
+Verdict judge(Claim claim, const Mesh& mesh, const Options& options) {
+  switch (claim) {
+    case Claim::kTriangulation:
+      return triangulation(mesh, options);
+    case Claim::kDelaunay:
+      return delaunay(mesh, options);
+    case Claim::kWeightedDelaunay:
+      return weighted_delaunay(mesh, options);
+    default:
+      break;
+  }
+  assert(false);
+  return weighted_delaunay(mesh, options);
+}
+
+Verdict not_locally_delaunay(Claim claim, const Mesh& mesh, std::vector<SharedFacet> facets,
+                             const Options& options) {
+  assert(claim == Claim::kDelaunay || claim == Claim::kWeightedDelaunay);
+  assert(!facets.empty());
+  std::sort(facets.begin(), facets.end(),
+            [](const SharedFacet& a, const SharedFacet& b) { return a.facet < b.facet; });
+  Verdict verdict(claim, mesh, options.max_violations);
+  for (const SharedFacet& shared : facets) {
+    if (judge_facet_locally_delaunay(mesh, shared, verdict) > 0) continue;
+    throw std::logic_error("a facet was taken for one that is not locally Delaunay, and is");
+  }
+  return verdict;
+}
+
+}  // namespace circumspect::check

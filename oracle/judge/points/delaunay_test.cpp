@@ -1,0 +1,165 @@
+// Whether a triangulation is Delaunay: the two rules, their witnesses and margins, and the facts
+// `unique` and `canonical`.
+#include "oracle/judge/points/delaunay.hpp"
+
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/points/check.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// A kite cut along its longer diagonal. The balls of both triangles hold the other's apex.
+//   {0, 1, 2}: centre (0, −3/2), r² = 25/4; vertex 3 at squared distance 1.
+//   {0, 1, 3}: centre (0, 15/4), r² = 289/16; vertex 2 at squared distance 121/16.
+Mesh kite() {
+  return {PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, Rational(-1, 2)}}), {{0, 1, 2}, {3, 1, 0}}};
+}
+
+void check_facts(const Mesh& mesh, bool unique, bool canonical) {
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    const Verdict verdict = delaunay(mesh, {.by = by});
+    CHECK(verdict.holds());
+    CHECK(verdict.unique == unique);
+    CHECK(verdict.canonical == canonical);
+  }
+}
+
+TEST_CASE("facet not local: the wrong diagonal, with the ball, the distance and the margin") {
+  const Verdict verdict = delaunay(kite());
+  REQUIRE(verdict.violations().size() == 1);
+  CHECK(verdict.violations()[0].rule == Rule::kFacetNotLocal);
+  const Witness& witness = verdict.violations()[0].witness;
+  CHECK(witness.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(witness.face == Simplex{0, 1});
+  CHECK(witness.vertices == std::vector<Vertex>{3});
+  REQUIRE(witness.values.size() == 3);
+  CHECK(witness.values[0].name == "squared distance from centre");
+  CHECK(witness.values[0].value == 1);
+  CHECK(witness.values[1].name == "squared radius");
+  CHECK(witness.values[1].value == Rational(25, 4));
+  CHECK(witness.values[2].name == "squared radius less squared distance");
+  CHECK(witness.values[2].value == Rational(21, 4));
+  REQUIRE(witness.ball.has_value());
+  CHECK(witness.ball->centre == Point{0, Rational(-3, 2)});
+  CHECK(witness.ball->squared_radius == Rational(25, 4));
+  CHECK(verdict.tallies().size() == 1);
+  CHECK(verdict.tallies().at(Rule::kFacetNotLocal).count == 1);
+  CHECK(verdict.tallies().at(Rule::kFacetNotLocal).worst_margin == Rational(21, 25));
+  CHECK(!verdict.unique);
+  CHECK(!verdict.canonical);
+  CHECK(triangulation(kite()).holds());
+}
+
+TEST_CASE("vertex in ball: the same by definition, once for each ball, and the worst margin") {
+  const Verdict verdict = delaunay(kite(), {.by = By::kDefinition});
+  REQUIRE(verdict.violations().size() == 2);
+  const Witness& first = verdict.violations()[0].witness;
+  const Witness& second = verdict.violations()[1].witness;
+  CHECK(verdict.violations()[0].rule == Rule::kVertexInBall);
+  CHECK(!first.face);
+  CHECK(first.vertices == std::vector<Vertex>{3});
+  CHECK(second.simplices == std::vector<Simplex>{{3, 1, 0}});
+  CHECK(second.vertices == std::vector<Vertex>{2});
+  CHECK(second.ball->centre == Point{0, Rational(15, 4)});
+  CHECK(second.values[0].value == Rational(121, 16));
+  CHECK(second.values[1].value == Rational(289, 16));
+  const Tally& tally = verdict.tallies().at(Rule::kVertexInBall);
+  CHECK(tally.count == 2);
+  CHECK(tally.worst_margin == Rational(21, 25));
+  CHECK(!verdict.unique);
+}
+
+TEST_CASE("vertex in ball: the worst margin is the worst, whichever comes first") {
+  Mesh mesh = kite();
+  std::swap(mesh.simplices[0], mesh.simplices[1]);
+  CHECK(delaunay(mesh, {.by = By::kDefinition}).tallies().at(Rule::kVertexInBall).worst_margin ==
+        Rational(21, 25));
+  // By lemma one of the two balls speaks for the facet: that of the simplex listed first.
+  CHECK(delaunay(mesh).tallies().at(Rule::kFacetNotLocal).worst_margin == Rational(168, 289));
+}
+
+TEST_CASE("a point on the sphere is not in the open ball, and one a hair inside is") {
+  const auto square_with = [](const Rational& x) {
+    return Mesh{PointSet({{0, 0}, {1, 0}, {x, 1}, {0, 1}}), {{0, 1, 3}, {1, 2, 3}}};
+  };
+  CHECK(delaunay(square_with(1)).holds());
+  const Rational hair = exact_value(0x1p-52);
+  CHECK(!delaunay(square_with(1 - hair)).holds());
+  CHECK(!delaunay(square_with(1 - hair), {.by = By::kDefinition}).holds());
+  CHECK(delaunay(square_with(1 + hair)).unique == true);
+}
+
+TEST_CASE("facts: a triangle is unique and canonical; a square has two triangulations") {
+  check_facts({PointSet({{0, 0}, {3, 0}, {0, 4}}), {{2, 1, 0}}}, true, true);
+  check_facts({PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, -1}}), {{0, 2, 3}, {1, 2, 3}}}, true, true);
+  const PointSet square({{1, 1}, {0, 1}, {1, 0}, {0, 0}});
+  check_facts({square, {{0, 1, 3}, {0, 2, 3}}}, false, true);
+  check_facts({square, {{0, 1, 2}, {1, 2, 3}}}, false, false);
+}
+
+TEST_CASE("facts: a cube cut into six tetrahedra at its smallest corner, and into five") {
+  const PointSet cube(
+      {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}});
+  // Corner 0 with the two triangles of each face that it is not on, cut at their smallest corners.
+  check_facts(
+      {cube, {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}},
+      false, true);
+  check_facts({cube, {{0, 3, 5, 6}, {1, 0, 3, 5}, {2, 0, 3, 6}, {4, 0, 5, 6}, {7, 3, 5, 6}}}, false,
+              false);
+}
+
+TEST_CASE("facts: an octahedron has three triangulations, one of them canonical") {
+  const PointSet octahedron({{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}});
+  check_facts({octahedron, {{0, 1, 2, 4}, {0, 1, 4, 3}, {0, 1, 3, 5}, {0, 1, 5, 2}}}, false, true);
+  check_facts({octahedron, {{2, 3, 0, 4}, {2, 3, 4, 1}, {2, 3, 1, 5}, {2, 3, 5, 0}}}, false, false);
+  check_facts({octahedron, {{4, 5, 0, 2}, {4, 5, 2, 1}, {4, 5, 1, 3}, {4, 5, 3, 0}}}, false, false);
+}
+
+// Two squares side by side: one cut canonically, the other not, in either order.
+TEST_CASE("facts: canonical means every cell, not the last one looked at") {
+  const PointSet points({{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}});
+  check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 5}, {1, 4, 5}}}, false, true);
+  check_facts({points, {{0, 1, 3}, {1, 3, 4}, {1, 2, 5}, {1, 4, 5}}}, false, false);
+  check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 4}, {2, 4, 5}}}, false, false);
+}
+
+// Against judge() on large meshes: flat/judge_flat_test.cpp.
+TEST_CASE("facets that somebody found not to be locally Delaunay are asked again, in their order") {
+  // The kite twice, and what is between.
+  const PointSet points({{-2, 0},
+                         {2, 0},
+                         {0, 1},
+                         {0, Rational(-1, 2)},
+                         {-2, 10},
+                         {2, 10},
+                         {0, 9},
+                         {0, Rational(21, 2)}});
+  const Mesh mesh{
+      points,
+      {{4, 5, 6}, {0, 1, 2}, {3, 1, 0}, {0, 2, 4}, {2, 4, 6}, {2, 5, 6}, {1, 2, 5}, {4, 5, 7}}};
+  const SharedFacet below{{0, 1}, 1, 3};
+  const SharedFacet above{{4, 5}, 0, 7};
+  const Verdict first = not_locally_delaunay(Claim::kDelaunay, mesh, {below});
+  REQUIRE(first.violations().size() == 1);
+  CHECK(first.violations()[0].witness.face == Simplex{0, 1});
+  CHECK(first.violations()[0].witness.vertices == std::vector<Vertex>{3});
+  CHECK_FALSE(first.unique.has_value());
+  const Verdict of_mesh = delaunay(mesh);
+  const Verdict both =
+      not_locally_delaunay(Claim::kDelaunay, mesh, {above, below}, {.max_violations = 1});
+  REQUIRE(both.violations().size() == 1);
+  CHECK(both.violations()[0].witness.face == Simplex{0, 1});
+  CHECK(both.tallies().at(Rule::kFacetNotLocal).count == 2);
+  CHECK(of_mesh.tallies().at(Rule::kFacetNotLocal).count == 2);
+  CHECK(both.tallies().at(Rule::kFacetNotLocal).worst_margin ==
+        of_mesh.tallies().at(Rule::kFacetNotLocal).worst_margin);
+  CHECK(both.points == 8);
+  const SharedFacet good{{0, 2}, 1, 4};
+  CHECK_THROWS_AS(not_locally_delaunay(Claim::kDelaunay, mesh, {below, good}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace circumspect::check

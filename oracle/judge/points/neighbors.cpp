@@ -1,0 +1,33 @@
+#include "oracle/judge/points/neighbors.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// `across` is the place of the true neighbour in the list of simplices, or −1.
+void judge_link(const Mesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
+  const Vertex first_index = mesh.neighbors->first_index;
+  const Vertex expected = across < 0 ? -1 : across + first_index;
+  const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
+  if (listed == expected) return;
+  Witness witness{.simplices = {mesh.simplices[use.simplex]},
+                  .face = use.facet,
+                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
+                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+  // The true neighbour by its vertices, so that nobody has to count simplices.
+  if (across >= 0) witness.simplices.push_back(mesh.simplices[static_cast<std::size_t>(across)]);
+  verdict.add(Rule::kWrongNeighbor, witness);
+}
+
+}  // namespace
+
+void judge_neighbors(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    const bool shared = group.size() == 2;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;
+      judge_link(mesh, group[i], across, verdict);
+    }
+  });
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,17 @@
+// Are the neighbours that a program lists (TetGen's and Triangle's .neigh) the true ones?
+#pragma once
+
+#include <vector>
+
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+#include "reference/kernel/complex/facets.hpp"
+
+namespace circumspect::check {
+
+// complex.wrong-neighbor: entry i of a simplex must be the simplex across the facet opposite its
+// vertex i, or none on the boundary. Requires: the mesh lists neighbours; simplices are sound and
+// facets lie in one or two of them. `uses` are those of the mesh.
+void judge_neighbors(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+
+}  // namespace circumspect::check

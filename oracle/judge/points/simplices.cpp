@@ -1,0 +1,114 @@
+#include "oracle/judge/points/simplices.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// The vertex that stands in the simplex twice.
+Vertex repeated_vertex(const Simplex& simplex) {
+  const Simplex ascending = sorted(simplex);
+  return *std::adjacent_find(ascending.begin(), ascending.end());
+}
+
+// The first rule that one simplex breaks by itself, or none. Sets its orientation.
+bool judge_simplex(const Mesh& mesh, std::size_t place, int& orientation_of_it, Verdict& verdict) {
+  const PointSet& points = mesh.points;
+  const Simplex& simplex = mesh.simplices[place];
+  const auto unknown =
+      std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !points.names(v); });
+  if (unknown != simplex.end()) {
+    verdict.add(Rule::kUnknownVertex,
+                {.simplices = {simplex}, .places = {place}, .vertices = {*unknown}});
+    return false;
+  }
+  // Nothing is a simplex of the empty set, not even one without vertices.
+  if (simplex.empty() || static_cast<int>(simplex.size()) != points.dimension() + 1) {
+    verdict.add(Rule::kWrongDimension,
+                {.simplices = {simplex},
+                 .places = {place},
+                 .values = {{"vertices", Rational(static_cast<long>(simplex.size()))},
+                            {"vertices expected", Rational(points.dimension() + 1)}}});
+    return false;
+  }
+  if (has_repeated_vertex(simplex)) {
+    verdict.add(
+        Rule::kRepeatedVertex,
+        {.simplices = {simplex}, .places = {place}, .vertices = {repeated_vertex(simplex)}});
+    return false;
+  }
+  orientation_of_it = orientation(points.configuration(), simplex);
+  if (orientation_of_it == 0) {
+    verdict.add(Rule::kDegenerateSimplex, {.simplices = {simplex},
+                                           .places = {place},
+                                           .values = {{"orientation determinant", Rational(0)}}});
+    return false;
+  }
+  return true;
+}
+
+bool judge_duplicates(const Mesh& mesh, Verdict& verdict) {
+  std::vector<Simplex> ascending;
+  ascending.reserve(mesh.simplices.size());
+  for (const Simplex& simplex : mesh.simplices) ascending.push_back(sorted(simplex));
+  std::vector<std::size_t> order(ascending.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return ascending[a] < ascending[b]; });
+  bool distinct = true;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (ascending[order[i]] != ascending[order[i - 1]]) continue;
+    distinct = false;
+    verdict.add(Rule::kDuplicateSimplex,
+                {.simplices = {mesh.simplices[order[i - 1]], mesh.simplices[order[i]]},
+                 .places = {order[i - 1], order[i]}});
+  }
+  return distinct;
+}
+
+void judge_orientations(const Mesh& mesh, const std::vector<int>& orientations, Verdict& verdict) {
+  for (std::size_t s = 1; s < orientations.size(); ++s) {
+    if (orientations[s] == orientations[0]) continue;
+    verdict.add(Rule::kOrientation, {.simplices = {mesh.simplices[0], mesh.simplices[s]},
+                                     .values = {{"orientation of the first", orientations[0]},
+                                                {"orientation of the other", orientations[s]}}});
+  }
+}
+
+}  // namespace
+
+bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict) {
+  bool sound = true;
+  std::vector<int> orientations(mesh.simplices.size(), 0);
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    sound &= judge_simplex(mesh, s, orientations[s], verdict);
+  }
+  sound &= judge_duplicates(mesh, verdict);
+  if (sound && oriented) judge_orientations(mesh, orientations, verdict);
+  return sound;
+}
+
+std::vector<Vertex> unused_points(const Mesh& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const Simplex& simplex : mesh.simplices) {
+    for (const Vertex v : simplex) {
+      if (mesh.points.names(v)) used[static_cast<std::size_t>(v)] = true;
+    }
+  }
+  std::vector<Vertex> unused;
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    if (!used[static_cast<std::size_t>(v)]) unused.push_back(v);
+  }
+  return unused;
+}
+
+void judge_vertex_set(const Mesh& mesh, Verdict& verdict) {
+  for (const Vertex v : unused_points(mesh)) {
+    verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
+  }
+}
+
+}  // namespace circumspect::check

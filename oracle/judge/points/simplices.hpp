@@ -1,0 +1,23 @@
+// Each simplex by itself, and the set of vertices: what must be true before simplices can be held
+// against each other.
+#pragma once
+
+#include <vector>
+
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::check {
+
+// triangulation.unknown-vertex, simplex.wrong-dimension, simplex.repeated-vertex,
+// simplex.degenerate, then complex.duplicate-simplex and, if `oriented`, simplex.orientation. True
+// if the simplices can be worked with: nothing but their order of vertices is wrong with them.
+bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict);
+
+// The points that are a vertex of no simplex, ascending.
+std::vector<Vertex> unused_points(const Mesh& mesh);
+
+// triangulation.unused-point: the vertices must be all the points.
+void judge_vertex_set(const Mesh& mesh, Verdict& verdict);
+
+}  // namespace circumspect::check

@@ -1,0 +1,24 @@
+// Are sound simplices a complex that covers the convex hull of the points?
+// Book: Definition 2.1 and Section 4.1.
+#pragma once
+
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+#include "reference/kernel/complex/facets.hpp"
+
+namespace circumspect::check {
+
+// All require that judge_simplices found nothing wrong, and say whether every facet lies in one
+// or two simplices, two being on opposite sides of it.
+
+// Condition 1 of oracle/judge/points/README.md alone. `uses` are those of the mesh.
+bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+
+// Conditions 1–3 of oracle/judge/points/README.md: linear but for sorting. `uses` are those of the mesh.
+bool judge_complex_by_lemma(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+
+// Every two simplices meet in a common face or not at all; and a facet of only one simplex has no
+// point beyond it, so that the union is the whole hull.
+bool judge_complex_by_definition(const Mesh& mesh, Verdict& verdict);
+
+}  // namespace circumspect::check

@@ -1,0 +1,158 @@
+// Conditions 1–3 of oracle/judge/points/README.md, where it is proved that they suffice.
+#include <algorithm>
+#include <optional>
+
+#include "oracle/judge/points/boundary_facet.hpp"
+#include "oracle/judge/points/triangulation.hpp"
+#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// The witness that two simplices overlap: a point of both off their common face.
+Witness overlap(const Mesh& mesh, std::size_t a, std::size_t b) {
+  const Simplex& first = mesh.simplices[a];
+  const Simplex& second = mesh.simplices[b];
+  return {.simplices = {first, second}, .point = improper_intersection(mesh.points, first, second)};
+}
+
+// Is the vertex of `b` opposite a shared facet on the same side of it as that of `a`?
+bool on_same_side(const Mesh& mesh, const FacetUse& a, const FacetUse& b) {
+  const Configuration& points = mesh.points.configuration();
+  const BoundaryFacet facet{a.facet, mesh.simplices[a.simplex][a.opposite], a.simplex};
+  return side_of(points, facet, mesh.simplices[b.simplex][b.opposite]) > 0;
+}
+
+// Two boundary facets that meet in a ridge, each with its vertex off the ridge.
+struct Hinge {
+  const BoundaryFacet& first;
+  Vertex first_far;
+  const BoundaryFacet& second;
+  Vertex second_far;
+  const Simplex& ridge;
+};
+
+// Coplanar facets: are the far vertices on the same side of the ridge, within the plane?
+bool is_folded(const Mesh& mesh, const Hinge& hinge) {
+  const Configuration& points = mesh.points.configuration();
+  const std::vector<std::size_t> axes = axes_of(points, hinge.first.facet);
+  Simplex with_far = hinge.ridge;
+  with_far.push_back(hinge.first_far);
+  const int side = orientation(points, axes, with_far);
+  with_far.back() = hinge.second_far;
+  return side == orientation(points, axes, with_far);
+}
+
+bool judge_hinge(const Mesh& mesh, const Hinge& hinge, Verdict& verdict) {
+  const Configuration& points = mesh.points.configuration();
+  const int second_side = side_of(points, hinge.first, hinge.second_far);
+  if (second_side < 0) {
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.first, hinge.second_far));
+    return false;
+  }
+  if (side_of(points, hinge.second, hinge.first_far) < 0) {
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far));
+    return false;
+  }
+  if (second_side == 0 && is_folded(mesh, hinge)) {
+    verdict.add(Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex));
+    return false;
+  }
+  return true;
+}
+
+// Condition 2: each boundary ridge lies in exactly two boundary facets, and these do not make a
+// reflex or folded angle.
+bool judge_ridges(const Mesh& mesh, const std::vector<BoundaryFacet>& boundary, Verdict& verdict) {
+  std::vector<Simplex> facets;
+  facets.reserve(boundary.size());
+  for (const BoundaryFacet& facet : boundary) facets.push_back(facet.facet);
+  bool closed = true;
+  bool convex = true;
+  for_each_facet(facet_uses(facets), [&](std::span<const FacetUse> group) {
+    if (group.size() == 2) {
+      const Hinge hinge{boundary[group[0].simplex], facets[group[0].simplex][group[0].opposite],
+                        boundary[group[1].simplex], facets[group[1].simplex][group[1].opposite],
+                        group[0].facet};
+      convex &= judge_hinge(mesh, hinge, verdict);
+      return;
+    }
+    closed = false;
+    Witness witness{.face = group.front().facet};
+    for (const FacetUse& use : group) witness.simplices.push_back(facets[use.simplex]);
+    verdict.add(Rule::kHullNotClosed, witness);
+  });
+  return closed && convex;
+}
+
+// A vertex of the sample's simplex that lies strictly beyond the facet. There is one whenever the
+// sample point does not lie strictly on the inner side: it is the mean of the vertices, and a sound
+// simplex does not lie in a hyperplane.
+Vertex vertex_beyond(const Mesh& mesh, const BoundaryFacet& facet, const Simplex& sample_simplex) {
+  return *std::find_if(sample_simplex.begin(), sample_simplex.end(), [&](Vertex v) {
+    return side_of(mesh.points.configuration(), facet, v) < 0;
+  });
+}
+
+// Is the sample point in the closed simplex?
+bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) {
+  const int own = orientation(points, simplex);
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    const int side = orientation(points, with_vertex_replaced(simplex, place, sample));
+    if (side * own < 0) return false;
+  }
+  return true;
+}
+
+// Condition 3: the barycentre of the first simplex lies strictly on the inner side of every
+// boundary facet and in no other closed simplex.
+void judge_sample_point(const Mesh& mesh, const std::vector<BoundaryFacet>& boundary,
+                        Verdict& verdict) {
+  const Simplex& first = mesh.simplices.front();
+  const Point sample = barycentre(coordinates(mesh.points, first));
+  std::vector<Point> with_sample = mesh.points.points();
+  with_sample.push_back(sample);
+  const Configuration points(with_sample);
+  const auto o = static_cast<Vertex>(mesh.points.size());
+  bool inside_hull = true;
+  for (const BoundaryFacet& facet : boundary) {
+    if (side_of(points, facet, o) > 0) continue;
+    inside_hull = false;
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, vertex_beyond(mesh, facet, first)));
+  }
+  if (!inside_hull) return;
+  for (std::size_t s = 1; s < mesh.simplices.size(); ++s) {
+    if (!covers(points, mesh.simplices[s], o)) continue;
+    verdict.add(Rule::kCoveredTwice, {.simplices = {first, mesh.simplices[s]}, .point = sample});
+  }
+}
+
+}  // namespace
+
+bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  bool matched = true;
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    if (group.size() > 2) {
+      matched = false;
+      Witness witness{.face = group.front().facet};
+      for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
+      verdict.add(Rule::kFacetOverused, witness);
+    } else if (group.size() == 2 && on_same_side(mesh, group[0], group[1])) {
+      matched = false;
+      verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
+    }
+  });
+  return matched;
+}
+
+bool judge_complex_by_lemma(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  if (mesh.simplices.empty()) return true;
+  if (!judge_facet_matching(mesh, uses, verdict)) return false;
+  const std::vector<BoundaryFacet> boundary = boundary_facets(mesh, uses);
+  if (judge_ridges(mesh, boundary, verdict)) judge_sample_point(mesh, boundary, verdict);
+  return true;
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,109 @@
+#include "oracle/judge/verdict_of_facts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "oracle/judge/shared_facets.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// The part of a mesh that some facets are about: the simplices that come first of the two at each, and
+// the vertices of these and the apexes, all in their order.
+template <std::size_t kDimension, typename Index>
+class Part {
+ public:
+  Part(const fast::MeshView<kDimension, Index>& whole, std::vector<SharedFacet> facets)
+      : whole_(whole), facets_(std::move(facets)), place_of_(whole.points(), kNone) {
+    for (const SharedFacet& shared : facets_) {
+      simplices_.push_back(shared.simplex);
+      for (const Index v : whole_.row(shared.simplex)) take(v);
+      take(shared.apex);
+    }
+    std::sort(simplices_.begin(), simplices_.end());
+    simplices_.erase(std::unique(simplices_.begin(), simplices_.end()), simplices_.end());
+    Vertex size = 0;
+    for (Vertex& place : place_of_) {
+      if (place != kNone) place = size++;
+    }
+  }
+
+  Mesh mesh(bool weighted, Vertex first_index) const {
+    std::vector<Point> points;
+    std::vector<Rational> weights;
+    std::vector<Vertex> labels;
+    for (std::size_t v = 0; v < place_of_.size(); ++v) {
+      if (place_of_[v] == kNone) continue;
+      Point& point = points.emplace_back();
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        point.push_back(exact_value(whole_.coordinates[v * kDimension + axis]));
+      }
+      if (weighted) weights.push_back(exact_value(whole_.weights[v]));
+      labels.push_back(static_cast<Vertex>(v) + first_index);
+    }
+    Mesh part{PointSet(std::move(points), std::move(weights)), {}, std::move(labels), first_index};
+    for (const std::size_t s : simplices_) {
+      Simplex& simplex = part.simplices.emplace_back();
+      for (const Index v : whole_.row(s)) simplex.push_back(place_of(v));
+    }
+    return part;
+  }
+
+  // As the part numbers simplices and points.
+  std::vector<SharedFacet> facets() const {
+    std::vector<SharedFacet> facets = facets_;
+    for (SharedFacet& shared : facets) {
+      for (Vertex& v : shared.facet) v = place_of(v);
+      const auto found = std::lower_bound(simplices_.begin(), simplices_.end(), shared.simplex);
+      shared.simplex = static_cast<std::size_t>(found - simplices_.begin());
+      shared.apex = place_of(shared.apex);
+    }
+    return facets;
+  }
+
+ private:
+  static constexpr Vertex kNone = -1;
+
+  Vertex place_of(Vertex v) const { return place_of_[static_cast<std::size_t>(v)]; }
+  void take(Vertex v) { place_of_[static_cast<std::size_t>(v)] = 0; }
+
+  const fast::MeshView<kDimension, Index>& whole_;
+  std::vector<SharedFacet> facets_;
+  std::vector<std::size_t> simplices_;
+  std::vector<Vertex> place_of_;
+};
+
+}  // namespace
+
+template <std::size_t kDimension, typename Index>
+FlatVerdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
+                             Vertex first_index, const fast::Facts& facts, const Options& options) {
+  FlatVerdict result{Verdict(claim, Mesh{PointSet({}), {}}, options.max_violations),
+                     Mesh{PointSet({}), {}}};
+  if (facts.holds()) {
+    if (claim != Claim::kTriangulation) {
+      result.verdict.unique = facts.unique;
+      result.verdict.canonical = facts.canonical;
+    }
+  } else {
+    const Part<kDimension, Index> part(mesh, shared_facets(mesh, facts.not_local));
+    const bool weighted = claim == Claim::kWeightedDelaunay && !mesh.weights.empty();
+    result.named = part.mesh(weighted, first_index);
+    result.verdict = not_locally_delaunay(claim, result.named, part.facets(), options);
+  }
+  result.verdict.points = mesh.points();
+  result.verdict.simplices = mesh.size();
+  result.verdict.dimension = static_cast<int>(kDimension);
+  return result;
+}
+
+template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<2, std::int32_t>&, Vertex,
+                                      const fast::Facts&, const Options&);
+template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<2, std::int64_t>&, Vertex,
+                                      const fast::Facts&, const Options&);
+template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<3, std::int32_t>&, Vertex,
+                                      const fast::Facts&, const Options&);
+template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<3, std::int64_t>&, Vertex,
+                                      const fast::Facts&, const Options&);
+
+}  // namespace circumspect::check

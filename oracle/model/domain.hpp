@@ -1,0 +1,29 @@
+// What a user hands in beside a mesh: the domain that the mesh is meant to fill.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/model/listed_index.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect {
+
+// A valid piecewise linear complex, and what the user calls its parts. A mesh has its own indices:
+// vertices of mesh and domain are matched by their coordinates.
+struct Domain {
+  PiecewiseLinearComplex complex;
+  std::vector<Vertex> labels = {};              // of its vertices; empty: the index itself
+  Vertex first_index = 0;                       // the user's index of the first vertex
+  std::vector<std::string> polygon_names = {};  // "3 (line 17)"; empty: counted from 1
+
+  // The user's own index of a vertex.
+  Vertex label(Vertex v) const {
+    return labels.empty() ? index_of_place(v, first_index) : labels[static_cast<std::size_t>(v)];
+  }
+  std::string polygon_name(std::size_t polygon) const {
+    return polygon_names.empty() ? std::to_string(polygon + 1) : polygon_names[polygon];
+  }
+};
+
+}  // namespace circumspect

@@ -1,0 +1,58 @@
+// What a user hands in: points and a list of simplices that some program made of them.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "oracle/model/listed_index.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+
+namespace circumspect {
+
+// Which simplex is across the facet opposite each vertex, as a program lists it.
+struct Neighbors {
+  // One row a simplex, one entry a vertex: the index of a simplex, counted from first_index, or −1.
+  std::vector<std::vector<Vertex>> rows;
+  Vertex first_index = 0;
+};
+
+// Simplices and faces whose user named some of their vertices by points that were merged into equal ones.
+struct AsListed {
+  struct Cell {
+    Simplex vertices;  // as the mesh has them
+    Simplex indices;   // the user's own of each
+  };
+  std::map<std::size_t, Simplex> by_place = {};  // indices of simplices, by their place among them
+  std::map<Simplex, Cell> by_set =
+      {};  // by the vertices, sorted; of several that became the same: the first
+};
+
+// Simplices name points by their index from 0; an index that names no point stays in place, for the
+// checker to report. `labels` translates back: the user's own index of each point.
+struct Mesh {
+  PointSet points;
+  std::vector<Simplex> simplices;
+  std::vector<Vertex> labels = {};  // empty: the index itself
+  Vertex first_index = 0;           // the user's index of the first point, and of the first simplex
+  std::optional<Neighbors> neighbors = {};
+  // Triangles and edges that a program lists beside (.face, .edge), each of fewer vertices than a
+  // simplex above. Those that are faces of no simplex with more vertices are the dangling ones; the
+  // others say nothing new. Only claims about a domain look at them.
+  std::vector<Simplex> faces = {};
+  AsListed as_listed = {};  // empty unless points were merged: merged_points.hpp
+
+  // The user's own index of a vertex, whether it names a point or not.
+  Vertex label(Vertex v) const {
+    if (!points.names(v) || labels.empty()) return index_of_place(v, first_index);
+    return labels[static_cast<std::size_t>(v)];
+  }
+
+  // A simplex or a face of the mesh by the user's own indices, as it is listed. `place`: where among the
+  // simplices, if several may have these vertices.
+  Simplex listed(const Simplex& simplex, std::optional<std::size_t> place = {}) const;
+};
+
+}  // namespace circumspect

@@ -1,0 +1,104 @@
+// The answer to a claim. A fault of the input is not a verdict: it never gets as far as a checker.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/rule.hpp"
+#include "oracle/model/witness.hpp"
+
+namespace circumspect {
+
+enum class Claim {
+  kTriangulation,
+  kDelaunay,
+  kWeightedDelaunay,
+  // Of a mesh and a domain.
+  kPlcTriangulation,
+  kSteinerTriangulation,
+  kCdt,
+  kSteinerCdt,
+  kConformingDelaunay,
+};
+
+// Is a domain needed to judge the claim?
+bool is_about_a_domain(Claim claim);
+
+std::string_view name(Claim claim);
+
+struct Violation {
+  Rule rule;
+  Witness witness;
+};
+
+// How often a rule is broken, and how badly at worst. The margin is relative and unitless: the depth
+// r² − |q − o|² of a point in a ball over r², between 0 and 1 (weighted: plus its weight, and possibly
+// more than 1). One near 0 tells a rounding error from a bug.
+struct Tally {
+  std::size_t count = 0;
+  std::optional<Rational> worst_margin = {};
+};
+
+// The vertices of a mesh that are not vertices of the domain, by the linear cell in whose relative
+// interior they lie. Book: Definition 4.5.
+struct SteinerPoints {
+  std::size_t on_segments = 0;
+  std::size_t in_polygons = 0;
+  std::size_t in_polyhedra = 0;
+
+  std::size_t count() const { return on_segments + in_polygons + in_polyhedra; }
+};
+
+// The vertices that a mesh has beyond those of the domain: how many, and the first ones.
+struct ExtraVertices {
+  std::size_t count = 0;
+  std::vector<Vertex> first = {};  // ascending
+};
+
+class Verdict {
+ public:
+  Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations);
+
+  // Counts a violation, and keeps it if there is room.
+  void add(Rule rule, const Witness& witness, const std::optional<Rational>& margin = std::nullopt);
+  // Does the next violation have room? A checker need not work out a witness that is dropped.
+  bool keeps_more() const { return max_violations_ == 0 || violations_.size() < max_violations_; }
+  // How many violations are kept; 0: all.
+  std::size_t max_violations() const { return max_violations_; }
+  // Counts a violation without a witness.
+  void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
+
+  bool holds() const { return tallies_.empty(); }
+  Claim claim() const { return claim_; }
+  const std::vector<Violation>& violations() const { return violations_; }
+  const std::map<Rule, Tally>& tallies() const { return tallies_; }
+
+  // Facts beside the verdict, for a Delaunay claim that holds: is there no other Delaunay
+  // triangulation of the points? is this the canonical one? (Of constrained Delaunay triangulations
+  // `unique` is only said where it is certain.)
+  std::optional<bool> unique = {};
+  std::optional<bool> canonical = {};
+
+  // For a claim about a domain: the vertices that the mesh has beyond those of the domain.
+  // Which (as many as there is room for violations) is known sooner than where they lie.
+  std::optional<SteinerPoints> steiner_points = {};
+  std::optional<ExtraVertices> extra_vertices = {};
+  // For a claim about a domain that holds: how many of the listed triangles and edges are faces of no
+  // larger simplex, listed ones included.
+  std::size_t dangling = 0;
+
+  std::size_t points = 0;
+  std::size_t simplices = 0;
+  int dimension = -1;  // of the affine hull of the points
+
+ private:
+  Claim claim_;
+  std::size_t max_violations_;
+  std::vector<Violation> violations_;
+  std::map<Rule, Tally> tallies_;
+};
+
+}  // namespace circumspect

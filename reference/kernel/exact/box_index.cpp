@@ -1,0 +1,137 @@
+#include "reference/kernel/exact/box_index.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+
+namespace circumspect {
+
+// ---- Boxes ----
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+// lower_double and upper_double at once: most values are doubles.
+void enclose(const Rational& value, double& low, double& high) {
+  low = high = value.get_d();
+  const int side = std::isfinite(low) ? cmp(exact_value(low), value) : 1;
+  if (side != 0) {
+    if (side > 0) low = lower_double(value);
+    if (side < 0 || !std::isfinite(high)) high = upper_double(value);
+  }
+}
+
+}  // namespace
+
+double lower_double(const Rational& value) {
+  // GMP rounds towards zero, which may be to either side of the value.
+  double rounded = value.get_d();
+  if (!std::isfinite(rounded)) return rounded > 0 ? kLargest : -kInfinity;
+  while (exact_value(rounded) > value) {
+    rounded = std::nextafter(rounded, -kInfinity);
+    if (!std::isfinite(rounded)) break;
+  }
+  return rounded;
+}
+
+double upper_double(const Rational& value) { return -lower_double(-value); }
+
+Box box_around(const Point& point) {
+  assert(point.size() == 2 || point.size() == 3);
+  const Rational& x = point[0];
+  const Rational& y = point[1];
+  const Rational z = point.size() == 3 ? point[2] : Rational(0);
+  const std::array<Rational, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
+  Box box;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    enclose(values[i], box.low[i], box.high[i]);
+  }
+  return box;
+}
+
+Box box_around(const Box& a, const Box& b) {
+  Box box = a;
+  for (std::size_t i = 0; i < box.low.size(); ++i) {
+    box.low[i] = std::min(a.low[i], b.low[i]);
+    box.high[i] = std::max(a.high[i], b.high[i]);
+  }
+  return box;
+}
+
+bool may_meet(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < a.low.size(); ++i) {
+    if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
+  }
+  return true;
+}
+
+// ---- Their index ----
+
+namespace {
+
+namespace bg = boost::geometry;
+using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
+using TreeBox = bg::model::box<Corner>;
+using Entry = std::pair<TreeBox, std::size_t>;
+
+// The tree takes sums and differences of coordinates, and of infinite ones a difference may be no
+// number. Cutting all boxes off at ±2^1000 is monotone: boxes that meet still do.
+double finite(double coordinate) {
+  constexpr double kFar = 0x1p1000;
+  return std::clamp(coordinate, -kFar, kFar);
+}
+
+TreeBox tree_box(const Box& box) {
+  const auto corner = [](const std::array<double, 9>& at) {
+    return Corner(finite(at[0]), finite(at[1]), finite(at[2]));
+  };
+  return {corner(box.low), corner(box.high)};
+}
+
+std::vector<Entry> entries(const std::vector<Box>& boxes) {
+  std::vector<Entry> result;
+  result.reserve(boxes.size());
+  for (const Box& box : boxes) result.emplace_back(tree_box(box), result.size());
+  return result;
+}
+
+}  // namespace
+
+struct BoxIndex::Tree {
+  explicit Tree(const std::vector<Box>& list) : places(entries(list)), boxes(list) {}
+  bg::index::rtree<Entry, bg::index::quadratic<16>> places;
+  std::vector<Box> boxes;
+};
+
+BoxIndex::BoxIndex(const std::vector<Box>& boxes) : tree_(std::make_unique<Tree>(boxes)) {}
+BoxIndex::~BoxIndex() = default;
+BoxIndex::BoxIndex(BoxIndex&&) noexcept = default;
+BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
+
+std::vector<std::size_t> BoxIndex::meeting(const Box& box) const {
+  std::vector<std::size_t> places;
+  const auto all = bg::index::intersects(tree_box(box));
+  for (auto it = tree_->places.qbegin(all); it != tree_->places.qend(); ++it) {
+    if (may_meet(tree_->boxes[it->second], box)) places.push_back(it->second);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+std::size_t BoxIndex::near(const Box& box) const {
+  const auto nearest = tree_->places.qbegin(bg::index::nearest(tree_box(box).min_corner(), 1));
+  return nearest->second;
+}
+
+}  // namespace circumspect

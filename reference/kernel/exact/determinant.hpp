@@ -1,0 +1,39 @@
+// Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
+// speed alone: by elimination, which would do, `build delaunay` takes 50 % longer, by cofactors 130
+// %.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/kernel/exact/number.hpp"
+
+namespace circumspect {
+
+// A square matrix of integers, row by row.
+class SquareMatrix {
+ public:
+  explicit SquareMatrix(std::size_t order) : order_(order), entries_(order * order) {}
+  std::size_t order() const { return order_; }
+  Integer& operator()(std::size_t row, std::size_t column) {
+    return entries_[row * order_ + column];
+  }
+  const Integer& operator()(std::size_t row, std::size_t column) const {
+    return entries_[row * order_ + column];
+  }
+
+ private:
+  std::size_t order_;
+  std::vector<Integer> entries_;
+};
+
+// The determinant; 1 for the empty matrix. Orders up to 4 by Laplace's expansion, above that by
+// Bareiss's fraction-free elimination (E. Bareiss, Math. Comp. 22, 1968), in which every division
+// is exact and every intermediate value is a minor of the matrix.
+Integer determinant(SquareMatrix matrix);
+
+// The two methods, apart, so that tests can hold one against the other.
+Integer determinant_by_laplace(const SquareMatrix& matrix);  // Requires: order <= 4.
+Integer determinant_by_bareiss(SquareMatrix matrix);
+
+}  // namespace circumspect

@@ -1,0 +1,183 @@
+// The simplex method against the enumeration of all basic solutions.
+#include "reference/kernel/exact/linear_program.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <doctest/doctest.h>
+
+#include "inputs/plain_algebra.hpp"
+#include "inputs/scalars.hpp"
+
+namespace circumspect {
+namespace {
+
+using Status = LinearProgramStatus;
+
+Point column(const LinearProgram& program, std::size_t j) {
+  Point entries;
+  for (const std::vector<Rational>& row : program.equations) entries.push_back(row[j]);
+  return entries;
+}
+
+bool is_feasible(const LinearProgram& program, const std::vector<Rational>& x) {
+  for (const Rational& entry : x) {
+    if (sign(entry) < 0) return false;
+  }
+  for (std::size_t i = 0; i < program.equations.size(); ++i) {
+    if (inner_product(program.equations[i], x) != program.right_sides[i]) return false;
+  }
+  return true;
+}
+
+// The solution of the equations that only some variables take part in, if their columns are linearly
+// independent and there is one: by the normal equations.
+std::optional<Point> basic_solution(const LinearProgram& program,
+                                    const std::vector<std::size_t>& basis) {
+  std::vector<Point> gram;
+  Point right;
+  for (const std::size_t i : basis) {
+    Point row;
+    for (const std::size_t j : basis) {
+      row.push_back(inner_product(column(program, i), column(program, j)));
+    }
+    gram.push_back(row);
+    right.push_back(inner_product(column(program, i), program.right_sides));
+  }
+  if (sign(generators::leibniz_determinant(gram)) == 0) return std::nullopt;
+  const Point values = generators::cramer_solution(gram, right);
+  Point x(program.objective.size(), Rational(0));
+  for (std::size_t i = 0; i < basis.size(); ++i) x[basis[i]] = values[i];
+  if (!is_feasible(program, x)) return std::nullopt;
+  return x;
+}
+
+// The largest objective of a basic feasible solution; nothing if there is none.
+std::optional<Rational> best_basic_value(const LinearProgram& program) {
+  std::optional<Rational> best;
+  const std::size_t n = program.objective.size();
+  for (std::size_t size = 0; size <= std::min(n, program.equations.size()); ++size) {
+    for (const std::vector<std::size_t>& basis : generators::subsets(n, size)) {
+      const auto x = basic_solution(program, basis);
+      if (!x) continue;
+      const Rational value = inner_product(program.objective, *x);
+      if (!best || *best < value) best = value;
+    }
+  }
+  return best;
+}
+
+// A program with a feasible point is unbounded iff some direction r ≥ 0 with A r = 0 and Σ r = 1
+// improves the objective; the directions are a polytope, so that its vertices decide.
+bool has_improving_direction(const LinearProgram& program) {
+  LinearProgram directions = program;
+  directions.right_sides.assign(program.right_sides.size(), Rational(0));
+  directions.equations.emplace_back(program.objective.size(), Rational(1));
+  directions.right_sides.push_back(1);
+  const auto best = best_basic_value(directions);
+  return best && sign(*best) > 0;
+}
+
+void check_against_enumeration(const LinearProgram& program, std::map<Status, int>& seen) {
+  const LinearProgramAnswer answer = maximize(program);
+  const auto best = best_basic_value(program);
+  ++seen[answer.status];
+  if (!best) {
+    RC_ASSERT(answer.status == Status::kInfeasible);
+    return;
+  }
+  RC_ASSERT(is_feasible(program, answer.solution));
+  RC_ASSERT(answer.value == inner_product(program.objective, answer.solution));
+  if (has_improving_direction(program)) {
+    RC_ASSERT(answer.status == Status::kUnbounded);
+    return;
+  }
+  RC_ASSERT(answer.status == Status::kOptimal);
+  RC_ASSERT(answer.value == *best);
+}
+
+TEST_CASE("linear program: one optimum, many optima, a fraction") {
+  // max x + 2y, x + y + s = 4, y + t = 3.
+  const LinearProgramAnswer corner = maximize({{{1, 1, 1, 0}, {0, 1, 0, 1}}, {4, 3}, {1, 2, 0, 0}});
+  CHECK(corner.status == Status::kOptimal);
+  CHECK(corner.value == 7);
+  CHECK(corner.solution == std::vector<Rational>{1, 3, 0, 0});
+  const LinearProgramAnswer edge = maximize({{{1, 1}}, {1}, {5, 5}});
+  CHECK(edge.status == Status::kOptimal);
+  CHECK(edge.value == 5);
+  const LinearProgramAnswer fraction = maximize({{{3, 1}}, {1}, {1, 0}});
+  CHECK(fraction.value == Rational(1, 3));
+}
+
+TEST_CASE("linear program: infeasible, by sign and by contradiction") {
+  CHECK(maximize({{{1, 1}}, {-1}, {1, 0}}).status == Status::kInfeasible);
+  CHECK(maximize({{{1, 1}, {2, 2}}, {1, 3}, {0, 0}}).status == Status::kInfeasible);
+  CHECK(maximize({{{0, 0}}, {1}, {0, 0}}).status == Status::kInfeasible);
+}
+
+TEST_CASE("linear program: unbounded, with a feasible point; no equations") {
+  const LinearProgram ray = {{{1, -1}}, {2}, {1, 0}};
+  const LinearProgramAnswer answer = maximize(ray);
+  CHECK(answer.status == Status::kUnbounded);
+  CHECK(is_feasible(ray, answer.solution));
+  CHECK(maximize({{}, {}, {1}}).status == Status::kUnbounded);
+  const LinearProgramAnswer zero = maximize({{}, {}, {-1, 0}});
+  CHECK(zero.status == Status::kOptimal);
+  CHECK(zero.solution == std::vector<Rational>{0, 0});
+}
+
+TEST_CASE("linear program: redundant equations keep an artificial variable basic at zero") {
+  const LinearProgramAnswer answer =
+      maximize({{{1, 1, 0}, {2, 2, 0}, {1, 1, 0}}, {1, 2, 1}, {1, 0, -1}});
+  CHECK(answer.status == Status::kOptimal);
+  CHECK(answer.value == 1);
+  CHECK(answer.solution == std::vector<Rational>{1, 0, 0});
+}
+
+// E. M. L. Beale, Naval Research Logistics Quarterly 2, 1955: the largest-coefficient rule cycles.
+TEST_CASE("linear program: a degenerate program on which other pivot rules cycle") {
+  const Rational quarter(1, 4);
+  const Rational half(1, 2);
+  const LinearProgram beale = {{{1, 0, 0, quarter, -60, Rational(-1, 25), 9},
+                                {0, 1, 0, half, -90, Rational(-1, 50), 3},
+                                {0, 0, 1, 0, 0, 1, 0}},
+                               {0, 0, 1},
+                               {0, 0, 0, Rational(3, 4), -150, Rational(1, 50), -6}};
+  const LinearProgramAnswer answer = maximize(beale);
+  CHECK(answer.status == Status::kOptimal);
+  CHECK(answer.value == Rational(1, 20));
+  CHECK(is_feasible(beale, answer.solution));
+}
+
+// Found by search: it cycles where Bland's rule is followed for the variable that enters, and of the
+// rows that bind it first the one with the largest variable leaves.
+TEST_CASE("linear program: a degenerate program on which half of Bland's rule cycles") {
+  const LinearProgram program = {
+      {{-4, 8, -5, 1, -1, 5, 0}, {3, -5, -5, 2, 0, -9, -9}, {-6, -9, -7, -1, 0, -9, 2}},
+      {0, 0, 0},
+      {-4, -9, 2, 2, 4, 5, 4}};
+  const LinearProgramAnswer answer = maximize(program);
+  CHECK(answer.status ==
+        (has_improving_direction(program) ? Status::kUnbounded : Status::kOptimal));
+  CHECK(is_feasible(program, answer.solution));
+}
+
+TEST_CASE("linear program: it agrees with the enumeration of all basic solutions") {
+  std::map<Status, int> seen;
+  CHECK(rc::check([&] {
+    const auto m = static_cast<std::size_t>(*generators::below(4));
+    const auto n = static_cast<std::size_t>(1 + *generators::below(5));
+    LinearProgram program;
+    // Many zeros and small numbers: degenerate bases, redundant and contradictory equations.
+    program.equations = *rc::gen::container<RationalMatrix>(
+        m, rc::gen::container<std::vector<Rational>>(n, generators::integer_number(2)));
+    program.right_sides =
+        *rc::gen::container<std::vector<Rational>>(m, generators::integer_number(2));
+    program.objective = *rc::gen::container<std::vector<Rational>>(n, generators::small_rational());
+    check_against_enumeration(program, seen);
+  }));
+  CHECK(seen.size() == 3);  // every answer came up
+}
+
+}  // namespace
+}  // namespace circumspect

@@ -1,0 +1,158 @@
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/piecewise_linear/incidence.hpp"
+#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
+
+namespace circumspect {
+
+// From lines to linear cells.
+
+namespace {
+
+// All vertices and segments, for finding those that lie in a polygon.
+class Assembly {
+ public:
+  Assembly(const PointSet& points, const std::vector<Simplex>& segments)
+      : points_(points),
+        boxes_(points),
+        vertices_(boxes_.of_vertices()),
+        neighbours_(points.size()) {
+    for (const Simplex& segment : segments) {
+      neighbours_[static_cast<std::size_t>(segment[0])].push_back(segment[1]);
+    }
+  }
+
+  Polygon polygon(const PolygonLines& lines) const {
+    Polygon polygon;
+    polygon.hole_seeds = lines.hole_seeds;
+    std::vector<Vertex> vertices = vertices_of(lines);
+    const std::set<Simplex> listed = edges_of(lines);
+    const std::vector<Simplex> walls(listed.begin(), listed.end());
+    polygon.axes = flat_through(points_, vertices).axes;
+    if (polygon.axes.size() != 2) return polygon;
+    polygon.triangles =
+        polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds);
+    const std::vector<Vertex> inside = vertices_in(polygon);
+    const std::vector<Simplex> slits = segments_between(inside);
+    const std::size_t count = vertices.size();
+    vertices.insert(vertices.end(), inside.begin(), inside.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const bool has_slits = std::any_of(slits.begin(), slits.end(),
+                                       [&](const Simplex& s) { return !listed.contains(s); });
+    if (vertices.size() > count || has_slits) {
+      polygon.triangles =
+          polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds, slits);
+    }
+    // The triangles have all these vertices and segments for corners and edges, and those that lie
+    // outside or in a hole are left with none.
+    std::set<Simplex> edges;
+    for (const Simplex& triangle : polygon.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) edges.insert(facet_opposite(triangle, i));
+    }
+    polygon.vertices = inside;
+    std::copy_if(slits.begin(), slits.end(), std::back_inserter(polygon.segments),
+                 [&](const Simplex& s) { return edges.contains(s); });
+    return polygon;
+  }
+
+ private:
+  // All vertices in the triangles of a polygon.
+  std::vector<Vertex> vertices_in(const Polygon& polygon) const {
+    std::set<Vertex> found;
+    for (const Simplex& triangle : polygon.triangles) {
+      found.insert(triangle.begin(), triangle.end());
+      for (const std::size_t place : vertices_.meeting(boxes_.of(triangle))) {
+        const auto v = static_cast<Vertex>(place);
+        if (found.contains(v)) continue;
+        if (lies_in_triangle(points_.configuration(), v, triangle, polygon.axes)) found.insert(v);
+      }
+    }
+    return {found.begin(), found.end()};
+  }
+
+  // All segments with both ends among some vertices, in lexicographic order.
+  std::vector<Simplex> segments_between(const std::vector<Vertex>& vertices) const {
+    std::vector<Simplex> found;
+    for (const Vertex v : vertices) {
+      for (const Vertex w : neighbours_[static_cast<std::size_t>(v)]) {
+        if (std::binary_search(vertices.begin(), vertices.end(), w)) found.push_back({v, w});
+      }
+    }
+    return found;
+  }
+
+  const PointSet& points_;
+  CellBoxes boxes_;
+  BoxIndex vertices_;
+  std::vector<std::vector<Vertex>> neighbours_;  // the greater ends of segments, ascending
+};
+
+}  // namespace
+
+PiecewiseLinearComplex assemble(const PiecewiseLinearInput& input) {
+  PiecewiseLinearComplex complex{
+      PointSet(input.points), segments_of(input), {}, input.hole_seeds, input.kind};
+  if (input.polygons.empty()) return complex;
+  const Assembly assembly(complex.points, complex.segments);
+  complex.polygons.reserve(input.polygons.size());
+  for (const PolygonLines& polygon : input.polygons) {
+    complex.polygons.push_back(assembly.polygon(polygon));
+  }
+  return complex;
+}
+
+std::vector<Simplex> walls(const PiecewiseLinearComplex& complex) {
+  if (complex.ambient_dimension() == 2) return complex.segments;
+  std::vector<Simplex> triangles;
+  for (const Polygon& polygon : complex.polygons) {
+    triangles.insert(triangles.end(), polygon.triangles.begin(), polygon.triangles.end());
+  }
+  return triangles;
+}
+
+namespace {
+
+template <typename T>
+void keep_each_once(std::vector<T>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+}  // namespace
+
+std::set<Simplex> edges_of(const PolygonLines& polygon) {
+  std::set<Simplex> edges;
+  for (const std::vector<Vertex>& line : polygon.lines) {
+    if (line.size() < 2) continue;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      edges.insert(sorted({line[i], line[(i + 1) % line.size()]}));
+    }
+  }
+  return edges;
+}
+
+std::vector<Vertex> vertices_of(const PolygonLines& polygon) {
+  std::vector<Vertex> vertices;
+  for (const auto& line : polygon.lines) vertices.insert(vertices.end(), line.begin(), line.end());
+  keep_each_once(vertices);
+  return vertices;
+}
+
+std::vector<Simplex> segments_of(const PiecewiseLinearInput& input) {
+  std::vector<Simplex> segments;
+  for (const auto& segment : input.segments) segments.push_back(sorted(segment));
+  for (const PolygonLines& polygon : input.polygons) {
+    for (const Simplex& edge : edges_of(polygon)) segments.push_back(edge);
+  }
+  keep_each_once(segments);
+  return segments;
+}
+
+}  // namespace circumspect

@@ -1,0 +1,269 @@
+#include "reference/kernel/piecewise_linear/polygon_breaches.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "reference/kernel/piecewise_linear/incidence.hpp"
+#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+
+namespace circumspect {
+namespace {
+
+struct Tile {
+  Simplex triangle;
+  std::size_t polygon;
+  // Which of the edges 12, 02, 01 (by places in the triangle) are segments of the complex.
+  std::array<bool, 3> is_segment;
+
+  bool has_segments_only() const { return is_segment[0] && is_segment[1] && is_segment[2]; }
+};
+
+std::vector<Tile> tiles_of(const PiecewiseLinearComplex& complex) {
+  std::vector<Tile> tiles;
+  for (std::size_t i = 0; i < complex.polygons.size(); ++i) {
+    for (const Simplex& triangle : complex.polygons[i].triangles) {
+      Tile tile = {triangle, i, {}};
+      for (std::size_t place = 0; place < 3; ++place) {
+        tile.is_segment[place] = std::binary_search(
+            complex.segments.begin(), complex.segments.end(), facet_opposite(triangle, place));
+      }
+      tiles.push_back(tile);
+    }
+  }
+  return tiles;
+}
+
+BoxIndex index_of(const CellBoxes& boxes, const std::vector<Tile>& tiles) {
+  std::vector<Simplex> triangles;
+  for (const Tile& tile : tiles) triangles.push_back(tile.triangle);
+  return boxes.index_of(triangles);
+}
+
+// On which side of one plane vertices are, each found once.
+class SidesOfPlane {
+ public:
+  explicit SidesOfPlane(const PointSet& points)
+      : points_(points), sides_(points.size()), known_for_(points.size(), 0) {}
+
+  // The plane of a triangle from now on.
+  void set_plane(const Simplex& triangle) {
+    triangle_ = triangle;
+    ++plane_;
+  }
+  int side(Vertex v) {
+    const auto place = static_cast<std::size_t>(v);
+    if (known_for_[place] != plane_) {
+      sides_[place] = side_of_triangle(points_.configuration(), triangle_, v);
+      known_for_[place] = plane_;
+    }
+    return sides_[place];
+  }
+
+ private:
+  const PointSet& points_;
+  Simplex triangle_;
+  std::size_t plane_ = 0;  // how many there were
+  std::vector<int> sides_;
+  std::vector<std::size_t> known_for_;
+};
+
+// The corners of a tile by their sides of a plane.
+struct Sides {
+  template <typename SideOf>
+  Sides(const Tile& tile, SideOf&& side_of) {
+    std::size_t apex = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int side = side_of(tile.triangle[i]);
+      (side == 0 ? in_plane : side > 0 ? above : below) += 1;
+      if (side != 0) apex = i;
+    }
+    has_segment_in_plane = in_plane == 2 && tile.is_segment[apex];
+  }
+  // Does the plane cut out more than a point, and nothing that is known to lie in a segment?
+  bool may_share_stretch() const {
+    return (above > 0 && below > 0) || (in_plane == 2 && !has_segment_in_plane);
+  }
+  int above = 0, below = 0, in_plane = 0;
+  bool has_segment_in_plane = false;
+};
+
+// How two tiles of different polygons can go wrong, given that vertices and segments form a
+// simplicial complex, no segment pierces a polygon, and all vertices and segments of the complex that
+// lie in a polygon are corners and edges of its tiles.
+//
+// The ends of a common stretch of two polygons of different planes lie on the boundary of one or the
+// other, in a segment; were they not vertices, the segment would pierce the other polygon or lie in
+// both and go on. So the stretch runs from vertex to vertex, and is legal iff it consists of
+// segments, which then are edges of tiles of both.
+//
+// A tile that has segments for all edges holds no vertex but its corners. What it shares with another
+// polygon is then made of corners and edges, or it is a tile of both. So only equal tiles, and pairs of
+// tiles that both have an edge within their polygons, need a look.
+class TilePairs {
+ public:
+  TilePairs(const PiecewiseLinearComplex& complex, const std::vector<Tile>& tiles,
+            BreachList& found)
+      : points_(complex.points), complex_(complex), tiles_(tiles), found_(found) {}
+
+  void judge_equal_tiles() {
+    std::vector<std::size_t> order(tiles_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return tiles_[i].triangle < tiles_[j].triangle;
+    });
+    for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+      const Tile& a = tiles_[order[i]];
+      const Tile& b = tiles_[order[i + 1]];
+      if (a.triangle == b.triangle) add(BreachKind::kPolygonsOverlap, a, b);
+    }
+  }
+
+  void judge_other_tiles() {
+    std::vector<Tile> tiles;
+    std::copy_if(tiles_.begin(), tiles_.end(), std::back_inserter(tiles),
+                 [](const Tile& tile) { return !tile.has_segments_only(); });
+    if (tiles.empty()) return;
+    const CellBoxes boxes(points_);
+    const BoxIndex index = index_of(boxes, tiles);
+    SidesOfPlane sides(points_);
+    for (std::size_t i = 0; i < tiles.size() && !found_.is_full(); ++i) {
+      const Tile& a = tiles[i];
+      if (i == 0 || tiles[i - 1].polygon != a.polygon) sides.set_plane(a.triangle);
+      for (const std::size_t j : index.meeting(boxes.of(a.triangle))) {
+        const Tile& b = tiles[j];
+        if (j <= i || b.polygon == a.polygon) continue;
+        judge(a, b, Sides(b, [&](Vertex v) { return sides.side(v); }));
+      }
+    }
+  }
+
+ private:
+  void judge(const Tile& a, const Tile& b, const Sides& b_from_a) {
+    const Configuration& configuration = points_.configuration();
+    if (b_from_a.in_plane == 3) {
+      const auto& axes = complex_.polygons[a.polygon].axes;
+      if (!wrong_.contains(std::minmax(a.polygon, b.polygon)) &&
+          interiors_meet(configuration, axes, a.triangle, b.triangle)) {
+        add(BreachKind::kPolygonsOverlap, a, b);
+      }
+      return;
+    }
+    if (!b_from_a.may_share_stretch()) return;
+    const Sides a_from_b(a,
+                         [&](Vertex v) { return side_of_triangle(configuration, b.triangle, v); });
+    if (a_from_b.may_share_stretch() && common_corners(a, b).size() > 1) {
+      add(BreachKind::kPolygonsCross, a, b);
+    }
+  }
+  std::vector<Point> common_corners(const Tile& a, const Tile& b) const {
+    return intersection(coordinates(points_, a.triangle), coordinates(points_, b.triangle));
+  }
+  // One witness a pair of polygons.
+  void add(BreachKind kind, const Tile& a, const Tile& b) {
+    const std::pair<std::size_t, std::size_t> pair = std::minmax(a.polygon, b.polygon);
+    if (!wrong_.insert(pair).second) return;
+    found_.add({kind, {}, {}, {pair.first, pair.second}, barycentre(common_corners(a, b))});
+  }
+
+  const PointSet& points_;
+  const PiecewiseLinearComplex& complex_;
+  const std::vector<Tile>& tiles_;
+  BreachList& found_;
+  std::set<std::pair<std::size_t, std::size_t>> wrong_;
+};
+
+// The triangles of one polygon against segments that have an end on either side of it.
+class PiercedPolygon {
+ public:
+  PiercedPolygon(const PointSet& points, const CellBoxes& boxes, const Polygon& polygon)
+      : points_(points), boxes_(boxes), triangles_(polygon.triangles) {}
+
+  // Where the segment goes through the polygon, if it does.
+  std::optional<Point> pierced_by(const Simplex& segment) {
+    if (triangles_.size() < 8) {
+      for (const Simplex& triangle : triangles_) {
+        if (const auto point = pierced(triangle, segment)) return point;
+      }
+      return std::nullopt;
+    }
+    if (!index_) index_.emplace(boxes_.index_of(triangles_));
+    for (const std::size_t i : index_->meeting(boxes_.of(segment))) {
+      if (const auto point = pierced(triangles_[i], segment)) return point;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Point> pierced(const Simplex& triangle, const Simplex& segment) const {
+    if (!segment_pierces_triangle(points_.configuration(), segment, triangle)) {
+      return std::nullopt;
+    }
+    return intersection(coordinates(points_, segment), coordinates(points_, triangle)).front();
+  }
+
+  const PointSet& points_;
+  const CellBoxes& boxes_;
+  const std::vector<Simplex>& triangles_;
+  std::optional<BoxIndex> index_;
+};
+
+}  // namespace
+
+void find_piercing_segments(const PiecewiseLinearComplex& complex, BreachList& found) {
+  if (complex.polygons.empty()) return;
+  const PointSet& points = complex.points;
+  const CellBoxes boxes(points);
+  const BoxIndex index = boxes.index_of(complex.segments);
+  SidesOfPlane sides(points);
+  for (std::size_t i = 0; i < complex.polygons.size() && !found.is_full(); ++i) {
+    const Polygon& polygon = complex.polygons[i];
+    PiercedPolygon pierced(points, boxes, polygon);
+    sides.set_plane(polygon.triangles.front());
+    for (const std::size_t place : index.meeting(boxes.of(polygon.vertices))) {
+      const Simplex& segment = complex.segments[place];
+      // An end that is a vertex of the polygon lies in its plane.
+      const bool ends_in_plane = std::any_of(segment.begin(), segment.end(), [&](Vertex v) {
+        return std::binary_search(polygon.vertices.begin(), polygon.vertices.end(), v);
+      });
+      if (ends_in_plane || sides.side(segment[0]) * sides.side(segment[1]) >= 0) continue;
+      if (const auto point = pierced.pierced_by(segment)) {
+        found.add({BreachKind::kSegmentPiercesPolygon, {}, {segment}, {i}, *point});
+      }
+    }
+  }
+}
+
+void find_polygon_pair_breaches(const PiecewiseLinearComplex& complex, BreachList& found) {
+  const std::vector<Tile> tiles = tiles_of(complex);
+  TilePairs pairs(complex, tiles, found);
+  pairs.judge_equal_tiles();
+  pairs.judge_other_tiles();
+}
+
+void find_hole_seed_breaches(const PiecewiseLinearComplex& complex, BreachList& found) {
+  if (complex.hole_seeds.empty()) return;
+  const bool in_plane = complex.ambient_dimension() == 2;
+  const std::vector<Tile> tiles = tiles_of(complex);
+  const CellBoxes boxes(complex.points);
+  const BoxIndex index = in_plane ? boxes.index_of(complex.segments) : index_of(boxes, tiles);
+  for (const Point& seed : complex.hole_seeds) {
+    if (found.is_full()) return;
+    for (const std::size_t i : index.meeting(box_around(seed))) {
+      const Simplex& wall = in_plane ? complex.segments[i] : tiles[i].triangle;
+      if (intersection(coordinates(complex.points, wall), {seed}).empty()) continue;
+      Breach breach = {BreachKind::kHoleSeedOnWall, {}, {}, {}, seed};
+      if (in_plane) breach.segments = {wall};
+      if (!in_plane) breach.polygons = {tiles[i].polygon};
+      found.add(breach);
+      break;
+    }
+  }
+}
+
+}  // namespace circumspect
