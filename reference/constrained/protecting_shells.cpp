@@ -40,23 +40,6 @@ BoxIndex boxes_of(const PiecewiseLinearComplex& complex) {
   return BoxIndex(boxes);
 }
 
-// A box that holds all points whose coordinates differ from the centre's by the reach or less.
-Box cube(const Point& centre, const Rational& reach) {
-  Box box = box_around(centre);
-  for (std::size_t corner = 0; corner < (std::size_t{1} << centre.size()); ++corner) {
-    Point at = centre;
-    for (std::size_t axis = 0; axis < at.size(); ++axis) {
-      if ((corner >> axis) % 2 == 0) {
-        at[axis] -= reach;
-      } else {
-        at[axis] += reach;
-      }
-    }
-    box = box_around(box, box_around(at));
-  }
-  return box;
-}
-
 Vertex other_end(const Simplex& segment, Vertex end) {
   return segment[0] == end ? segment[1] : segment[0];
 }
@@ -121,6 +104,7 @@ void ProtectingShells::measure_angles(Vertex apex, Apex& around) const {
                          complex_.points[apex]);
   }
   around.squared_width = Rational(81, 64);
+  bool is_narrow = false;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const Rational product = inner_product(directions[i], directions[j]);
@@ -129,10 +113,12 @@ void ProtectingShells::measure_angles(Vertex apex, Apex& around) const {
       const Rational inverse_squared_cosine =
           squared_length(directions[i]) * squared_length(directions[j]) / (product * product);
       assert(inverse_squared_cosine > 1);
+      is_narrow = is_narrow || inverse_squared_cosine < 16;
       const Rational half_way = (1 + inverse_squared_cosine) / 2;
       around.squared_width = std::min(around.squared_width, half_way);
     }
   }
+  if (!is_narrow) around.acute.clear();
 }
 
 // The squared distance to the nearest vertex or segment that does not end at the apex. The boxes to

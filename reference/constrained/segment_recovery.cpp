@@ -3,14 +3,64 @@
 #include <limits>
 
 #include "reference/constrained/edge_protection.hpp"
+#include "reference/kernel/exact/box_index.hpp"
 
 namespace circumspect::constrained {
+namespace {
+
+// The points of a round, found by where they are.
+class PointsNear {
+ public:
+  explicit PointsNear(const PointSet& points) : points_(points), index_(boxes_of(points)) {}
+
+  // Those in the closed diametral ball of the edge, without its ends.
+  std::vector<Point> in_diametral_ball(const Simplex& edge) const {
+    const Point& a = points_[edge[0]];
+    const Point& b = points_[edge[1]];
+    const Box box = box_around_ball(a, b);
+    std::vector<Point> found;
+    const auto take = [&](const Point& point) {
+      if (sign(inner_product(a - point, b - point)) <= 0 && point != a && point != b) {
+        found.push_back(point);
+      }
+    };
+    for (const std::size_t place : index_.meeting(box)) take(points_[static_cast<Vertex>(place)]);
+    for (const auto& [around, point] : added_) {
+      if (may_meet(around, box)) take(point);
+    }
+    return found;
+  }
+
+  void add(const Point& point) { added_.push_back({box_around(point), point}); }
+
+ private:
+  static std::vector<Box> boxes_of(const PointSet& points) {
+    std::vector<Box> boxes;
+    for (const Point& point : points.points()) boxes.push_back(box_around(point));
+    return boxes;
+  }
+
+  // The sum of the coordinates' distances is at least the distance.
+  static Box box_around_ball(const Point& a, const Point& b) {
+    const Point middle = Rational(1, 2) * (a + b);
+    Rational reach = 0;
+    for (const Rational& coordinate : a - middle) reach += abs(coordinate);
+    return cube(middle, reach);
+  }
+
+  const PointSet& points_;
+  BoxIndex index_;
+  std::vector<std::pair<Box, Point>> added_;
+};
+
+}  // namespace
 
 std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& points,
                                                                const StarIndex& canonical_delaunay,
                                                                const SplitSegments& segments,
                                                                SubsegmentCondition condition) {
   std::vector<PointOnSegment> added;
+  PointsNear near(points);
   for (const Subsegment& subsegment : segments.subsegments()) {
     const bool is_fine =
         condition == SubsegmentCondition::kInCanonical
@@ -18,7 +68,9 @@ std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& p
             : is_strongly_delaunay_edge(points, canonical_delaunay, subsegment.edge);
     if (is_fine) continue;
     const auto vertex = static_cast<Vertex>(points.size() + added.size());
-    added.push_back({vertex, subsegment.segment, segments.where_to_split(subsegment)});
+    added.push_back({vertex, subsegment.segment,
+                     segments.where_to_split(subsegment, near.in_diametral_ball(subsegment.edge))});
+    near.add(segments.point_at(subsegment.segment, added.back().parameter));
   }
   return added;
 }

@@ -24,13 +24,13 @@ struct RecoveredSegments {
 // wastes nothing: more vertices never make a subsegment strongly Delaunay, so each of them must be
 // split sooner or later, whatever else is done.
 //
-// It ends, however small the angles. At an acute end a of a segment let 2^k be the radius of the
+// It ends, however small the angles. Acute is an end as ProtectingShells has it. At an acute end a of a segment let 2^k be the radius of the
 // least shell of a, and m ≤ (9/8)² its bound. Call a subsegment short if it begins at a and its
 // squared length is at most m 4^k.
 //
 // 1. A segment ab that is acute at a has no vertex but a nearer to a than 2^k. Points at shells of
-//    a have been chosen so. Points in the middle of a subsegment are further away than an end of
-//    that subsegment, or are the middle of ab. As for points at shells of b, the nearest to a was
+//    a have been chosen so. Points in the middle half of a subsegment are further away than an end
+//    of that subsegment, or, if it is ab itself, a quarter of ab or more, and 2^k is no more. As for points at shells of b, the nearest to a was
 //    split off from a subsegment that begins at b. If that was ab itself, of length l, the point is
 //    no further from b than 9/8 · 2l/3 or 9/8 · l/4, since b's least shell is at most l/4; so it is
 //    l/4 or further from a, and 2^k ≤ l/4. If not, the subsegment has another vertex for its end,
@@ -43,13 +43,19 @@ struct RecoveredSegments {
 //    never split.
 // 3. A subsegment at one acute end that is not short is split so that the rest of it at that end is
 //    at most 3/4 as long, or short. This cannot go on for ever.
-// 4. Of the others of a segment s, which are halved, none gets shorter than half a constant. They
-//    lie in the part of s that is at least 2^k away from its acute ends, which is at a positive
-//    distance from every original vertex and every segment other than s, save those that meet s in
-//    an end b that is not acute. These have no point in the diametral ball of a subsegment of s,
-//    apart from b: they are on the other side of the plane through b orthogonal to s, or in it. So
-//    a subsegment of less than twice that distance has no vertex in its closed diametral ball, and
-//    is strongly Delaunay.
+// 4. So from some time on only others are split, each within its middle half. Then none gets
+//    shorter than some ℓ: let 4ℓ be at most the length of every subsegment at that time, and at most
+//    the distance of the part of any segment s that is at least 2^k away from its acute ends from
+//    every original vertex and every segment other than s, save those that meet s in an end b that
+//    is not acute. A subsegment xy of s that is shorter than 4ℓ has nothing in its closed diametral
+//    ball that is so far away. Segments that meet s in b at an angle of 90° or more have no point in
+//    it apart from b: they are on the other side of the plane through b orthogonal to s, or in it.
+//    Let a vertex p be on one with an angle θ < 90°: cos θ ≤ 1/4, since b is not narrow, and
+//    |bp| ≥ ℓ, since no subsegment is shorter. If x = b, p is in the ball only if
+//    |bp| ≤ |by| cos θ < ℓ. If not, |bx| ≥ ℓ, and with t = |bp| cos θ, where h = |bp| sin θ is at
+//    least t √15, p is in the ball only if h² ≤ (t − |bx|)(|by| − t); so |bx| < t and
+//    |by| > t + 15 t > 16 |bx|, and xy is longer than 15ℓ. So xy is strongly Delaunay, and is not
+//    split; a longer one has parts that are ℓ or longer.
 //
 // Therefore it has no limit on Steiner points, other than conforming_delaunay.hpp; but there may be
 // many of them: for two parallel segments in the proportion of their length to their distance.

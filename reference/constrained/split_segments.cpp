@@ -7,6 +7,23 @@
 #include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
 
 namespace circumspect::constrained {
+namespace {
+
+// The number with the least power of two for its denominator in an open interval; the first of them.
+// Requires: 0 ≤ low < high.
+Rational shortest_dyadic(const Rational& low, const Rational& high) {
+  Rational below =
+      0;  // the greatest multiple of the step that is at most `low`, if that is below 1
+  Rational step = 1;
+  while (below + step >= high) {
+    step /= 2;
+    if (below + step <= low) below += step;
+  }
+  return below + step;
+}
+
+}  // namespace
+
 SplitSegments::SplitSegments(const PiecewiseLinearComplex& complex)
     : complex_(complex), shells_(complex) {
   for (const Simplex& segment : complex.segments) {
@@ -41,18 +58,52 @@ Rational SplitSegments::squared_length_of(const Subsegment& subsegment) const {
   return part * part * squared_distance(complex_.points[segment[0]], complex_.points[segment[1]]);
 }
 
-Rational SplitSegments::where_to_split(const Subsegment& subsegment) const {
+Rational SplitSegments::where_to_split(const Subsegment& subsegment,
+                                       const std::vector<Point>& in_the_way) const {
   const Simplex& segment = complex_.segments[subsegment.segment];
   const Stop* stop = &stops_[subsegment.segment][subsegment.place];
+  const Rational middle = (stop[0].parameter + stop[1].parameter) / 2;
+  if (is_protected(subsegment)) return middle;
   const bool begins =
       stop[0].vertex == segment[0] && shells_.is_acute(subsegment.segment, segment[0]);
   const bool ends =
       stop[1].vertex == segment[1] && shells_.is_acute(subsegment.segment, segment[1]);
-  if (begins == ends || is_protected(subsegment))
-    return (stop[0].parameter + stop[1].parameter) / 2;
-  const Rational from_apex = shells_.where_to_split(subsegment.segment, segment[begins ? 0 : 1],
-                                                    squared_length_of(subsegment));
-  return begins ? from_apex : 1 - from_apex;
+  if (begins != ends) {
+    const Rational from_apex = shells_.where_to_split(subsegment.segment, segment[begins ? 0 : 1],
+                                                      squared_length_of(subsegment));
+    return begins ? from_apex : 1 - from_apex;
+  }
+  const std::optional<Interval> beside = beside_nearest(subsegment, in_the_way);
+  if (!beside || (beside->low < middle && middle < beside->high)) return middle;
+  return shortest_dyadic(beside->low, beside->high);
+}
+
+// Measured in parts of the whole segment: a point with the foot t and the height h is outside the
+// closed ball over [u, s], u < t < s, iff (t − u)(s − t) < h².
+std::optional<SplitSegments::Interval> SplitSegments::beside_nearest(
+    const Subsegment& subsegment, const std::vector<Point>& in_the_way) const {
+  const Simplex& segment = complex_.segments[subsegment.segment];
+  const Stop* stop = &stops_[subsegment.segment][subsegment.place];
+  const Rational quarter = (stop[1].parameter - stop[0].parameter) / 4;
+  const Point& start = complex_.points[segment[0]];
+  const Point along = complex_.points[segment[1]] - start;
+  const Rational whole = squared_length(along);
+  std::optional<Interval> nearest;
+  Rational least_height;  // squared
+  for (const Point& point : in_the_way) {
+    const Point to = point - start;
+    const Rational foot = inner_product(to, along) / whole;
+    const Rational height = squared_length(to) / whole - foot * foot;
+    const Rational before = foot - stop[0].parameter;
+    const Rational after = stop[1].parameter - foot;
+    if (sign(before) <= 0 || sign(after) <= 0 || (nearest && height >= least_height)) continue;
+    Interval beside{std::max<Rational>(foot - height / after, stop[0].parameter + quarter),
+                    std::min<Rational>(foot + height / before, stop[1].parameter - quarter)};
+    if (beside.low >= beside.high) continue;
+    nearest = std::move(beside);
+    least_height = height;
+  }
+  return nearest;
 }
 
 Point SplitSegments::point_at(std::size_t segment, const Rational& parameter) const {

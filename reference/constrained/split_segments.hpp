@@ -2,6 +2,7 @@
 // Book: Section 4.5.3 ("One can make it edge-protected by adding vertices on its segments").
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,10 +41,11 @@ struct SteinerLimitReached {
 };
 
 // How subsegments are split so that it comes to an end: a subsegment one end of which is an acute
-// end of its segment at a shell (see ProtectingShells), every other in its middle. So a segment
-// with two acute ends is halved first. (Splitting beside the point that is in the way, instead of
-// in the middle, was tried: it takes fewer points in fans of segments, and more in Chazelle's
-// polyhedra.)
+// end of its segment at a shell (see ProtectingShells); every other in its middle half, beside the
+// nearest point that is in the way, or else in its middle. (J. R. Shewchuk, H. Si: segments that run
+// closely along each other then get their vertices side by side, where those in the middle would not
+// match, and would be in each other's way again and again. At acute ends this was tried as well: it
+// takes fewer points in Chazelle's polyhedra, and more where many segments end in one vertex.)
 class SplitSegments {
  public:
   // Refers to the complex. Requires: it is valid.
@@ -52,8 +54,10 @@ class SplitSegments {
   // Segment by segment, each from its first end to its second.
   std::vector<Subsegment> subsegments() const;
 
-  // The parameter, on the whole segment, at which the subsegment should be split next.
-  Rational where_to_split(const Subsegment& subsegment) const;
+  // The parameter, on the whole segment, at which the subsegment should be split next: beside the
+  // nearest to it of these points, or where it would be split without them.
+  Rational where_to_split(const Subsegment& subsegment,
+                          const std::vector<Point>& in_the_way = {}) const;
   Point point_at(std::size_t segment, const Rational& parameter) const;
 
   // Is the subsegment one that recovery never needs to split, because it has an acute end of its
@@ -81,6 +85,15 @@ class SplitSegments {
   // unsorted.
   void split_segments_of(Polygon& polygon) const;
   Rational squared_length_of(const Subsegment& subsegment) const;
+  // An open interval of parameters.
+  struct Interval {
+    Rational low;
+    Rational high;
+  };
+  // The part of its middle half in which a split keeps the nearest of the points out of the
+  // diametral balls of both parts; nothing if none has its like there.
+  std::optional<Interval> beside_nearest(const Subsegment& subsegment,
+                                         const std::vector<Point>& in_the_way) const;
 
   const PiecewiseLinearComplex& complex_;
   ProtectingShells shells_;

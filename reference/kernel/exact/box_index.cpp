@@ -69,6 +69,22 @@ Box box_around(const Box& a, const Box& b) {
   return box;
 }
 
+Box cube(const Point& centre, const Rational& reach) {
+  Box box = box_around(centre);
+  for (std::size_t corner = 0; corner < (std::size_t{1} << centre.size()); ++corner) {
+    Point at = centre;
+    for (std::size_t axis = 0; axis < at.size(); ++axis) {
+      if ((corner >> axis) % 2 == 0) {
+        at[axis] -= reach;
+      } else {
+        at[axis] += reach;
+      }
+    }
+    box = box_around(box, box_around(at));
+  }
+  return box;
+}
+
 bool may_meet(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < a.low.size(); ++i) {
     if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;

@@ -32,6 +32,9 @@ Box box_around(const Point& point);
 // hull of all points that they hold.
 Box box_around(const Box& a, const Box& b);
 
+// A box that holds all points whose coordinates differ from the centre's by the reach or less.
+Box cube(const Point& centre, const Rational& reach);
+
 // Have the boxes a point in common, as far as their values say? True if they have.
 bool may_meet(const Box& a, const Box& b);
 
