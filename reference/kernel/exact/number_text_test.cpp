@@ -141,18 +141,10 @@ TEST_CASE("a double reading is the decimal reading, rounded as strtod rounds") {
 
 namespace {
 
-constexpr NumberReading kDouble = NumberReading::kDouble;
-
 Rational fraction(const Integer& above, const Integer& below) {
   Rational value(above, below);
   value.canonicalize();
   return value;
-}
-
-double from_bits(std::uint64_t bits) {
-  double result;
-  std::memcpy(&result, &bits, sizeof result);
-  return result;
 }
 
 Integer power_of_two(unsigned long exponent) { return Integer(1) << exponent; }

@@ -249,10 +249,6 @@ PiecewiseLinearInput plane(const std::vector<Point>& points, const std::vector<S
   input.hole_seeds = seeds;
   return input;
 }
-std::vector<Breach> breaches(const PiecewiseLinearInput& input) {
-  const auto complex = validated(input);
-  return complex ? std::vector<Breach>() : complex.error();
-}
 
 const std::vector<Point> kSquare = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 const std::vector<Simplex> kSides = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};

@@ -161,10 +161,6 @@ TEST_CASE("perturbed_in_ball within the hull of all points is taken on the hull'
   }));
 }
 
-using generators::PointsCase;
-
-using Vertices = std::vector<Vertex>;
-
 // Calls visit(points, facet, apex, q) for each facet of the leading simplex of the set, the vertex
 // opposite to it, and each other point q. Everything within the hull of the whole set.
 template <typename Visit>

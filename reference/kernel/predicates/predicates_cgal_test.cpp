@@ -16,6 +16,7 @@ namespace {
 
 using generators::PointsCase;
 using generators::Scaling;
+using generators::Scene;
 
 using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 
@@ -59,14 +60,6 @@ TEST_CASE("O5 the orientation in space is the negative of CGAL's") {
     });
   }));
 }
-
-using generators::PointsCase;
-using generators::Scaling;
-using generators::Scene;
-
-using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
-
-CGAL::Gmpq number(const Rational& x) { return CGAL::Gmpq(x.get_mpq_t()); }
 
 Kernel::Weighted_point_2 weighted_2(const PointsCase& set, Vertex v) {
   const auto i = static_cast<std::size_t>(v);
