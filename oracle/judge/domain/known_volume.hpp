@@ -8,7 +8,7 @@
 
 namespace circumspect::check {
 
-// That there is one says: the mesh has simplices, and conditions 0 and 1 of README.md hold of them (not
+// That there is one says: the mesh has simplices, and conditions 0 and 1 of docs/theory/points.md hold of them (not
 // of listed faces); if the orientation of all was asked for, it is one; and the lists below are right.
 // Facets are named by simplex · (d + 1) + place of the vertex opposite, those of two simplices as the one
 // that comes first has them.
@@ -20,7 +20,7 @@ struct KnownVolume {
   std::vector<std::uint64_t> not_local = {};
   std::vector<std::uint64_t> ties = {};
   std::vector<std::uint64_t> not_canonical = {};
-  // Is it known that conditions 2 and 3 of oracle/judge/points/README.md hold, too?
+  // Is it known that conditions 2 and 3 of docs/theory/points.md hold, too?
   bool fills_hull = false;
 
   // The vertices of a facet, ascending.
