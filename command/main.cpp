@@ -57,6 +57,7 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_minimize(app, exit_code);
   circumspect::cli::add_generate(app, exit_code);
   circumspect::cli::add_compare(app, exit_code);
+  circumspect::cli::add_command_pages(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
