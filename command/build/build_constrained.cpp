@@ -132,9 +132,9 @@ void build(const ConstrainedOptions& options, Output& output) {
     say_no_mesh(options, mesh.error(), output);
     return;
   }
-  if (const std::string fault = numbering_fault(*mesh, domain.first_index); !fault.empty()) {
+  if (const std::string full = numbering_fault(*mesh, domain.first_index); !full.empty()) {
     output.error(ExitCode::kInputFault, "domain", options.input_file,
-                 options.input_file + ": " + fault);
+                 options.input_file + ": " + full);
     return;
   }
   if (!options.output_file.empty()) {
