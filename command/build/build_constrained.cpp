@@ -227,8 +227,8 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
       ->required();
   command
       ->add_option("-o,--output", options->output_file,
-                   "Where to write: an .ele, a .mesh or a .json file; - writes the .ele on stdout, "
-                   "if that is all there is")
+                   "The file to write: .ele, .mesh or .json; - writes the .ele to stdout, if that "
+                   "is all there is")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command
@@ -241,7 +241,7 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   if (has_steiner_points(what)) {
     command
         ->add_option("--steiner-points", options->most_steiner_points,
-                     "Give up, with exit code 4, when more are needed (default 10000)")
+                     "Give up, with exit code 4, when more than N are needed (default: 10000)")
         ->check(whole_number())
         ->option_text("N");
   }

@@ -301,7 +301,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   options->input.faces = true;
   options->input.listed_weights = true;
   CLI::App* command = app.add_subcommand(
-      "compare", "Are two meshes the same complex, up to numbering? If not, what differs");
+      "compare", "Tell whether two meshes are the same complex, up to numbering, and what differs");
   command->footer(
       "Example:\n"
       "  circumspect build delaunay points.node -o ours.json\n"
@@ -316,10 +316,10 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
       "tells.\n\n"
       "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 5 internal error.");
   command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
-  command->add_option("b", options->b, "Another")->required();
+  command->add_option("b", options->b, "The other mesh")->required();
   command
       ->add_option("--max-errors", options->most,
-                   "How many differences of each kind are shown (default 20; 0: all)")
+                   "Show at most N differences of each kind (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
   command->add_flag("--weighted", options->input.weighted,

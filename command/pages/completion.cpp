@@ -1,6 +1,5 @@
 // What the shells offer when a user presses the tab key.
 #include <algorithm>
-#include <array>
 
 #include <CLI/CLI.hpp>
 
@@ -37,8 +36,8 @@ std::vector<std::string> below(const CommandPath& path, const std::vector<Comman
 
 // Is the value of the option a file or a folder?
 bool takes_a_file(const CLI::Option& option) {
-  constexpr std::array<const char*, 4> kNames = {"FILE", "FOLDER", "OUT", "PREFIX"};
-  return std::find(kNames.begin(), kNames.end(), value_name(option)) != kNames.end();
+  const std::string name = value_name(option);
+  return name == "FILE" || name == "FOLDER" || name == "PREFIX" || name.compare(0, 3, "OUT") == 0;
 }
 
 // The beginning of a description, as _arguments takes it between brackets and quotes.
@@ -84,7 +83,8 @@ std::string zsh_positionals(const CLI::App& command) {
     ++place;
     lines += " \\\n    '";
     if (name == "command") {
-      lines += "*::command: _normal";
+      // What follows "--" is completed as the command line of the other program.
+      lines += "*::command:{ [[ $words[1] == -- ]] && shift words && ((CURRENT--)); _normal }";
     } else {
       lines += (one->get_items_expected_max() > 1 ? "*" : std::to_string(place)) + ":" + name +
                ":" + (name == "family" ? " " : "_files");
