@@ -240,7 +240,7 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
   add_duration(
       *command, "--time", options->seconds,
       "How long to go on, a quarter of it for making small what is found; a program that runs "
-      "then is waited for (default, without --cases: 60s)");
+      "then is waited for (default: 60s; with --cases, until all are done)");
   command
       ->add_option("--cases", options->cases,
                    "How many inputs to draw, in all runs of this campaign together")
