@@ -2,9 +2,10 @@
 
     Integers become Zarith's (that is, GMP's); the checker only adds, subtracts, multiplies and
     compares them, it never takes one apart.  Positive numbers, the keys of maps, stay the binary
-    numerals of Coq; natural numbers, which count the vertices of a simplex, become OCaml's. *)
+    numerals of Coq, and natural numbers, which count the vertices of a simplex, those of Peano;
+    words become OCaml's strings. *)
 From Coq Require Import ZArith FMapPositive.
-From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt.
+From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
 From Circumspect Require Import Checker Refutation.
 
 Extract Inductive positive => "Big.numeral" [ "Big.XI" "Big.XO" "Big.XH" ].
@@ -19,8 +20,6 @@ Extract Inlined Constant Z.leb => "Big.leq".
 Extract Inlined Constant Z.ltb => "Big.lt".
 Extract Inlined Constant Z.eqb => "Big.equal".
 
-(* Lists may be long, and OCaml's function needs no stack for them. *)
-Extract Constant length => "Stdlib.List.length".
 (* The maps of the standard library come with a comparison of keys that is opaque; it is not used. *)
 Set Warnings "-extraction-opaque-accessed".
-Extraction "extracted.ml" check refute.
+Extraction "extracted.ml" check refute rule_of rule_name claim_name.

@@ -41,7 +41,7 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
   CHECK(fails.out ==
         "fails: triangulation " + meshes.bad + " triangulation.unused-point 1 vertex 8\n");
   CHECK(begins_with(contents(meshes.cert),
-                    "circumspect-refutation 1 triangulation 2 triangulation.unused-point\n"));
+                    "circumspect-refutation 2 triangulation 2 triangulation.unused-point\n"));
   CHECK(has(contents(meshes.cert), "\nbecause 4\nend\n"));
 }
 

@@ -91,7 +91,7 @@ struct Header {
 inline Header read_header(Tokens& tokens, const std::string& kind) {
   Header header;
   tokens.expect(kind);
-  tokens.expect("1");
+  tokens.expect(kind == "circumspect-refutation" ? "2" : "1");
   header.claim = tokens.word();
   header.dimension = tokens.count();
   if (kind == "circumspect-refutation") header.rule = tokens.word();

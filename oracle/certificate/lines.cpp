@@ -33,7 +33,7 @@ void Lines::flush() {
 
 void write_first_line(Lines& lines, std::string_view kind, Claim claim, std::size_t dimension,
                       std::string_view rule) {
-  lines << kind << 1 << name(claim) << dimension << rule;
+  lines << kind << name(claim) << dimension << rule;
   lines.end_line();
 }
 

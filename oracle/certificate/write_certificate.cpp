@@ -71,7 +71,7 @@ void write_hull(Lines& lines, const Certificate& certificate) {
 
 void write(std::ostream& out, const Mesh& mesh, const Certificate& certificate) {
   Lines lines(out);
-  write_first_line(lines, "circumspect-certificate", certificate.claim,
+  write_first_line(lines, "circumspect-certificate 1", certificate.claim,
                    certificate.points.dimension);
   write_scale(lines, certificate.points);
   write_points(lines, mesh, certificate);

@@ -28,6 +28,13 @@ for file in "$again"/*.cert; do
     failures=$((failures + 1))
   fi
 done
+# The example of Definitions.v, as it stands there.
+sed -n '/^<<$/,/^>>$/p' ../Definitions.v | sed '1d;$d' >"$again/triangle"
+found=$("$program" "$again/triangle") || true
+[ "$found" = "verified: delaunay, 3 points, 1 triangles" ] || {
+  echo "the triangle of Definitions.v: found '$found'" >&2
+  failures=$((failures + 1))
+}
 [ "$failures" -eq 0 ]
 # Every condition of the checker has a mutant.
 sed -n 's/^| `\([a-z-]*\)` |.*/\1/p' ../CERTIFICATE.md | while read -r condition; do

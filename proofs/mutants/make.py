@@ -179,6 +179,7 @@ def files():
             c[key] = value
         return change
 
+    yield mutant(space, put("points", 3, 4, space["points"][5][4]), "labels-different")
     yield mutant(space, put("scale", 1, 0), "scale")
     yield mutant(space, put("scale", 0, -1), "scale", "scale--negative")
     twice = certificate("delaunay", SQUARE + [(4, 4)], SQUARE_MESH)
@@ -288,6 +289,7 @@ def refutations():
     fan = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]]
     halves = [[1, 2, 3], [1, 3, 4]]
     crossed = [[1, 2, 3], [1, 2, 4]]
+    hanging = [[1, 2, 4], [1, 6, 5]]
     cases = [  # rule, simplices, evidence, evidence that fails, weights, the point to leave out
         ("simplex.wrong-dimension", fan + [[1, 2]], "5", "1", None),
         ("triangulation.unknown-vertex", fan + [[1, 2, -7]], "5 2", "5 1", None),
@@ -298,33 +300,45 @@ def refutations():
          None),
         ("complex.overlap", crossed, "1 2 4 1 2", "1 2 0 0 1", None),
         ("triangulation.covered-twice", crossed, "1 2 4 1 2", "1 1 4 1 2", None),
+        ("triangulation.covered-twice", hanging, None, "1 2 2 0 1", None, "--nothing-is"),
         ("triangulation.unused-point", halves, "5", "4", None),
-        ("triangulation.hull-not-convex", fan[:3], "1 2 1 1 5 4 1 0 0", "3 1 1 1 5 4 1 0 0", None),
-        ("triangulation.hull-not-closed", fan[:3], "1 2 1 1 5 4 1 0 0", "1 2 1 1 5 4 1 0 2", None),
+        ("triangulation.unused-point", halves[:1], "4 1", "4 0", [0, 0, 0, 0, 0, 0, 0]),
+        ("triangulation.hull-not-convex", fan[:3], "1 1 4", "1 2 4", None),
+        ("triangulation.hull-not-closed", [fan[0], fan[2]], "1 0 1 1 2 0", "1 0 1 1 1 0", None),
+        ("triangulation.hull-not-closed", fan, None, "1 2 2 2 3 2", None, "--of-a-square"),
         ("delaunay.vertex-in-ball", halves, "1 5", "1 4", None),
         ("delaunay.facet-not-local", [[1, 2, 3], [1, 3, 7]], "1 1 2 2", "1 0 2 2", None),
+        ("delaunay.facet-not-local", [[1, 2, 3], [1, 2, 5]], None, "1 2 2 2", None,
+         "--on-the-same-side"),
         ("weighted.point-below-plane", halves, "1 5", "1 4", [0, 0, 0, 0, 0, 0, 0]),
         ("weighted.vertex-submerged", fan, "1 2 1 2 3", "1 1 1 2 3", [0, 0, 0, 0, -50, 0, 0]),
     ]
-    for rule, simplices, shows, fails, weights in cases:
+    for rule, simplices, shows, fails, weights, *why in cases:
         claim = "weighted-delaunay" if weights else \
             "delaunay" if rule.startswith("delaunay") else "triangulation"
         points = square + [(2, 2), (1, 3)]
-        lines = ["circumspect-refutation 1 %s 2 %s" % (claim, rule), "scale 1 1",
+        lines = ["circumspect-refutation 2 %s 2 %s" % (claim, rule), "scale 1 1",
                  "points %d" % len(points)]
         lines += [" ".join(map(str, [*p, *([weights[v]] if weights else []), v]))
                   for v, p in enumerate(points)]
         lines.append("simplices %d" % len(simplices))
         lines += [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        if weights and not rule.startswith("weighted"):
+            why = ["--weighted"]
         for name, evidence, answer in (
                 ("shown", shows, "verified: not %s, %s" % (claim, rule)),
                 ("not-shown", fails, "rejected: the evidence does not show " + rule)):
-            yield "%s--%s" % (rule, name), \
-                "\n".join(lines + ["because " + evidence, "end"]) + "\n", answer
+            if evidence:
+                yield "%s--%s%s" % (rule, name, "".join(why)), \
+                    "\n".join(lines + ["spans 1 2 3", "because " + evidence, "end"]) + "\n", answer
+    line = "circumspect-refutation 2 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 3\n" \
+        "0 0 0\n1 0 1\n2 0 2\nsimplices 2\n2 1 2\n2 2 3\nspans 1 2 3\nbecause 1\nend\n"
+    # They lie in a line and have a Delaunay triangulation, the two edges.
+    yield "spans--points-of-a-line", line, "rejected: the evidence does not show"
     row = " ".join(["1"] * 1000000)
     yield "large--simplex-of-1000000-vertices", \
-        "circumspect-refutation 1 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 1\n0 0 0\n" \
-        "simplices 1\n1000000 %s\nbecause 1\nend\n" % row, \
+        "circumspect-refutation 2 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 3\n" \
+        "0 0 0\n1 0 1\n0 1 2\nsimplices 1\n1000000 %s\nspans 1 2 3\nbecause 1\nend\n" % row, \
         "verified: not delaunay, simplex.wrong-dimension"
 
 

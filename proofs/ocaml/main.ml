@@ -40,12 +40,11 @@ let place =
   | Nowhere -> ""
   | AtPoint k -> ", point " ^ n k
   | AtSimplex t -> ", simplex " ^ n t
-  | AtFacet (t, i) -> Printf.sprintf ", simplex %s, facet %d" (n t) i
+  | AtFacet (t, i) -> Printf.sprintf ", simplex %s, facet %d" (n t) (Reading.of_natural i)
   | AtHull h -> ", hull facet " ^ n h
-  | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) a
+  | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) (Reading.of_natural a)
 
-let claims =
-  [ "triangulation", Triangulation; "delaunay", Delaunay; "weighted-delaunay", WeightedDelaunay ]
+let claims = List.map (fun claim -> (claim_name claim, claim)) [ Triangulation; Delaunay; WeightedDelaunay ]
 
 (* CLAIM and D of the first line. *)
 let context source claim dimension =
@@ -57,7 +56,8 @@ let context source claim dimension =
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
     | _ -> Text.fail source "the dimension, 2 or 3" (Text.quote dimension) in
-  ({ Reading.source; numeral = Reading.numerals source; d; weighted = claimed = WeightedDelaunay },
+  ({ Reading.source; numeral = Reading.numerals source; d; weighted = claimed = WeightedDelaunay;
+     labels = Hashtbl.create 1024 },
    claimed, space)
 
 let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
@@ -72,13 +72,13 @@ let number numeral = Big.to_int (Big.of_numeral numeral)
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
 type content = { mesh : unit -> unit; verdict : unit -> string * int }
 
-let certificate (c : Reading.context) space claim claimed =
+let certificate (c : Reading.context) space claimed =
   let certificate, labels = Certificate_file.read c claimed in
   let sites = List.rev (List.rev_map (fun e -> e.position) certificate.points) in
   let corners (e : simplex_entry) = List.map (fun v -> Some (number v)) e.corners in
   let verdict () = match check space certificate with
     | Accepted ->
-      (Printf.sprintf "verified: %s, %s" claim
+      (Printf.sprintf "verified: %s, %s" (claim_name certificate.claimed)
          (counts c.d (List.length sites) (List.length certificate.simplices)), 0)
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1) in
   let unit = (certificate.numerator, certificate.denominator) in
@@ -86,11 +86,13 @@ let certificate (c : Reading.context) space claim claimed =
     Mesh_text.print unit c.weighted sites labels (List.rev_map corners certificate.simplices) in
   { mesh; verdict }
 
-let refutation (c : Reading.context) space claim claimed rule =
+let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
   let corners row = List.rev (List.rev_map (Option.map number) row) in
   let verdict () =
-    if refute space refutation then (Printf.sprintf "verified: not %s, %s" claim rule, 0)
+    let rule = rule_name (rule_of refutation.because) in
+    if refute space refutation then
+      (Printf.sprintf "verified: not %s, %s" (claim_name refutation.refuted) rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
   let unit = (refutation.unit_numerator, refutation.unit_denominator) in
   let mesh () =
@@ -98,14 +100,14 @@ let refutation (c : Reading.context) space claim claimed rule =
   { mesh; verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D' or 'circumspect-refutation 1 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D' or 'circumspect-refutation 2 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claim dimension in
-    certificate c space claim claimed
-  | [ "circumspect-refutation"; "1"; claim; dimension; rule ] ->
+    certificate c space claimed
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claim dimension in
-    refutation c space claim claimed rule
+    refutation c space claimed rule
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
 let () =
@@ -126,6 +128,7 @@ let () =
        | exception Sys_error _ -> close_out_noerr stdout; exit 5
        | exception Division_by_zero -> malformed ": the scale is zero")
     | content -> content.verdict ()
+    | exception Reading.Repeated_label label -> ("rejected: labels-different, label " ^ label, 1)
     | exception Text.Malformed (line, message) -> malformed (Printf.sprintf ":%d: %s" line message)
     | exception Sys_error message ->
       (Printf.sprintf "malformed: cannot read %s: %s" shown (String.escaped message), 3)

@@ -11,13 +11,24 @@ let numerals source =
   let beyond = source.Text.lines + 1 in
   fun n -> made.(if n < 1 || n > beyond then beyond else n)
 
-type context = { source : Text.t; numeral : int -> Big.numeral; d : int; weighted : bool }
+type context = { source : Text.t; numeral : int -> Big.numeral; d : int; weighted : bool;
+                 labels : (Big.t, unit) Hashtbl.t }
+
+(* Peano's numerals, which count the vertices of a simplex: short, and shared. *)
+let natural n =
+  let rec go n made = if n <= 0 then made else go (n - 1) (S made) in
+  go n O
+let of_natural n =
+  let rec go counted = function O -> counted | S n -> go (counted + 1) n in
+  go 0 n
 
 let count c token = Text.count c.source token
 let number c token = c.numeral (count c token)
 let integer c token = Text.integer c.source token
+(* An entry of a simplex as its author wrote it: there are no more than bytes in the file. *)
+let position c token = natural (min (count c token) (String.length c.source.text))
 (* A vertex, facet or ridge: greater numbers than d name nothing. *)
-let index c token = min (count c token) (c.d + 1)
+let index c token = natural (min (count c token) (c.d + 1))
 let unless_dash read c token = if token = "-" then None else Some (read c token)
 
 (* The first [n] tokens, each read, and the others; a line may have millions. *)
@@ -45,6 +56,15 @@ let line c name rest_expected =
   | word :: rest when word = name -> (expected, rest)
   | word :: _ -> Text.fail c.source expected (Text.quote word)
   | [] -> assert false
+
+(* By which index the user knows a point; no two points have the same. *)
+exception Repeated_label of string
+let label c expected tokens =
+  let values, rest = take c integer 1 expected tokens in
+  let label = List.hd values in
+  if Hashtbl.mem c.labels label then raise (Repeated_label (Big.to_string label));
+  Hashtbl.add c.labels label ();
+  (label, rest)
 
 (* `NAME COUNT` and that many lines. *)
 let section c name expected read =

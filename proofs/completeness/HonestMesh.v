@@ -19,8 +19,8 @@ Hypothesis H : honest orient c.
 Let HL : well_listed orient c := honest_listed _ _ H.
 Notation P := (points_of_certificate d c).
 Notation spot := (spot d c).
-Notation simplex_at t s := (numbered (Checker.simplices c) t = Some s).
-Notation tets := (numbers (Checker.simplices c)).
+Notation simplex_at t s := (numbered (Definitions.simplices c) t = Some s).
+Notation tets := (numbers (Definitions.simplices c)).
 Variable geo : positive -> frame d.
 Hypothesis G : described c geo.
 Notation adjacent := (adjacent tets geo).

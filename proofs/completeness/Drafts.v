@@ -127,14 +127,14 @@ Proof. unfold spot. now rewrite same_points. Qed.
 Lemma same_simplices : simplices_of_certificate d c' = simplices_of_certificate d c.
 Proof.
   destruct Sm as (_ & _ & _ & _ & M). unfold simplices_of_certificate.
-  transitivity (map (map (spot d c)) (map corners (Checker.simplices c'))).
+  transitivity (map (map (spot d c)) (map corners (Definitions.simplices c'))).
   - rewrite map_map. apply map_ext. intros e. apply map_ext. apply same_spot.
   - rewrite M. apply map_map.
 Qed.
-Lemma same_numbers : numbers (Checker.simplices c') = numbers (Checker.simplices c).
+Lemma same_numbers : numbers (Definitions.simplices c') = numbers (Definitions.simplices c).
 Proof.
   destruct Sm as (_ & _ & _ & _ & M). unfold numbers.
-  rewrite <- (map_length corners (Checker.simplices c')), M, map_length. reflexivity.
+  rewrite <- (map_length corners (Definitions.simplices c')), M, map_length. reflexivity.
 Qed.
 Lemma same_claim : claim_holds d c -> claim_holds d c'.
 Proof.

@@ -38,8 +38,8 @@ Notation P := (points_of_certificate d c).
 Notation r := (unit_of c).
 Notation spot := (spot d c).
 Notation point_at k e := (numbered (points c) k = Some e).
-Notation simplex_at t s := (numbered (Checker.simplices c) t = Some s).
-Notation tets := (numbers (Checker.simplices c)).
+Notation simplex_at t s := (numbered (Definitions.simplices c) t = Some s).
+Notation tets := (numbers (Definitions.simplices c)).
 Hypothesis F : fills P (simplices_of_certificate d c).
 Hypothesis some : simplices_of_certificate d c <> [].
 
@@ -93,7 +93,7 @@ Proof.
 Qed.
 Lemma spot_inj k e k' e' : point_at k e -> point_at k' e' -> spot k = spot k' -> k = k'.
 Proof.
-  intros E E' S. unfold Meaning.spot in S.
+  intros E E' S. unfold Definitions.spot in S.
   assert (L : forall k e, point_at k e -> (pred (Pos.to_nat k) < length P)%nat).
   { intros j f Ef. unfold points_of_certificate. rewrite map_length. apply nth_error_Some.
     unfold numbered in Ef. congruence. }
@@ -131,7 +131,7 @@ Lemma description : exists geo, described geo.
 Proof.
   destruct (fills_framed P (simplices_of_certificate d c) F some) as (g & [V A D I C]).
   set (L := length (simplices_of_certificate d c)) in *.
-  assert (EL : L = length (Checker.simplices c)) by (unfold L, simplices_of_certificate; apply
+  assert (EL : L = length (Definitions.simplices c)) by (unfold L, simplices_of_certificate; apply
     map_length).
   assert (Q : forall t, In t tets -> In (pred (Pos.to_nat t)) (seq 0 L)).
   { intros t Ht. apply in_numbers in Ht. destruct Ht as (s & E). apply in_seq. rewrite EL.
@@ -150,7 +150,7 @@ Proof.
   - auto.
   - intros q Cq. destruct (C q Cq) as (t & Ht & Iq). exists (Pos.of_succ_nat t).
     rewrite SuccNat2Pos.id_succ. split; [|assumption]. apply in_numbers. apply in_seq in Ht.
-    destruct (nth_error (Checker.simplices c) t) as [s|] eqn:E.
+    destruct (nth_error (Definitions.simplices c) t) as [s|] eqn:E.
     + exists s. unfold numbered. now rewrite SuccNat2Pos.id_succ.
     + apply nth_error_None in E. lia.
 Qed.
@@ -319,23 +319,8 @@ Qed.
 Lemma inside_facet t0 o t i : In t0 tets -> inside (geo t0) o -> In t tets -> (i <= d)%nat ->
   outer tets geo t i -> 0 < bary (geo t) i o.
 Proof.
-  intros H0 I Ht Hi O.
-  assert (N : forall k, (k <= d)%nat -> 0 <= bary (geo t) i (vertex (geo t0) k)).
-  { intros k Hk. apply hull_supported; auto. apply (described_in _ G t0 H0), in_vertices. eauto. }
-  destruct (Exists_dec (fun k => 0 < bary (geo t) i (vertex (geo t0) k)) (seq 0 (S d))) as [X|X].
-  - intros k. apply Rlt_dec.
-  - apply Exists_exists in X. destruct X as (k & Hk & Pk). apply in_seq_d in Hk.
-    rewrite (interpolation (geo t0) (bary (geo t) i) o (bary_affine (geo t) i Hi)).
-    apply sum_pos with k; [|now apply in_seq_d|].
-    + intros l Hl. apply in_seq_d in Hl. apply Rmult_le_pos; [left|]; auto.
-    + apply Rmult_lt_0_compat; auto.
-  - exfalso. pose proof (bary_own (geo t) i Hi) as B.
-    rewrite (interpolation (geo t0) (bary (geo t) i) _ (bary_affine (geo t) i Hi)) in B.
-    unfold sum in B. rewrite sum_zero in B; [lra|]. intros k Hk.
-    destruct (Rlt_dec 0 (bary (geo t) i (vertex (geo t0) k))) as [Y|Y].
-    + exfalso. apply X, Exists_exists. eauto.
-    + apply in_seq_d in Hk. pose proof (N k Hk).
-      replace (bary (geo t) i (vertex (geo t0) k)) with 0 by lra. ring.
+  intros H0 I Ht Hi O. apply strictly_inner with (u := geo t0); [assumption..|].
+  intros k Hk. apply hull_supported; auto. apply (described_in _ G t0 H0), in_vertices. eauto.
 Qed.
 End Geometry.
 End ListedMesh.

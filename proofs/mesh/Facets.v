@@ -181,4 +181,26 @@ Proof.
       apply (Rmult_lt_reg_l _ _ _ P). lra.
     + apply (K e); [lra|]. apply in_or_app. right. now apply in_map, in_indices_but.
 Qed.
+
+(** If a whole simplex lies on the inner side of a facet's hyperplane, then its interior points lie
+    strictly there. *)
+Lemma strictly_inner t i u q : (i <= d)%nat -> inside u q ->
+  (forall k, (k <= d)%nat -> 0 <= bary t i (vertex u k)) -> 0 < bary t i q.
+Proof.
+  intros Hi I N.
+  destruct (Exists_dec (fun k => 0 < bary t i (vertex u k)) (seq 0 (S d))) as [X|X].
+  - intros k. apply Rlt_dec.
+  - apply Exists_exists in X. destruct X as (k & Hk & Pk). apply in_seq_d in Hk.
+    rewrite (interpolation u (bary t i) q (bary_affine t i Hi)).
+    apply sum_pos with k; [|now apply in_seq_d|].
+    + intros l Hl. apply in_seq_d in Hl. apply Rmult_le_pos; [left|]; auto.
+    + apply Rmult_lt_0_compat; auto.
+  - exfalso. pose proof (bary_own t i Hi) as B.
+    rewrite (interpolation u (bary t i) _ (bary_affine t i Hi)) in B.
+    unfold sum in B. rewrite sum_zero in B; [lra|]. intros k Hk.
+    destruct (Rlt_dec 0 (bary t i (vertex u k))) as [Y|Y].
+    + exfalso. apply X, Exists_exists. eauto.
+    + apply in_seq_d in Hk. pose proof (N k Hk).
+      replace (bary t i (vertex u k)) with 0 by lra. ring.
+Qed.
 End Facets.

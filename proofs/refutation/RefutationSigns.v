@@ -39,6 +39,12 @@ Proof.
   - destruct Hb as [->|Hb]; [now left|]. right. now apply IH.
 Qed.
 
+Lemma has_length_length {A} n (m : list A) : has_length n m = true <-> length m = n.
+Proof.
+  revert n. induction m as [|a m IH]; intros [|n]; cbn; try (split; congruence).
+  rewrite IH. split; congruence.
+Qed.
+
 (** The members of a list with their positions. *)
 Lemma in_indexed {A} (m : list A) : forall n i x, In (i, x) (combine (seq n (length m)) m) <->
   (n <= i)%nat /\ nth_error m (i - n) = Some x.
@@ -362,6 +368,19 @@ Proof.
   apply (coordinate_nonnegative X a FX); auto.
   apply I, in_seq. lia.
 Qed.
+Lemma strictly_in_simplex_inside q w : well_shaped d q -> (0 < w)%Z ->
+  strictly_in_simplex pr X q w = true -> strictly_inside (places X) (place_over q w).
+Proof.
+  intros Hq Hw I. rewrite <- (framed_vertices X a FX).
+  assert (H : inside a (place_over q w)).
+  { intros i Hi. unfold strictly_in_simplex in I. rewrite forallb_forall in I.
+    apply (coordinate_positive X a FX q w i Hi Hq Hw), I. unfold corners_numbered.
+    rewrite dimension_d. now apply in_seq_d. }
+  split; [apply conv_vertices; intros i Hi; left; auto|].
+  intros f If C v Hv. apply (conv_face a f _ If) in C. destruct C as [_ C].
+  apply in_vertices in Hv. destruct Hv as (i & Hi & ->). auto.
+Qed.
+
 Lemma beyond_not_conv q w i : well_shaped d q -> (0 < w)%Z -> beyond pr X q w i = true ->
   ~ conv (places X) (place_over q w).
 Proof.

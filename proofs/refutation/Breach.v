@@ -15,68 +15,8 @@ Section Breach.
 Context {d : nat}.
 Implicit Types (S : list (point d)) (L : list (list (option (point d)))) (s t u f : simplex d).
 
-(** What is claimed: all vertices are known, and the simplices are a triangulation. *)
-Definition claims_triangulation S L : Prop :=
-  exists T, L = map (map Some) T /\ triangulation S T.
-Definition claims_delaunay S L : Prop :=
-  exists T, L = map (map Some) T /\ delaunay_triangulation S T.
-Definition claims_weighted_delaunay w S L : Prop :=
-  exists T, L = map (map Some) T /\ weighted_delaunay_triangulation w S T.
 (** What the three claims have in common. *)
 Definition claims_to_fill S L : Prop := exists T, L = map (map Some) T /\ fills S T.
-
-Definition listed L s : Prop := In (map Some s) L.
-(** [s] is listed, and it is a d-simplex. *)
-Definition listed_simplex L s : Prop :=
-  listed L s /\ length s = Datatypes.S d /\ affinely_independent s.
-
-(** simplex.wrong-dimension *)
-Definition wrong_dimension L : Prop :=
-  exists r : list (option (point d)), In r L /\ length r <> Datatypes.S d.
-(** triangulation.unknown-vertex *)
-Definition unknown_vertex L : Prop :=
-  exists r : list (option (point d)), In r L /\ In None r.
-(** simplex.repeated-vertex *)
-Definition repeated_vertex L : Prop := exists (r : list (option (point d))) i j p, In r L /\
-  i <> j /\ nth_error r i = Some (Some p) /\ nth_error r j = Some (Some p).
-(** simplex.degenerate *)
-Definition degenerate L : Prop := exists s, listed L s /\ ~ affinely_independent s.
-(** complex.duplicate-simplex *)
-Definition duplicate_simplex L : Prop := exists L1 L2 L3 s t,
-  L = L1 ++ map Some s :: L2 ++ map Some t :: L3 /\ same s t.
-(** complex.facet-overused: a facet of three simplices. *)
-Definition facet_overused L : Prop := exists s t u f,
-  listed L s /\ listed L t /\ listed L u /\ ~ same s t /\ ~ same t u /\ ~ same s u /\
-  NoDup f /\ length f = d /\ incl f s /\ incl f t /\ incl f u.
-(** complex.overlap and triangulation.covered-twice: a point of both that is in no shared face. *)
-Definition overlap L : Prop := exists s t q, listed L s /\ listed L t /\ conv s q /\ conv t q /\
-  forall f, incl f s -> incl f t -> ~ conv f q.
-(** triangulation.unused-point *)
-Definition unused_point S L : Prop := exists p, In p S /\
-  forall r : list (option (point d)), In r L -> ~ In (Some p) r.
-(** triangulation.hull-not-convex and triangulation.hull-not-closed: a hole in conv S. *)
-Definition uncovered S L : Prop := exists q, conv S q /\ forall s, listed L s -> ~ conv s q.
-(** delaunay.vertex-in-ball: in every open circumball of a simplex.  (Here and in
-    the next three rules the first simplex is a d-simplex: it has exactly one ball or plane.) *)
-Definition vertex_in_ball S L : Prop := exists s p, listed_simplex L s /\ In p S /\
-  forall c r2, circumball s c r2 -> dist2 c p < r2.
-(** delaunay.facet-not-local: two simplices share d vertices, and a vertex of the second is in
-    every open circumball of the first. *)
-Definition facet_not_local L : Prop := exists s t f v, listed_simplex L s /\ listed L t /\
-  NoDup f /\ length f = d /\ incl f s /\ incl f t /\ In v t /\
-  forall c r2, circumball s c r2 -> dist2 c v < r2.
-(** delaunay.facet-not-local with weights: the lifted vertex is below every hyperplane through the
-    lifted vertices of the first. *)
-Definition facet_below_plane (h : point d -> R) L : Prop := exists s t f v,
-  listed_simplex L s /\ listed L t /\ NoDup f /\ length f = d /\ incl f s /\ incl f t /\ In v t /\
-  forall a b, (forall p, In p s -> plane a b p = h p) -> h v < plane a b v.
-(** weighted.point-below-plane *)
-Definition point_below_plane (h : point d -> R) S L : Prop := exists s p,
-  listed_simplex L s /\ In p S /\
-  forall a b, (forall v, In v s -> plane a b v = h v) -> h p < plane a b p.
-(** weighted.vertex-submerged: the lifted vertex is strictly above a lifted simplex of points. *)
-Definition vertex_submerged (h : point d -> R) S L : Prop := exists s v X, listed L s /\ In v s /\
-  incl X S /\ conv X v /\ forall a b, (forall p, In p X -> plane a b p <= h p) -> plane a b v < h v.
 
 (** ** Each breach refutes the claim *)
 
@@ -125,9 +65,10 @@ Proof.
   apply (N (map Some t)); now apply in_map.
 Qed.
 
-Theorem uncovered_refutes : uncovered S L -> ~ claims_to_fill S L.
+Theorem uncovered_point_refutes : uncovered_point S L -> ~ claims_to_fill S L.
 Proof.
-  intros (q & C & N) (T & -> & _ & _ & _ & _ & U). apply U in C. destruct C as (t & Ht & C).
+  intros (p & Hp & _ & N) (T & -> & _ & _ & _ & _ & U).
+  destruct (proj1 (U p) (conv_point S p Hp)) as (t & Ht & C).
   apply (N t); [|assumption]. unfold listed. now apply in_map.
 Qed.
 
@@ -139,7 +80,7 @@ Qed.
 
 Theorem facet_not_local_refutes : facet_not_local L -> ~ claims_delaunay S L.
 Proof.
-  intros (s & t & f & v & [Hs _] & Ht & _ & _ & _ & _ & Hv & N)
+  intros (s & t & f & u & v & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N)
     (T & -> & ((_ & _ & _ & V & _) & _) & D).
   apply listed_in in Hs, Ht. destruct (D s Hs) as (c & r2 & B & E).
   exact (E v (V t Ht v Hv) (N c r2 B)).
@@ -155,7 +96,7 @@ Qed.
 Theorem facet_below_plane_refutes w : facet_below_plane (fun p => norm2 p - w p) L ->
   ~ claims_weighted_delaunay w S L.
 Proof.
-  intros (s & t & f & v & [Hs _] & Ht & _ & _ & _ & _ & Hv & N) (T & -> & (_ & _ & _ & V & _) & D).
+  intros (s & t & f & u & v & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N) (T & -> & (_ & _ & _ & V & _) & D).
   apply listed_in in Hs, Ht. destruct (D s Hs) as (a & b & B & E).
   specialize (N a b B). specialize (E v (V t Ht v Hv)). cbn in *. lra.
 Qed.
@@ -223,7 +164,17 @@ Proof.
   exact (N f Fs Ft (I q Cs Ct)).
 Qed.
 
-
+Theorem covered_twice_refutes : covered_twice L -> ~ claims_to_fill S L.
+Proof.
+  intros (s & t & q & [Hs _] & [Ht _] & N & [Cs Face] & Ct) (T & -> & D & C & _).
+  apply listed_in in Hs, Ht.
+  assert (F : forall s, In s T -> faces_of T s).
+  { intros r Hr. apply member_face; auto; [intros; now apply D | now apply D]. }
+  destruct C as (_ & _ & M). destruct (M s t (F s Hs) (F t Ht)) as (f & Fs & Ft & I).
+  assert (E : incl s t) by (apply incl_tran with f; [now apply Face; [|apply I]|assumption]).
+  apply N. split; [assumption|]. destruct (D s Hs) as [Ns Ls], (D t Ht) as [Nt Lt].
+  apply NoDup_length_incl; [assumption|lia|assumption].
+Qed.
 End Refuted.
 
 (** ** How breaches show in barycentric coordinates *)
@@ -288,8 +239,8 @@ Lemma point_below_in_ball S L : point_below_plane norm2 S L -> vertex_in_ball S 
 Proof. intros (s & p & Hs & Hp & B). exists s, p. eauto using below_in_balls. Qed.
 Lemma facet_below_not_local L : facet_below_plane norm2 L -> facet_not_local L.
 Proof.
-  intros (s & t & f & v & Hs & Ht & Nf & Lf & Is & It & Hv & B). exists s, t, f, v.
-  eauto 10 using below_in_balls.
+  intros (s & t & f & u & v & Hs & Ht & Nf & Lf & Is & It & Hu & Hv & O & B). exists s, t, f, u, v.
+  repeat (split; [assumption|]). eauto using below_in_balls.
 Qed.
 
 Lemma carriers_overlap (a b : frame d) q : ~ same (carrier a q) (carrier b q) ->

@@ -4,11 +4,9 @@
     nothing but sums and products of integers, which the extracted program computes with GMP.  The
     factors are differences of coordinates, so that small simplices make small numbers. *)
 From Coq Require Import ZArith List.
+From Circumspect Require Export Definitions.
 Import ListNotations.
 Open Scope Z_scope.
-
-(** A point with integer coordinates (two in the plane, three in space) and an integer weight. *)
-Record site := Site { coordinates : list Z; weight : Z }.
 
 (** Vertices are counted from 0.  "Positive" simplices have d+1 vertices [X] whose orientation,
     det[v0 - vd; ...; v(d-1) - vd], is positive. *)

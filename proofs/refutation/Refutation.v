@@ -9,45 +9,15 @@ From Circumspect Require Export Predicates Checker.
 Import ListNotations.
 Open Scope Z_scope.
 
-(** ** Refutations
-
-    Points and simplices are numbered from 1 in the order of their lists, the entries of a simplex
-    from 0.  Different numbers may name equal points, and where the evidence speaks of points and
-    simplices that are the same or different, their coordinates are compared. *)
-
-(** The entries of a simplex; an integer that is not positive is [None], and names no point, as
-    does a number beyond the points. *)
-Definition row := list (option positive).
-
-Inductive evidence :=
-  | WrongDimension (t : positive)
-  | UnknownVertex (t : positive) (i : nat)
-  | RepeatedVertex (t : positive) (i j : nat)
-  | Degenerate (t : positive)
-  | DuplicateSimplex (t u : positive)
-  | FacetOverused (t : positive) (i : nat) (u : positive) (j : nat) (v : positive) (k : nat)
-  (* the point q / w; the weight of q is not read *)
-  | Overlap (t u : positive) (q : site) (w : Z)
-  | UnusedPoint (p : positive)
-  (* q / w is in the simplex X, and beyond one facet of each simplex *)
-  | Uncovered (q : site) (w : Z) (X : list positive) (facets : list nat)
-  | VertexInBall (t p : positive)
-  | FacetNotLocal (t : positive) (i : nat) (u : positive) (j : nat)
-  | PointBelowPlane (t p : positive)
-  | VertexSubmerged (t : positive) (i : nat) (X : list positive).
-
-Record refutation := Refutation {
-  refuted : claim;
-  unit_numerator : Z; unit_denominator : Z;                    (* scale P Q *)
-  sites : list site;               (* the weight is read only if the claim is [WeightedDelaunay] *)
-  rows : list row;
-  because : evidence
-}.
+(** Different numbers may name equal points, and where the evidence speaks of points and simplices
+    that are the same or different, their coordinates are compared. *)
 
 (** The claims that the evidence refutes. *)
 Definition concerns (e : evidence) (c : claim) : bool :=
   match e, c with
   | UnusedPoint _, WeightedDelaunay => false
+  | UncoveredPoint _ _, WeightedDelaunay => true
+  | UncoveredPoint _ _, _ => false
   | VertexInBall _ _, Delaunay => true
   | VertexInBall _ _, _ => false
   | FacetNotLocal _ _ _ _, Triangulation => false
@@ -86,8 +56,14 @@ Fixpoint all_named (r : row) : option (list site) :=
                | _, _ => None
                end
   end.
-Definition right_length {A} (l : list A) : bool :=
-  Nat.eqb (length l) (Datatypes.S (dimension pr)).
+(** Nothing beyond the first n + 1 entries is looked at. *)
+Fixpoint has_length {A} (n : nat) (l : list A) : bool :=
+  match l, n with
+  | [], O => true
+  | _ :: l', Datatypes.S n' => has_length n' l'
+  | _, _ => false
+  end.
+Definition right_length {A} (l : list A) : bool := has_length (Datatypes.S (dimension pr)) l.
 (** The d+1 vertices of a simplex that has them.  The length comes first: the recursion that looks
     the names up is then d+1 deep, however many entries the caller has written. *)
 Definition simplex_of (r : row) : option (list site) :=
@@ -106,6 +82,8 @@ Definition coordinate_sign (X : list site) (q : site) (w : Z) (i : nat) : Z :=
 Definition corners_numbered : list nat := seq 0 (Datatypes.S (dimension pr)).
 Definition in_simplex (X : list site) (q : site) (w : Z) : bool :=
   forallb (fun i => 0 <=? coordinate_sign X q w i) corners_numbered.
+Definition strictly_in_simplex (X : list site) (q : site) (w : Z) : bool :=
+  forallb (fun i => 0 <? coordinate_sign X q w i) corners_numbered.
 (** The vertices with positive coordinates. *)
 Definition carrier_of (X : list site) (q : site) (w : Z) : list site :=
   map snd (filter (fun iv => 0 <? coordinate_sign X q w (fst iv)) (combine corners_numbered X)).
@@ -139,6 +117,9 @@ Definition overlapping (X Y : list site) (q : site) (w : Z) : bool :=
   point_written q w && in_simplex X q w && in_simplex Y q w &&
   negb (same_places (carrier_of X q w) (carrier_of Y q w)).
 
+Definition twice (X Y : list site) (q : site) (w : Z) : bool :=
+  point_written q w && strictly_in_simplex X q w && in_simplex Y q w && negb (same_places X Y).
+
 Fixpoint all_beyond (q : site) (w : Z) (l : list row) (facets : list nat) : bool :=
   match l, facets with
   | [], [] => true
@@ -147,18 +128,37 @@ Fixpoint all_beyond (q : site) (w : Z) (l : list row) (facets : list nat) : bool
       all_beyond q w l' facets'
   | _, _ => false
   end.
-Definition hole (q : site) (w : Z) (X : list site) (l : list row) (facets : list nat) : bool :=
-  point_written q w && in_simplex X q w && all_beyond q w l facets.
 
 Definition not_local (X : list site) (i : nat) (Y : list site) (j : nat) : bool :=
   same_facet X i Y j &&
-  match nth_error Y j with Some v => 0 <? below_sign X v | None => false end.
+  match nth_error Y j with
+  | Some v => beyond X v 1 i && (0 <? below_sign X v)
+  | None => false
+  end.
 
 Definition submerged (X : list site) (v : site) : bool :=
   in_simplex X v 1 && (below_sign X v <? 0).
 
 Definition lists (p : site) (r : row) : bool :=
   existsb (fun n => match named n with Some q => same_place p q | None => false end) r.
+
+(** [f] is a facet of [X]; every row that lists all its points is a simplex with the vertices [X]. *)
+Definition no_other (X f : list site) (r : row) : bool :=
+  negb (forallb (fun p => lists p r) f) ||
+  match simplex_of r with Some Y => same_places X Y | None => false end.
+Definition on_boundary (l : list row) (X : list site) (i : nat) : bool :=
+  Nat.ltb i (Datatypes.S (dimension pr)) && forallb (no_other X (remove i X)) l.
+
+(** The points of the first list that are in both others. *)
+Definition in_all_three (f g h : list site) : list site :=
+  filter (fun p => existsb (same_place p) g && existsb (same_place p) h) f.
+(** Three facets are different and share d - 1 points. *)
+Definition on_ridge (f g h : list site) : bool :=
+  negb (same_places f g) && negb (same_places g h) && negb (same_places f h) &&
+  match dimension pr with
+  | O => false
+  | Datatypes.S n => has_length n (in_all_three f g h)
+  end.
 
 Variable L : PM.t row.
 
@@ -197,8 +197,15 @@ Definition holds (l : list row) (e : evidence) : bool :=
   | FacetOverused t i u j v k =>
       proper_at t (fun X => proper_at u (fun Y => proper_at v (fun Z => overused X i Y j Z k)))
   | Overlap t u q w => proper_at t (fun X => proper_at u (fun Y => overlapping X Y q w))
+  | CoveredTwice t u q w => proper_at t (fun X => proper_at u (fun Y => twice X Y q w))
   | UnusedPoint p => point_at p (fun q => negb (existsb (lists q) l))
-  | Uncovered q w X facets => proper_with X (fun Y => hole q w Y l facets)
+  | UncoveredPoint p facets => point_at p (fun q => all_beyond q 1 l facets)
+  | HullNotConvex t i p =>
+      proper_at t (fun X => point_at p (fun q => on_boundary l X i && beyond X q 1 i))
+  | HullNotClosed t i u j v k =>
+      proper_at t (fun X => proper_at u (fun Y => proper_at v (fun Z =>
+        on_boundary l X i && on_boundary l Y j && on_boundary l Z k &&
+        on_ridge (remove i X) (remove j Y) (remove k Z))))
   | VertexInBall t p | PointBelowPlane t p =>
       proper_at t (fun X => point_at p (fun q => 0 <? below_sign X q))
   | FacetNotLocal t i u j => proper_at t (fun X => proper_at u (fun Y => not_local X i Y j))
@@ -216,11 +223,13 @@ End Evidence.
 Definition site_for (c : claim) (p : site) : site :=
   if weights_of c then p else Site (coordinates p) 0.
 
+(** The points span R^d: without it the caller could mean a triangulation of lower dimension. *)
 Definition refute_in (pr : predicates) (r : refutation) : bool :=
+  let S := number (site_for (refuted r)) 1 (sites r) (PM.empty _) in
   concerns (because r) (refuted r) &&
   (0 <? unit_numerator r) && (0 <? unit_denominator r) &&
   forallb (shaped pr) (sites r) &&
-  holds pr (number (site_for (refuted r)) 1 (sites r) (PM.empty _))
-    (number id 1 (rows r) (PM.empty _)) (rows r) (because r).
+  proper_with pr S (basis r) (fun _ => true) &&
+  holds pr S (number id 1 (rows r) (PM.empty _)) (rows r) (because r).
 
 Definition refute (D : plane_or_space) (r : refutation) : bool := refute_in (predicates_of D) r.

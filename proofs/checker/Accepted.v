@@ -37,7 +37,7 @@ Definition site_at (k : positive) : site :=
 Lemma spot_numbered k e : numbered (points c) k = Some e ->
   spot k = place_of unit_of (position e).
 Proof.
-  unfold numbered, Meaning.spot, Meaning.points_of_certificate. intros E.
+  unfold numbered, Definitions.spot, Definitions.points_of_certificate. intros E.
   apply (map_nth_error (fun e => @place_of d unit_of (position e))) in E.
   now apply nth_error_nth.
 Qed.

@@ -7,7 +7,6 @@
 From Coq Require Import Reals Lra Lia List ZArith.
 From Coq Require Vector.
 From Circumspect Require Import Checker Numbering.
-From Circumspect Require Export Meaning.
 From Circumspect Require Import Definitions Vectors Affine Frame Orientation.
 Import ListNotations.
 Open Scope R_scope.

@@ -53,9 +53,9 @@ Notation P := (points_of_certificate d c).
 Notation r := (unit_of c).
 Notation spot := (spot d c).
 Notation point_at k e := (numbered (points c) k = Some e).
-Notation simplex_at t s := (numbered (Checker.simplices c) t = Some s).
-Notation hull_at h f := (numbered (Checker.hull c) h = Some f).
-Notation tets := (numbers (Checker.simplices c)).
+Notation simplex_at t s := (numbered (Definitions.simplices c) t = Some s).
+Notation hull_at h f := (numbered (Definitions.hull c) h = Some f).
+Notation tets := (numbers (Definitions.simplices c)).
 Notation m := (mesh_of c).
 Notation o := (sample_point (d := d) c).
 Notation sites s := (sites_of (d := d) (c := c) s).
@@ -207,7 +207,7 @@ Proof.
 Qed.
 
 (** [ridge-matched], [ridge-back-pointer], [hull-locally-convex] *)
-Lemma ridge_complete g f s a q : hull_at g f -> simplex_at (Checker.carrier f) s ->
+Lemma ridge_complete g f s a q : hull_at g f -> simplex_at (Definitions.carrier f) s ->
   nth_error (ridges f) a = Some q ->
   check_ridge pr m g (apex f) (remove (apex f) (corners s)) (sites s) a q = Accepted.
 Proof.
@@ -228,7 +228,7 @@ Proof.
   rewrite Ev. destruct (corner_known c HL _ s' v E' (nth_error_In _ _ Ev)) as (e & Ek).
   rewrite (find_corner v e Ek). unfold Checker.locally_convex.
   assert (0 <= side pr (apex f) (sites s) (site_at d c v) 1)%Z as Q.
-  { apply (side_closed (Checker.carrier f) s); auto; [apply (listed_site c HL)|].
+  { apply (side_closed (Definitions.carrier f) s); auto; [apply (listed_site c HL)|].
     rewrite <- (spot_site d c v e Ek).
     apply (hull_supported positive_d c geo G); auto. now apply spot_in with e. }
   apply Z.leb_le in Q. now rewrite Q.
@@ -273,7 +273,7 @@ Proof.
   { destruct (honest_sample _ _ H) as (s & E & _). apply (in_simplex_list (d := d)) in E. intros N.
     rewrite N in E. destruct E. }
   destruct (description D c F Some) as (geo & G).
-  assert (Vs : forall t, In t (numbers (Checker.simplices c)) ->
+  assert (Vs : forall t, In t (numbers (Definitions.simplices c)) ->
     In (vertices (geo t)) (simplices_of_certificate d c)).
   { intros t Ht. apply in_numbers in Ht. destruct Ht as (s & E).
     rewrite (lists_vertices _ _ (described_frame _ _ G t s E)). now apply in_simplex_list with t. }

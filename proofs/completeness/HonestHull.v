@@ -52,9 +52,9 @@ Hypothesis H : honest orient c.
 Let HL : well_listed orient c := honest_listed _ _ H.
 Notation P := (points_of_certificate d c).
 Notation spot := (spot d c).
-Notation simplex_at t s := (numbered (Checker.simplices c) t = Some s).
-Notation hull_at h f := (numbered (Checker.hull c) h = Some f).
-Notation tets := (numbers (Checker.simplices c)).
+Notation simplex_at t s := (numbered (Definitions.simplices c) t = Some s).
+Notation hull_at h f := (numbered (Definitions.hull c) h = Some f).
+Notation tets := (numbers (Definitions.simplices c)).
 Notation o := (sample_point (d := d) c).
 Variable geo : positive -> frame d.
 Hypothesis G : described c geo.
@@ -73,16 +73,16 @@ Proof.
   intros t i Ht Hi O p Hp. exact (hull_supported positive_d c geo G t i p Ht Hi O Hp).
 Qed.
 
-Lemma entry_facet h f : hull_at h f -> exists s, simplex_at (Checker.carrier f) s /\
-  nth_error (walls s) (apex f) = Some (OnHull h) /\ facet (Checker.carrier f) (apex f).
+Lemma entry_facet h f : hull_at h f -> exists s, simplex_at (Definitions.carrier f) s /\
+  nth_error (walls s) (apex f) = Some (OnHull h) /\ facet (Definitions.carrier f) (apex f).
 Proof.
   intros E. destruct (honest_hull _ _ H h f E) as (s & Es & W). exists s.
   split; [assumption|]. split; [assumption|].
-  destruct (on_hull_outer Co positive_d c H geo G (Checker.carrier f) s (apex f) h Es W) as (Hi &
+  destruct (on_hull_outer Co positive_d c H geo G (Definitions.carrier f) s (apex f) h Es W) as (Hi &
     O).
   split; [now apply (in_tets c _ s Es)|]. now split.
 Qed.
-Lemma entry_once h f g f' : hull_at h f -> hull_at g f' -> Checker.carrier f = Checker.carrier f' ->
+Lemma entry_once h f g f' : hull_at h f -> hull_at g f' -> Definitions.carrier f = Definitions.carrier f' ->
   apex f = apex f' -> h = g.
 Proof.
   intros E E' C A. destruct (entry_facet h f E) as (s & Es & W & _).
@@ -90,12 +90,12 @@ Proof.
 Qed.
 
 (** A ridge and the one that it names. *)
-Lemma ridge_named h f s a g b : hull_at h f -> simplex_at (Checker.carrier f) s ->
+Lemma ridge_named h f s a g b : hull_at h f -> simplex_at (Definitions.carrier f) s ->
   nth_error (ridges f) a = Some (g, b) -> exists f' s', hull_at g f' /\
-    simplex_at (Checker.carrier f') s' /\ (a < d)%nat /\ (b < d)%nat /\
+    simplex_at (Definitions.carrier f') s' /\ (a < d)%nat /\ (b < d)%nat /\
     shared (remove a (remove (apex f) (corners s))) (remove b (remove (apex f') (corners s'))) /\
-    opposite (cone (Checker.carrier f) (apex f)) (skip (apex f) a)
-             (cone (Checker.carrier f') (apex f')) (skip (apex f') b).
+    opposite (cone (Definitions.carrier f) (apex f)) (skip (apex f) a)
+             (cone (Definitions.carrier f') (apex f')) (skip (apex f') b).
 Proof.
   intros Ef Es Er. destruct (honest_ridge _ _ H h f s a g b Ef Es Er)
     as (N & f' & s' & Ef' & Es' & S). exists f', s'.
@@ -129,8 +129,8 @@ Proof.
         (ridge_of_cone _ _ _ _ b o p LL Hj Hb (facet_cone _ _ Fu)), <- !remove_map, !in_map_iff;
       (intros [->|(k & <- & I)]; [now left|right; exists k; split; [reflexivity|now apply S]]).
 Qed.
-Lemma ridge_matched h f s a g b f' s' : hull_at h f -> simplex_at (Checker.carrier f) s ->
-  nth_error (ridges f) a = Some (g, b) -> hull_at g f' -> simplex_at (Checker.carrier f') s' ->
+Lemma ridge_matched h f s a g b f' s' : hull_at h f -> simplex_at (Definitions.carrier f) s ->
+  nth_error (ridges f) a = Some (g, b) -> hull_at g f' -> simplex_at (Definitions.carrier f') s' ->
   matched_ridge (remove (apex f) (corners s)) (remove (apex f') (corners s'))
     (apex f) (apex f') a b = true.
 Proof.
@@ -141,17 +141,17 @@ Proof.
   destruct (entry_facet h f Ef) as (_ & _ & _ & Ft).
   destruct (entry_facet g f' Ef') as (_ & _ & _ & Fu).
   pose proof Ft as (_ & Hi & _). pose proof Fu as (_ & Hj & _).
-  apply (opposite_matched_ridge Or spot (corners s) (corners s') (geo (Checker.carrier f))
-    (geo (Checker.carrier f')) (apex f) (apex f')
+  apply (opposite_matched_ridge Or spot (corners s) (corners s') (geo (Definitions.carrier f))
+    (geo (Definitions.carrier f')) (apex f) (apex f')
     (described_frame _ _ G _ s Es) (described_frame _ _ G _ s' Es')
     (positive_listed not_flat c HL geo G _ s Es) (positive_listed not_flat c HL geo G _ s' Es')
     (corners_NoDup c geo G _ s Es) (corners_NoDup c geo G _ s' Es') Hi Hj a b
-    (cone (Checker.carrier f) (apex f)) (cone (Checker.carrier f') (apex f')) o); auto using
+    (cone (Definitions.carrier f) (apex f)) (cone (Definitions.carrier f') (apex f')) o); auto using
       facet_sample, facet_cone.
   destruct O as (_ & Hl & _ & _ & Neg).
   rewrite (cone_vertex _ _ _ _ (facet_cone _ _ Fu)) in Neg; auto using skip_ne.
 Qed.
-Lemma ridge_back h f s a g b f' : hull_at h f -> simplex_at (Checker.carrier f) s ->
+Lemma ridge_back h f s a g b f' : hull_at h f -> simplex_at (Definitions.carrier f) s ->
   nth_error (ridges f) a = Some (g, b) -> hull_at g f' -> nth_error (ridges f') b = Some (h, a).
 Proof.
   intros Ef Es Er Ef'. destruct (ridge_named h f s a g b Ef Es Er)

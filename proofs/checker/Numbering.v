@@ -9,10 +9,6 @@ Import ListNotations.
 
 (** ** Numbered things *)
 
-(** The member of [l] with number [k]. *)
-Definition numbered {A} (l : list A) (k : positive) : option A :=
-  nth_error l (pred (Pos.to_nat k)).
-
 Lemma number_before {A B} (f : A -> B) (l : list A) : forall k m j, (j < k)%positive ->
   PM.find j (number f k l m) = PM.find j m.
 Proof.

@@ -24,14 +24,14 @@ Hypothesis HL : well_listed orient c.
 Variable geo : positive -> frame d.
 Hypothesis G : described c geo.
 Notation P := (points_of_certificate d c).
-Notation tets := (numbers (Checker.simplices c)).
+Notation tets := (numbers (Definitions.simplices c)).
 Variables (t0 : positive) (s0 : site) (w0 : Z).
 Notation o := (@place_of d (unit_of c / IZR w0) s0).
 Hypothesis H0 : In t0 tets.
 Hypothesis I0 : inside (geo t0) o.
 Hypothesis S0 : length (coordinates s0) = d /\ (0 < w0)%Z.
 Hypothesis used : forall k e, numbered (points c) k = Some e ->
-  exists t s, numbered (Checker.simplices c) t = Some s /\
+  exists t s, numbered (Definitions.simplices c) t = Some s /\
     ((exists i, nth_error (corners s) i = Some k) \/
      claimed c = WeightedDelaunay /\ conv (map (spot d c) (corners s)) (spot d c k)).
 
@@ -90,17 +90,17 @@ Definition simplex_said L t (s s' : simplex_entry) : Prop :=
   (forall i w, nth_error (walls s') i = Some w -> wall_said L t i w) /\
   (t <> t0 -> exists i, away s' = Some i /\ (i <= d)%nat /\ bary (geo t) i o < 0).
 Definition hull_said L (x : positive * nat) (f : hull_entry) : Prop :=
-  Checker.carrier f = fst x /\ apex f = snd x /\ length (ridges f) = d /\
+  Definitions.carrier f = fst x /\ apex f = snd x /\ length (ridges f) = d /\
   forall a q, nth_error (ridges f) a = Some q -> ridge_said L (fst x) (snd x) a q.
 Definition point_said k (e e' : point_entry) : Prop := position e' = position e /\
-  exists s, numbered (Checker.simplices c) (home e') = Some s /\
+  exists s, numbered (Definitions.simplices c) (home e') = Some s /\
     match home_vertex e' with
     | Some i => nth_error (corners s) i = Some k
     | None => claimed c = WeightedDelaunay /\ conv (map (spot d c) (corners s)) (spot d c k)
     end.
 
 Lemma simplex_sayable L t s : (forall t i, In (t, i) L <-> facet t i) ->
-  numbered (Checker.simplices c) t = Some s -> exists s', simplex_said L t s s'.
+  numbered (Definitions.simplices c) t = Some s -> exists s', simplex_said L t s s'.
 Proof.
   intros HL' E. pose proof (in_tets c t s E) as Ht.
   destruct (build_index (wall_said L t) (S d)) as (ws & Lw & W).
@@ -117,8 +117,8 @@ Qed.
 Lemma parts_exist : exists L ps ss fs, NoDup L /\ (forall t i, In (t, i) L <-> facet t i) /\
   (length ps = length (points c) /\ forall k e e', numbered (points c) k = Some e ->
     numbered ps k = Some e' -> point_said k e e') /\
-  (length ss = length (Checker.simplices c) /\ forall t s s',
-    numbered (Checker.simplices c) t = Some s -> numbered ss t = Some s' ->
+  (length ss = length (Definitions.simplices c) /\ forall t s s',
+    numbered (Definitions.simplices c) t = Some s -> numbered ss t = Some s' ->
     simplex_said L t s s') /\
   (length fs = length L /\ forall h x f, numbered L h = Some x -> numbered fs h = Some f ->
     hull_said L x f).
@@ -128,7 +128,7 @@ Proof.
   { intros k e E. destruct (used k e E) as (t & s & Es & [(i & Ei)|W]).
     - exists (PointEntry (position e) t (Some i)). split; [reflexivity|]. now exists s.
     - exists (PointEntry (position e) t None). split; [reflexivity|]. now exists s. }
-  destruct (build (simplex_said L) (Checker.simplices c)) as (ss & Ls & Ps).
+  destruct (build (simplex_said L) (Definitions.simplices c)) as (ss & Ls & Ps).
   { intros t s E. now apply simplex_sayable. }
   destruct (build (fun _ => hull_said L) L) as (fs & Lf & Pf).
   { intros h [t i] E. apply numbered_in, HL' in E.
@@ -146,8 +146,8 @@ Hypothesis HF : forall t i, In (t, i) L <-> facet t i.
 Hypothesis Lp : length ps = length (points c).
 Hypothesis Pp : forall k e e', numbered (points c) k = Some e -> numbered ps k = Some e' ->
   point_said k e e'.
-Hypothesis Ls : length ss = length (Checker.simplices c).
-Hypothesis Ps : forall t s s', numbered (Checker.simplices c) t = Some s ->
+Hypothesis Ls : length ss = length (Definitions.simplices c).
+Hypothesis Ps : forall t s s', numbered (Definitions.simplices c) t = Some s ->
   numbered ss t = Some s' -> simplex_said L t s s'.
 Hypothesis Lf : length fs = length L.
 Hypothesis Pf : forall h x f, numbered L h = Some x -> numbered fs h = Some f -> hull_said L x f.
@@ -157,7 +157,7 @@ Definition completed : certificate :=
 
 Lemma completed_same : same_input c completed.
 Proof.
-  repeat split; cbn [completed points Checker.simplices].
+  repeat split; cbn [completed points Definitions.simplices].
   - apply map_pointwise; [assumption|]. intros k e e' E E'. now apply (Pp k).
   - apply map_pointwise; [assumption|]. intros t s s' E E'. now apply (Ps t).
 Qed.
@@ -165,15 +165,15 @@ Let G' : described (d := d) completed geo := same_described d c completed comple
 Let HL2 : well_listed orient completed := same_listed d c completed completed_same orient HL.
 
 Lemma said_simplex t s' : numbered ss t = Some s' -> exists s,
-  numbered (Checker.simplices c) t = Some s /\ simplex_said L t s s' /\ In t tets.
+  numbered (Definitions.simplices c) t = Some s /\ simplex_said L t s s' /\ In t tets.
 Proof.
-  intros E. destruct (numbered_same_length ss (Checker.simplices c) t s' Ls E) as (s & Es).
+  intros E. destruct (numbered_same_length ss (Definitions.simplices c) t s' Ls E) as (s & Es).
   exists s. split; [assumption|]. split; [now apply Ps|]. now apply (in_tets c t s).
 Qed.
 Lemma there_simplex t : In t tets -> exists s', numbered ss t = Some s'.
 Proof.
   intros Ht. apply in_numbers in Ht. destruct Ht as (s & E).
-  now apply (numbered_same_length (Checker.simplices c) ss t s).
+  now apply (numbered_same_length (Definitions.simplices c) ss t s).
 Qed.
 Lemma said_hull h f : numbered fs h = Some f -> exists t i, numbered L h = Some (t, i) /\
   hull_said L (t, i) f /\ facet t i.
@@ -314,19 +314,19 @@ Let one : (1 <= d)%nat := one_dimension two.
 
 (** A simplex of the claim is a simplex of the certificate. *)
 Lemma listed_simplex t : In t (simplices_of_certificate d c) -> exists k s,
-  numbered (Checker.simplices c) k = Some s /\ t = map (spot d c) (corners s).
+  numbered (Definitions.simplices c) k = Some s /\ t = map (spot d c) (corners s).
 Proof.
   intros I. apply in_map_iff in I. destruct I as (s & <- & I). apply in_numbered in I.
   destruct I as (k & E). eauto.
 Qed.
 Lemma points_used k e : numbered (points c) k = Some e ->
-  exists t s, numbered (Checker.simplices c) t = Some s /\
+  exists t s, numbered (Definitions.simplices c) t = Some s /\
     ((exists i, nth_error (corners s) i = Some k) \/
      claimed c = WeightedDelaunay /\ conv (map (spot d c) (corners s)) (spot d c k)).
 Proof.
   intros E. pose proof (spot_in d c k e E) as I.
   assert (V : triangulation (points_of_certificate d c) (simplices_of_certificate d c) ->
-    exists t s, numbered (Checker.simplices c) t = Some s /\
+    exists t s, numbered (Definitions.simplices c) t = Some s /\
       exists i, nth_error (corners s) i = Some k).
   { intros (_ & V). destruct (V _ I) as (x & Hx & Ix).
     destruct (listed_simplex x Hx) as (t & s & Es & ->). exists t, s. split; [assumption|].

@@ -11,38 +11,6 @@ Import ListNotations.
 Open Scope Z_scope.
 Module PM := PositiveMap.
 
-(** ** Certificates
-
-    Points, simplices and hull facets are numbered from 1 in the order of their lists; vertices,
-    facets and ridges from 0.  A number that names nothing may be replaced by any other that
-    names nothing: 0 by one beyond the list, a vertex number greater than d by d+1. *)
-
-Inductive claim := Triangulation | Delaunay | WeightedDelaunay.
-
-(** The point ([weight] is read only if the claim is [WeightedDelaunay]); T; I, or [None] for -. *)
-Record point_entry := PointEntry {
-  position : site; home : positive; home_vertex : option nat }.
-
-(** Fi: [Neighbour T J], or [OnHull H]. *)
-Inductive wall := Neighbour (t : positive) (j : nat) | OnHull (h : positive).
-
-(** The numbers of the vertices; the Fi; S. *)
-Record simplex_entry := SimplexEntry {
-  corners : list positive; walls : list wall; away : option nat }.
-
-(** T; I; the Ra, each [(G, B)]. *)
-Record hull_entry := HullEntry {
-  carrier : positive; apex : nat; ridges : list (positive * nat) }.
-
-Record certificate := Certificate {
-  claimed : claim;
-  numerator : Z; denominator : Z;                              (* scale P Q *)
-  points : list point_entry;
-  simplices : list simplex_entry;
-  hull : list hull_entry;
-  sample_simplex : positive; sample : site; sample_denominator : Z   (* the weight is not read *)
-}.
-
 (** ** Verdicts *)
 
 Inductive condition :=
@@ -402,8 +370,6 @@ Definition check_in (pr : predicates) (c : certificate) : result :=
    each (check_simplex pr m) 1 (simplices c)) ;;
   each (check_hull pr m) 1 (hull c).
 
-(** D of the first line. *)
-Inductive plane_or_space := Plane | Space.
 Definition predicates_of (D : plane_or_space) : predicates :=
   match D with Plane => plane_predicates | Space => space_predicates end.
 Definition check (D : plane_or_space) (c : certificate) : result := check_in (predicates_of D) c.

@@ -11,9 +11,9 @@ Definition at2 (x y : Z) : site := Site [x; y] 0.
 Definition at3 (x y z : Z) : site := Site [x; y; z] 0.
 Definition lists_of (l : list (list positive)) : list row := map (map Some) l.
 Definition plane_mesh c points simplices e : bool :=
-  refute Plane (Refutation c 1 2 points (lists_of simplices) e).
+  refute Plane (Refutation c 1 2 points (lists_of simplices) [1; 2; 3]%positive e).
 Definition space_mesh c points simplices e : bool :=
-  refute Space (Refutation c 1 2 points (lists_of simplices) e).
+  refute Space (Refutation c 1 2 points (lists_of simplices) [1; 2; 3; 4]%positive e).
 
 (** A square, with point 5 where point 1 is. *)
 Definition square := [at2 0 0; at2 2 0; at2 2 2; at2 0 2; at2 0 0].
@@ -31,8 +31,8 @@ Proof. reflexivity. Qed.
 Example unknown : plane_mesh Delaunay square [[1; 2; 6]]%positive (UnknownVertex 1 2) = true.
 Proof. reflexivity. Qed.
 Example unknown_negative :
-  refute Plane (Refutation Delaunay 1 2 square [[Some 1%positive; None]] (UnknownVertex 1 1))
-    = true.
+  refute Plane (Refutation Delaunay 1 2 square [[Some 1%positive; None]] [1; 2; 3]%positive
+    (UnknownVertex 1 1)) = true.
 Proof. reflexivity. Qed.
 Example known : refutes_not Delaunay (UnknownVertex 1 2).
 Proof. reflexivity. Qed.
@@ -93,17 +93,45 @@ Example submerged_perhaps :
   plane_mesh WeightedDelaunay square [[1; 2; 3]]%positive (UnusedPoint 4) = false.
 Proof. reflexivity. Qed.
 
-Definition below_diagonal : list (list positive) := [[1; 2; 3]]%positive.
-Example hole : plane_mesh WeightedDelaunay square below_diagonal
-  (Uncovered (at2 1 3) 2 [1; 3; 4]%positive [1]%nat) = true.
+(** A point of the interior of one in the other; not of the interior; the same simplex twice. *)
+Example covers_twice : map (fun e => plane_mesh Triangulation book pages e)
+  [CoveredTwice 1 3 (at2 2 1) 2; CoveredTwice 1 3 (at2 1 0) 1; CoveredTwice 1 4 (at2 2 1) 2;
+   CoveredTwice 1 2 (at2 2 1) 2] = [true; false; false; false].
 Proof. reflexivity. Qed.
-(** On the diagonal; outside the square; beyond no facet; with a simplex left out. *)
-Example no_hole : map (fun e => plane_mesh Delaunay square below_diagonal e)
-  [Uncovered (at2 1 1) 1 [1; 3; 4]%positive [1%nat];
-   Uncovered (at2 (-1) 1) 2 [1; 3; 4]%positive [1%nat];
-   Uncovered (at2 1 3) 2 [1; 3; 4]%positive [0%nat]; Uncovered (at2 1 3) 2 [1; 3; 4]%positive [];
-   Uncovered (at2 1 3) 2 [1; 3; 4]%positive [3%nat]]
-  = [false; false; false; false; false].
+(** A vertex in the middle of an edge: nothing is covered twice. *)
+Definition junction := [at2 0 0; at2 4 0; at2 2 2; at2 2 (-2); at2 2 0].
+Definition hanging : list (list positive) := [[1; 2; 3]; [1; 5; 4]; [5; 2; 4]]%positive.
+Example not_twice : map (fun q => plane_mesh Triangulation junction hanging (CoveredTwice 1 2 q 1))
+  [at2 1 0; at2 0 0; at2 2 0] = [false; false; false].
+Proof. reflexivity. Qed.
+
+(** Point 4 is beyond the diagonal; the other points are not, and the other edges have none. *)
+Definition below_diagonal : list (list positive) := [[1; 2; 3]]%positive.
+Example not_convex : map (fun e => plane_mesh Delaunay square below_diagonal e)
+  [HullNotConvex 1 1 4; HullNotConvex 1 1 2; HullNotConvex 1 1 3; HullNotConvex 1 0 4;
+   HullNotConvex 1 3 4] = [true; false; false; false; false].
+Proof. reflexivity. Qed.
+(** The edge is shared, by another number of one of its points. *)
+Example convex : map (fun T => plane_mesh Delaunay square T (HullNotConvex 1 1 4))
+  [halves; [[1; 2; 3]; [5; 3; 4]]; [[1; 2; 3]; [1; 3]]; [[1; 2; 3]; [2; 3; 5]]]%positive
+  = [false; false; false; true].
+Proof. reflexivity. Qed.
+(** Point 1 is in four edges of the boundary; in a square only in two, which cannot be counted twice. *)
+Example not_closed : map (fun e => plane_mesh Delaunay junction hanging e)
+  [HullNotClosed 1 1 1 2 2 1; HullNotClosed 1 1 1 2 1 1; HullNotClosed 1 0 1 2 2 1]
+  = [true; false; false].
+Proof. reflexivity. Qed.
+Example closed : map (fun e => plane_mesh Delaunay square halves e)
+  [HullNotClosed 1 2 2 1 1 1; HullNotClosed 1 2 2 1 1 2; HullNotClosed 1 2 2 1 2 0]
+  = [false; false; false].
+Proof. reflexivity. Qed.
+(** With weights a point must be covered: point 4 is beyond facet 1. *)
+Example not_covered : map (fun f => plane_mesh WeightedDelaunay square below_diagonal
+  (UncoveredPoint 4 f)) [[1%nat]; [0%nat]; []; [3%nat]; [1; 1]%nat]
+  = [true; false; false; false; false].
+Proof. reflexivity. Qed.
+Example covered_on_the_edge : plane_mesh WeightedDelaunay square below_diagonal
+  (UncoveredPoint 5 [1%nat]) = false.
 Proof. reflexivity. Qed.
 
 (** The shorter diagonal is the Delaunay one; the triangles are turned either way. *)
@@ -121,6 +149,10 @@ Example only_delaunay : map (fun c => plane_mesh c kite long_diagonal (VertexInB
 Proof. reflexivity. Qed.
 
 Example not_local : plane_mesh Delaunay kite long_diagonal (FacetNotLocal 1 1 2 2) = true.
+Proof. reflexivity. Qed.
+(** The apex is in the ball, but on the same side. *)
+Example same_side : plane_mesh Delaunay [at2 0 0; at2 4 0; at2 2 4; at2 2 1]
+  [[1; 2; 3]; [1; 2; 4]]%positive (FacetNotLocal 1 2 2 2) = false.
 Proof. reflexivity. Qed.
 Example not_shared : plane_mesh Delaunay kite long_diagonal (FacetNotLocal 1 0 2 2) = false.
 Proof. reflexivity. Qed.
@@ -152,10 +184,20 @@ Example space_overlap : map (fun q =>
   space_mesh Delaunay corner [[2; 1; 3; 4]; [1; 2; 3; 5]]%positive (Overlap 1 2 q 4))
   [at3 2 2 1; at3 1 1 0; at3 1 1 4] = [true; false; false].
 Proof. reflexivity. Qed.
-Example space_hole : map (fun i => space_mesh Delaunay corner [[2; 1; 3; 4]]%positive
-  (Uncovered (at3 4 4 4) 5 [2; 3; 4; 6]%positive [i])) [0; 1; 2; 3]%nat
-  = [false; true; false; false].
+Example space_boundary : map (fun i => space_mesh Delaunay corner [[2; 1; 3; 4]]%positive
+  (HullNotConvex 1 i 6)) [0; 1; 2; 3]%nat = [false; true; false; false].
+Proof. reflexivity. Qed.
+(** Two tetrahedra that share an edge only: four facets of the boundary share it. *)
+Example space_ridge : map (fun e => space_mesh Delaunay
+  [at3 0 0 0; at3 0 0 1; at3 1 0 0; at3 0 1 0; at3 (-1) 0 0; at3 0 (-1) 0]
+  [[1; 2; 3; 4]; [1; 2; 5; 6]]%positive e)
+  [HullNotClosed 1 2 1 3 2 2; HullNotClosed 1 2 1 3 2 0] = [true; false].
 Proof. reflexivity. Qed.
 Example scale_not_positive : refute Plane (Refutation Delaunay 1 (-2) kite
-  (lists_of long_diagonal) (VertexInBall 1 4)) = false.
+  (lists_of long_diagonal) [1; 2; 3]%positive (VertexInBall 1 4)) = false.
+Proof. reflexivity. Qed.
+(** Three points on a line have a Delaunay triangulation: its two edges.  So nothing is refuted. *)
+Example no_basis : map (fun b => refute Plane (Refutation Delaunay 1 1
+  [at2 0 0; at2 1 0; at2 2 0] (lists_of [[1; 2]; [2; 3]]%positive) b (WrongDimension 1)))
+  [[1; 2; 3]; [1; 2]; []; [1; 2; 4]]%positive = [false; false; false; false].
 Proof. reflexivity. Qed.
