@@ -5,9 +5,7 @@
     - [above h t p] ([book/Perturbation.v]): how far the lifted point p is above the witness plane
       of t; [perturbed S h e]: the heights h, point number i of S lowered by e^i;
       [coefficients S h t p]: of the polynomial in e that [above] is for these heights; [lead]: the
-      first of them that is not zero, the symbolic sign.
-    - [canonical_triangulation S h T] ([book/EveryPointSet.v]): T fills conv S, and its simplices
-      have all other points above their witness planes by the symbolic sign. *)
+      first of them that is not zero, the symbolic sign. *)
 From Coq Require Import Reals List.
 From Circumspect Require Import Definitions.
 From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
@@ -53,12 +51,15 @@ Proof. apply Existence.theorem_4_4_exactly_one. Qed.
 (** Section 2.9, symbolic perturbation: every point set has a Delaunay triangulation, and exactly
     one is canonical. Which one depends on the order of the list S (the oracle's is
     lexicographic). *)
-Theorem canonical S : spans S -> exists T,
-  delaunay_triangulation S T /\ EveryPointSet.canonical_triangulation S norm2 T /\
-  forall U, EveryPointSet.canonical_triangulation S norm2 U ->
-    (forall s, In s T -> exists r : simplex d, In r U /\ same s r) /\
-    (forall s, In s U -> exists r : simplex d, In r T /\ same s r).
+Theorem canonical S : NoDup S -> spans S -> exists T,
+  delaunay_triangulation S T /\ canonical_triangulation S norm2 T /\
+  forall U, canonical_triangulation S norm2 U -> same_simplices T U.
 Proof. apply EveryPointSet.every_point_set. Qed.
+
+(** And no list of points has two, with any heights. *)
+Theorem canonical_once S h T U : NoDup S -> spans S -> canonical_triangulation S h T ->
+  canonical_triangulation S h U -> same_simplices T U.
+Proof. apply EveryPointSet.canonical_once. Qed.
 
 (** The symbolic signs are the numeric signs for all small e, the same e for all. *)
 Theorem perturbation_sound S h (ts : list (Frame.frame d)) : exists e0, 0 < e0 /\
@@ -78,6 +79,18 @@ Proof. apply Optimality.one_error. Qed.
 Theorem proposition_4_5 S T U p e e' : delaunay_triangulation S T -> triangulation S U ->
   interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> 0 <= e <= e'.
 Proof. apply Optimality.proposition_4_5. Qed.
+
+(** Hence it has the least norm of the error, for every norm that is monotonic in the error. For
+    example every norm L_q over conv S, q from 1 to infinity. *)
+Theorem proposition_4_5_norms S T U (norm : (point d -> R) -> R) (e e' : point d -> R) :
+  (forall f g, (forall p, conv S p -> 0 <= f p <= g p) -> norm f <= norm g) ->
+  delaunay_triangulation S T -> triangulation S U ->
+  (forall p, conv S p -> interpolation_error norm2 T p (e p)) ->
+  (forall p, conv S p -> interpolation_error norm2 U p (e' p)) -> norm e <= norm e'.
+Proof.
+  intros M D Tr E E'. apply M. intros p Hp.
+  exact (proposition_4_5 S T U p (e p) (e' p) D Tr (E p Hp) (E' p Hp)).
+Qed.
 
 (** The same for any heights, hence for weighted points (the error may be negative). *)
 Theorem proposition_4_5_heights h S T U p e e' :

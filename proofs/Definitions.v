@@ -292,6 +292,19 @@ Definition weighted_delaunay_triangulation (w : point d -> R) (S : list (point d
     (T : list simplex) : Prop :=
   fills S T /\ forall t, In t T -> weighted_delaunay w S t.
 
+(** Two lists of simplices with the same members. *)
+Definition same_simplices (T U : list simplex) : Prop :=
+  (forall s, In s T -> exists r, In r U /\ same s r) /\
+  (forall s, In s U -> exists r, In r T /\ same s r).
+
+(** Section 2.9, symbolic perturbation: lower the height of point number i of [S], counted from 1,
+    by e^i.  T is canonical if it has witness planes over all such heights with a small e > 0. *)
+Definition lowered (S : list (point d)) (h : point d -> R) (e : R) (k : point d -> R) : Prop :=
+  forall i p, nth_error S i = Some p -> k p = h p - e ^ Datatypes.S i.
+Definition canonical_triangulation (S : list (point d)) (h : point d -> R) (T : list simplex) : Prop :=
+  fills S T /\ exists e0, 0 < e0 /\ forall e k, 0 < e < e0 -> lowered S h e k ->
+    forall t, In t T -> witness_plane k S t.
+
 (** ** Optimality *)
 
 (** The hyperplane (a, b) contains the lifted vertices of s: over s it is the interpolant of h. *)

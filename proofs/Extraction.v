@@ -6,7 +6,7 @@
     words become OCaml's strings. *)
 From Coq Require Import ZArith FMapPositive.
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
-From Circumspect Require Import Checker Refutation.
+From Circumspect Require Import Checker Settling Refutation.
 
 Extract Inductive positive => "Big.numeral" [ "Big.XI" "Big.XO" "Big.XH" ].
 Extract Inductive Z => "Big.t"
@@ -22,4 +22,4 @@ Extract Inlined Constant Z.eqb => "Big.equal".
 
 (* The maps of the standard library come with a comparison of keys that is opaque; it is not used. *)
 Set Warnings "-extraction-opaque-accessed".
-Extraction "extracted.ml" check refute rule_of rule_name claim_name.
+Extraction "extracted.ml" check settle refute rule_of rule_name claim_name.

@@ -7,13 +7,14 @@
     What a line of the program does not say:
     - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
       they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not proved;
-    - which of several Delaunay triangulations it is;
+    - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
     - that the program does what [check] and [refute] do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Refutation Definitions.
-From Circumspect Require Uniqueness Soundness RefutationSound Completeness EveryTriangulation.
+From Circumspect Require Import Checker Settling Refutation Definitions.
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound Completeness
+  EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -55,10 +56,28 @@ Theorem verified_rule D c w : refute D c = true ->
     (rule_of (because c)).
 Proof. apply RefutationSound.refute_breach. Qed.
 
+(** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
+    of the points is that of the certificate, which is lexicographic ([points-increasing]). *)
+Theorem verified_unique D c U : check D c = Accepted -> settle D c Unique = Settled ->
+  let S := points_of_certificate (dimension_of D) c in
+  match claimed c with
+  | Triangulation => False
+  | Delaunay => delaunay_triangulation S U
+  | WeightedDelaunay => exists w, weights_given (dimension_of D) c w /\
+      weighted_delaunay_triangulation w S U
+  end -> same_simplices (simplices_of_certificate (dimension_of D) c) U.
+Proof. exact (fun A Se H => SettlingSound.settled_unique D c A U Se H). Qed.
+
+Theorem verified_canonical D c s w : check D c = Accepted -> settle D c s = Settled ->
+  (claimed c = WeightedDelaunay -> weights_given (dimension_of D) c w) ->
+  canonical_triangulation (points_of_certificate (dimension_of D) c) (lifted (claimed c) w)
+    (simplices_of_certificate (dimension_of D) c).
+Proof. exact (fun A Se W => SettlingSound.settled_canonical D c A s w Se W). Qed.
+
 (** Two accepted certificates of one generic point set are about the same simplices. (That the
     points are generic is not in a certificate. If they are not, several triangulations may be
     Delaunay, and each has its certificate.) *)
-Theorem verified_unique D c c' : check D c = Accepted -> check D c' = Accepted ->
+Theorem verified_generic D c c' : check D c = Accepted -> check D c' = Accepted ->
   claimed c = Delaunay -> claimed c' = Delaunay ->
   points_of_certificate (dimension_of D) c = points_of_certificate (dimension_of D) c' ->
   generic (points_of_certificate (dimension_of D) c) ->

@@ -72,7 +72,7 @@ void write_hull(Lines& lines, const Certificate& certificate) {
 void write(std::ostream& out, const Mesh& mesh, const Certificate& certificate) {
   Lines lines(out);
   write_first_line(lines, "circumspect-certificate 1", certificate.claim,
-                   certificate.points.dimension);
+                   certificate.points.dimension, certificate.standing);
   write_scale(lines, certificate.points);
   write_points(lines, mesh, certificate);
   write_simplices(lines, certificate);

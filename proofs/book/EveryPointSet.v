@@ -135,11 +135,60 @@ Proof.
 Qed.
 
 (** T has all its simplices pass the test. *)
-Definition canonical_triangulation S h T : Prop :=
+Definition symbolic_triangulation S h T : Prop :=
   fills S T /\ forall s, In s T -> exists t, vertices t = s /\ canonical S h t.
 
+(** It is the canonical triangulation of Definitions.v, which speaks of small numbers. *)
+Lemma witness_plane_ext h k S s : incl s S -> (forall p, In p S -> h p = k p) ->
+  witness_plane h S s -> witness_plane k S s.
+Proof.
+  intros I E (a & b & C & B). exists a, b. split.
+  - intros v Hv. rewrite <- E by auto. auto.
+  - intros p Hp. rewrite <- E by assumption. auto.
+Qed.
+Theorem symbolic_canonical S h T : NoDup S -> spans S ->
+  (symbolic_triangulation S h T <-> canonical_triangulation S h T).
+Proof.
+  intros N Sp. split.
+  - intros [F C]. split; [assumption|].
+    assert (L : forall l, (forall s, In s l -> In s T) -> exists e0, 0 < e0 /\ forall e, 0 < e < e0 ->
+      forall s, In s l -> witness_plane (perturbed S h e) S s).
+    { induction l as [|s l IH]; intros Hl; [exists 1; split; [lra|intros e _ s []]|].
+      destruct IH as (e1 & P1 & K1); [intros; apply Hl; now right|].
+      destruct (C s (Hl s (or_introl eq_refl))) as (t & <- & Ct).
+      destruct (perturbation_sound S h [t]) as (e2 & P2 & K2).
+      exists (Rmin e1 e2). split; [now apply Rmin_glb_lt|]. intros e He s' [<-|Hs'].
+      - pose proof (Rmin_r e1 e2). apply witness_plane_witness. intros p Hp.
+        destruct (in_points p (vertices t)) as [V|V].
+        + apply in_vertices in V. destruct V as (i & Hi & ->).
+          rewrite witness_vertex by assumption. lra.
+        + destruct (K2 e ltac:(lra) t p (or_introl eq_refl) Hp) as [[K _] _].
+          specialize (K (Ct p Hp V)). unfold above in K. lra.
+      - pose proof (Rmin_l e1 e2). apply K1; [lra|assumption]. }
+    destruct (L T (fun s H => H)) as (e0 & P & K). exists e0. split; [assumption|].
+    intros e k He Lk s Hs. destruct F as (_ & _ & _ & V & _).
+    apply (witness_plane_ext (perturbed S h e)); [now apply V| |now apply K].
+    intros p Hp. symmetry. now apply lowered_perturbed.
+  - intros [F (e0 & P & K)]. split; [assumption|].
+    destruct (perturbed_canonical S h Sp) as (e1 & P1 & K1).
+    intros s Hs. destruct (fills_frame S T s F Hs) as (t & <-). exists t. split; [reflexivity|].
+    pose proof (Rmin_l e0 e1). pose proof (Rmin_r e0 e1). pose proof (Rmin_glb_lt _ _ _ P P1).
+    apply (K1 (Rmin e0 e1 / 2)); [lra| |].
+    + destruct F as (_ & _ & _ & V & _). now apply V.
+    + apply (K (Rmin e0 e1 / 2)); [lra|now apply perturbed_lowered|assumption].
+Qed.
+(** There is only one. *)
+Theorem canonical_once S h T U : NoDup S -> spans S -> canonical_triangulation S h T ->
+  canonical_triangulation S h U -> same_simplices T U.
+Proof.
+  intros N Sp CT CU. apply symbolic_canonical in CT, CU; try assumption.
+  destruct CT as [FT CT], CU as [FU CU]. split; intros s Hs.
+  - apply (canonical_unique S h T U FT FU); [|assumption]. intros r [Hr|Hr]; auto.
+  - apply (canonical_unique S h U T FU FT); [|assumption]. intros r [Hr|Hr]; auto.
+Qed.
+
 Lemma canonical_from_perturbed S h : spans S -> exists e0, 0 < e0 /\ forall e, 0 < e < e0 ->
-  exists T, canonical_triangulation S h T /\
+  exists T, symbolic_triangulation S h T /\
     forall s, In s T -> witness_plane (perturbed S h e) S s.
 Proof.
   intros Sp. destruct (generic_perturbed S h) as (e1 & P1 & Gen).
@@ -153,9 +202,9 @@ Proof.
 Qed.
 
 (** With any heights there is exactly one canonical triangulation.  (Points may be submerged.) *)
-Theorem canonical_exactly_one S h : spans S -> exists T, canonical_triangulation S h T /\
+Theorem canonical_exactly_one S h : spans S -> exists T, symbolic_triangulation S h T /\
   (forall s, In s T -> witness_plane h S s) /\
-  forall U, canonical_triangulation S h U ->
+  forall U, symbolic_triangulation S h U ->
     (forall s, In s T -> exists r : simplex d, In r U /\ same s r) /\
     (forall s, In s U -> exists r : simplex d, In r T /\ same s r).
 Proof.
@@ -204,9 +253,9 @@ Qed.
 
 (** Every finite point set that spans R^d has a Delaunay triangulation; one of them is canonical,
     and no other is. *)
-Theorem every_point_set S : spans S -> exists T,
-  delaunay_triangulation S T /\ canonical_triangulation S norm2 T /\
-  forall U, canonical_triangulation S norm2 U ->
+Theorem every_point_set_symbolic S : spans S -> exists T,
+  delaunay_triangulation S T /\ symbolic_triangulation S norm2 T /\
+  forall U, symbolic_triangulation S norm2 U ->
     (forall s, In s T -> exists r : simplex d, In r U /\ same s r) /\
     (forall s, In s U -> exists r : simplex d, In r T /\ same s r).
 Proof.
@@ -231,5 +280,13 @@ Proof.
   - intros U [FU CU]. split.
     + apply (canonical_unique S norm2 T U F FU). intros r [Hr|Hr]; auto.
     + apply (canonical_unique S norm2 U T FU F). intros r [Hr|Hr]; auto.
+Qed.
+Theorem every_point_set S : NoDup S -> spans S -> exists T,
+  delaunay_triangulation S T /\ canonical_triangulation S norm2 T /\
+  forall U, canonical_triangulation S norm2 U -> same_simplices T U.
+Proof.
+  intros N Sp. destruct (every_point_set_symbolic S Sp) as (T & D & C & _).
+  apply symbolic_canonical in C; try assumption. exists T. split; [assumption|].
+  split; [assumption|]. intros U. now apply canonical_once.
 Qed.
 End EveryPointSet.

@@ -127,6 +127,29 @@ Proof.
     above_combine; [ring|]. intros q. unfold perturbed. ring.
 Qed.
 
+(** These are the heights that [lowered] of Definitions.v speaks of. *)
+Lemma lowering_at S e : NoDup S -> forall i p, nth_error S i = Some p -> lowering S e p = e ^ i.
+Proof.
+  intros N. induction N as [|v S Nv N IH]; intros [|i] p E; cbn in E; try discriminate;
+    unfold lowering; cbn [map evaluate].
+  - injection E as ->. unfold at_point at 1. destruct (point_eq_dec p p) as [_|]; [|contradiction].
+    enough (Z : evaluate (map (fun v => at_point v p) S) e = 0) by (rewrite Z; cbn; ring).
+    clear IH N. induction S as [|u S IH]; cbn [map evaluate]; [reflexivity|]. rewrite IH.
+    + unfold at_point. destruct (point_eq_dec p u) as [->|]; [|ring]. destruct Nv. now left.
+    + intros H. apply Nv. now right.
+  - fold (lowering S e p). rewrite (IH i p E). unfold at_point.
+    destruct (point_eq_dec p v) as [->|]; [|cbn; ring].
+    destruct Nv. now apply nth_error_In in E.
+Qed.
+Theorem perturbed_lowered S h e : NoDup S -> lowered S h e (perturbed S h e).
+Proof. intros N i p E. unfold perturbed. rewrite (lowering_at S e N i p E). cbn. ring. Qed.
+Theorem lowered_perturbed S h e k : NoDup S -> lowered S h e k ->
+  forall p, In p S -> k p = perturbed S h e p.
+Proof.
+  intros N L p Hp. apply In_nth_error in Hp. destruct Hp as (i & E).
+  rewrite (L i p E). unfold perturbed. rewrite (lowering_at S e N i p E). cbn. ring.
+Qed.
+
 (** Ties are gone: only the vertices of t are on its perturbed witness plane. *)
 Theorem no_ties S h t p : In p S -> ~ In p (vertices t) -> lead (coefficients S h t p) <> 0.
 Proof.

@@ -100,7 +100,7 @@ def flat(thing):
 
 
 def text(c):
-    lines = ["circumspect-certificate 1 %s %d" % (c["claim"], c["d"]),
+    lines = ["circumspect-certificate 1 %s %d%s" % (c["claim"], c["d"], c.get("standing", "")),
              " ".join(map(str, ["scale"] + c["scale"]))]
     for name in ["points", "simplices", "hull"]:
         lines.append("%s %d" % (name, len(c[name])))
@@ -221,6 +221,7 @@ def files():
     yield mutant(space, put("hull", g - 1, 2, b, [g % 8 + 1, 0]),
                  "ridge-back-pointer, hull facet 1, ridge 0")
     yield from broken_meshes(plane, space)
+    yield from standings()
 
 
 def broken_meshes(plane, space):
@@ -266,6 +267,44 @@ def broken_meshes(plane, space):
     yield "facet-locally-delaunay--space", flat_pair, "rejected: facet-locally-delaunay"
     heavy = certificate("weighted-delaunay", SQUARE, SQUARE_MESH, weights=[0, 0, 0, 0, -50])
     yield "facet-locally-delaunay--submerged-vertex", heavy, "rejected: facet-locally-delaunay"
+
+
+def standings():
+    """The only Delaunay triangulation, the canonical one, and others of points of one circle."""
+    corners = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    rising, falling = [(0, 1, 2), (0, 2, 3)], [(0, 1, 3), (1, 2, 3)]
+    # In lexicographic order the first corner is (0, 0): the canonical diagonal ends there.
+    cases = [
+        ("unique--sound", SQUARE, SQUARE_MESH, "unique", None, "verified"),
+        ("unique", corners, rising, "unique", None, "rejected: unique, simplex 1"),
+        ("canonical--sound", corners, rising, "canonical", None, "verified"),
+        ("canonical--where-unique", SQUARE, SQUARE_MESH, "canonical", None, "verified"),
+        ("canonical", corners, falling, "canonical", None, "rejected: canonical, simplex 1"),
+    ]
+    cube = [(x, y, z) for x in (0, 2) for y in (0, 2) for z in (0, 2)]
+    pulled = [(0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7)]
+    turned = [tuple(7 - v if v in (0, 7) else v for v in s) for s in pulled]
+    middle = [(0, 3, 5, 6), (0, 1, 3, 5), (0, 2, 3, 6), (0, 4, 5, 6), (3, 5, 6, 7)]
+    cases += [
+        ("canonical--cube", cube, pulled, "canonical", None, "verified"),
+        ("canonical--cube-in-five", cube, middle, "canonical", None, "rejected: canonical, simplex"),
+        ("unique--cube", cube, pulled, "unique", None, "rejected: unique, simplex"),
+    ]
+    # A point that is no vertex, on the lower hull or strictly above it.
+    for name, weight in ("on-the-hull", -2), ("above-the-hull", -3):
+        points, lifted = [(0, 0), (2, 0), (0, 2), (1, 1)], [0, 0, 0, weight]
+        c = certificate("weighted-delaunay", points, [(0, 1, 2)], weights=lifted)
+        k = next(k for k, row in enumerate(c["points"]) if row[4] == 3)
+        c["points"][k][2:4] = [1, "-"]
+        for standing in "unique", "canonical":
+            settled = dict(copy.deepcopy(c), standing=" " + standing)
+            answer = "verified" if weight == -3 or standing == "canonical" else \
+                "rejected: %s, point" % standing
+            yield "%s--submerged-%s" % (standing, name), settled, answer
+    for name, points, mesh, standing, _, answer in cases:
+        yield name, dict(certificate("delaunay", points, mesh), standing=" " + standing), answer
+    plain = certificate("triangulation", SQUARE, SQUARE_MESH)
+    yield "unique--of-a-triangulation", dict(plain, standing=" unique"), "rejected: unique"
 
 
 def malformed():

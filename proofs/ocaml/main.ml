@@ -72,15 +72,24 @@ let number numeral = Big.to_int (Big.of_numeral numeral)
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
 type content = { mesh : unit -> unit; verdict : unit -> string * int }
 
-let certificate (c : Reading.context) space claimed =
+(* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
+let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canonical, ", canonical") ]
+
+let certificate (c : Reading.context) space claimed standing =
   let certificate, labels = Certificate_file.read c claimed in
   let sites = List.rev (List.rev_map (fun e -> e.position) certificate.points) in
   let corners (e : simplex_entry) = List.map (fun v -> Some (number v)) e.corners in
-  let verdict () = match check space certificate with
-    | Accepted ->
-      (Printf.sprintf "verified: %s, %s" (claim_name certificate.claimed)
-         (counts c.d (List.length sites) (List.length certificate.simplices)), 0)
-    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1) in
+  let verified extra =
+    (Printf.sprintf "verified: %s, %s%s" (claim_name certificate.claimed)
+       (counts c.d (List.length sites) (List.length certificate.simplices)) extra, 0) in
+  let verdict () = match check space certificate, standing with
+    | Rejected (why, where), _ -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted, None -> verified ""
+    | Accepted, Some word ->
+      let standing, extra = List.assoc word standings in
+      match settle space certificate standing with
+      | Settled -> verified extra
+      | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
   let unit = (certificate.numerator, certificate.denominator) in
   let mesh () =
     Mesh_text.print unit c.weighted sites labels (List.rev_map corners certificate.simplices) in
@@ -100,11 +109,15 @@ let refutation (c : Reading.context) space claimed rule =
   { mesh; verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D' or 'circumspect-refutation 2 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical]' or 'circumspect-refutation 2 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claim dimension in
-    certificate c space claimed
+    certificate c space claimed None
+  | [ "circumspect-certificate"; "1"; claim; dimension; standing ]
+    when List.mem_assoc standing standings ->
+    let c, claimed, space = context source claim dimension in
+    certificate c space claimed (Some standing)
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claim dimension in
     refutation c space claimed rule
