@@ -2,7 +2,7 @@
 
     Acceptance is taken apart: each condition of [Checker.v] is turned into a statement about the
     points, simplices and hull facets of the certificate.  Geometry begins in [Soundness.v]. *)
-From Coq Require Import Reals Lra Lia List ZArith Bool FMapPositive Sorting.Sorted.
+From Coq Require Import Reals Lra Lia List ZArith Bool Sorting.Sorted.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Orientation Integers.
 Import ListNotations.
@@ -71,15 +71,15 @@ Hypothesis dimension_d : dimension pr = d.
 Hypothesis accepts : check_in pr c = Accepted.
 Notation m := (mesh_of c).
 
-Lemma find_point k : PM.find k (points_of m) =
+Lemma find_point k : Table.find k (points_of m) =
   option_map (site_of (claimed c)) (numbered (points c) k).
-Proof. apply number_find. Qed.
-Lemma find_simplex k : PM.find k (simplices_of m) = numbered (simplices c) k.
-Proof. cbn. rewrite number_find. now destruct (numbered (simplices c) k). Qed.
-Lemma find_hull k : PM.find k (hull_of m) = numbered (hull c) k.
-Proof. cbn. rewrite number_find. now destruct (numbered (hull c) k). Qed.
+Proof. apply table_find. Qed.
+Lemma find_simplex k : Table.find k (simplices_of m) = numbered (simplices c) k.
+Proof. cbn. rewrite table_find. now destruct (numbered (simplices c) k). Qed.
+Lemma find_hull k : Table.find k (hull_of m) = numbered (hull c) k.
+Proof. cbn. rewrite table_find. now destruct (numbered (hull c) k). Qed.
 
-Lemma find_point_site k p : PM.find k (points_of m) = Some p ->
+Lemma find_point_site k p : Table.find k (points_of m) = Some p ->
   site_at d c k = p /\ exists e, numbered (points c) k = Some e.
 Proof.
   rewrite find_point. unfold site_at. destruct (numbered (points c) k) as [e|]; [|discriminate].
@@ -90,7 +90,7 @@ Lemma find_all_sites l X : find_all (points_of m) l = Some X ->
 Proof.
   revert X. induction l as [|k l IH]; intros X E; cbn [find_all] in E.
   - injection E as <-. split; [reflexivity|intros k []].
-  - destruct (PM.find k (points_of m)) as [p|] eqn:F; [|discriminate].
+  - destruct (Table.find k (points_of m)) as [p|] eqn:F; [|discriminate].
     destruct (find_all (points_of m) l) as [Y|]; [|discriminate]. injection E as <-.
     apply find_point_site in F. destruct F as [<- Ex].
     destruct (IH Y eq_refl) as [-> All]. split; [reflexivity|].

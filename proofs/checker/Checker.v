@@ -5,11 +5,11 @@
     boolean function here; the comment at each names the condition and the lemma whose proof fails
     without it.  Nothing is searched: each test looks at one simplex and its neighbours, or at one
     hull facet and its neighbours, so the time is linear. *)
-From Coq Require Import ZArith List Bool FMapPositive.
+From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Predicates.
+From Circumspect Require Table.
 Import ListNotations.
 Open Scope Z_scope.
-Module PM := PositiveMap.
 
 (** ** Verdicts *)
 
@@ -43,10 +43,6 @@ Fixpoint each_index {A} (f : nat -> A -> result) (k : nat) (l : list A) : result
 
 (** ** Lists, numbered things, permutations *)
 
-(** The map from the numbers of the members of the list, from [k], to their images. *)
-Fixpoint number {A B} (f : A -> B) (k : positive) (l : list A) (m : PM.t B) : PM.t B :=
-  match l with [] => m | a :: l' => number f (Pos.succ k) l' (PM.add k (f a) m) end.
-
 Fixpoint replace {A} (i : nat) (a : A) (l : list A) : list A :=
   match l, i with
   | [], _ => []
@@ -60,10 +56,10 @@ Fixpoint remove {A} (i : nat) (l : list A) : list A :=
   | b :: l', S i' => b :: remove i' l'
   end.
 
-Fixpoint find_all {A} (m : PM.t A) (l : list positive) : option (list A) :=
+Fixpoint find_all {A} (m : Table.t A) (l : list positive) : option (list A) :=
   match l with
   | [] => Some []
-  | k :: l' => match PM.find k m with
+  | k :: l' => match Table.find k m with
                | Some a => match find_all m l' with Some r => Some (a :: r) | None => None end
                | None => None
                end
@@ -95,13 +91,13 @@ Fixpoint lexicographic (p q : list Z) : bool :=
   | _, _ => false
   end.
 
-(** The certificate, with its parts in maps.  Where the claim has no weights they are 0. *)
+(** The certificate, with its parts in tables.  Where the claim has no weights they are 0. *)
 Record mesh := Mesh {
   delaunay_claimed : bool;
   weights_claimed : bool;
-  points_of : PM.t site;
-  simplices_of : PM.t simplex_entry;
-  hull_of : PM.t hull_entry;
+  points_of : Table.t site;
+  simplices_of : Table.t simplex_entry;
+  hull_of : Table.t hull_entry;
   start : positive;
   sample_of : site;
   sample_w : Z
@@ -137,7 +133,7 @@ Fixpoint in_closed (i : nat) (X : list site) (p : site) : bool :=
     the hull facets ([certificate_supporting]), or inside a circumball, since the Delaunay Lemma
     speaks of vertices, and of points with a witness ([point_accounted]). *)
 Definition used (k : positive) (e : point_entry) : bool :=
-  match PM.find (home e) (simplices_of m) with
+  match Table.find (home e) (simplices_of m) with
   | None => false
   | Some t =>
       match home_vertex e with
@@ -189,7 +185,7 @@ Definition locally_delaunay (X : list site) (n : list Z) (v : site) : bool :=
 (** [hull-pointer]: without it a facet that is not matched could escape the conditions on hull
     facets ([hull_entry_of]). *)
 Definition names_hull (t : positive) (i : nat) (h : positive) : bool :=
-  match PM.find h (hull_of m) with
+  match Table.find h (hull_of m) with
   | Some e => Pos.eqb (carrier e) t && Nat.eqb (apex e) i
   | None => false
   end.
@@ -200,7 +196,7 @@ Definition check_wall (t : positive) (K : list positive) (X : list site) (n : li
   match f with
   | OnHull h => require hull_pointer by names_hull t i h at AtFacet t i; Accepted
   | Neighbour u j =>
-      match PM.find u (simplices_of m) with
+      match Table.find u (simplices_of m) with
       | None => Rejected facet_matched (AtFacet t i)
       | Some e =>
           require facet_matched by matched_facet K (corners e) i j at AtFacet t i;
@@ -209,7 +205,7 @@ Definition check_wall (t : positive) (K : list positive) (X : list site) (n : li
             match nth_error (corners e) j with
             | None => Rejected facet_matched (AtFacet t i)
             | Some v =>
-                match PM.find v (points_of m) with
+                match Table.find v (points_of m) with
                 | None => Rejected vertex_known (AtSimplex u)
                 | Some p =>
                     require facet_locally_delaunay by locally_delaunay X n p at AtFacet t i;
@@ -248,7 +244,7 @@ Fixpoint in_open (i : nat) (X : list site) : bool :=
     mesh could be empty ([certificate_covered_once]). *)
 Definition inside_sample : bool :=
   shaped (sample_of m) && (0 <? sample_w m) &&
-  match PM.find (start m) (simplices_of m) with
+  match Table.find (start m) (simplices_of m) with
   | None => false
   | Some e => match find_all (points_of m) (corners e) with
               | None => false
@@ -296,10 +292,10 @@ Definition locally_convex (i : nat) (X : list site) (v : site) : bool := 0 <=? s
 Definition check_ridge (h : positive) (i : nat) (K : list positive) (X : list site) (a : nat)
     (r : positive * nat) : result :=
   let '(g, b) := r in
-  match PM.find g (hull_of m) with
+  match Table.find g (hull_of m) with
   | None => Rejected ridge_matched (AtRidge h a)
   | Some f =>
-      match PM.find (carrier f) (simplices_of m) with
+      match Table.find (carrier f) (simplices_of m) with
       | None => Rejected hull_pointer (AtHull g)
       | Some u =>
           let L := remove (apex f) (corners u) in
@@ -308,7 +304,7 @@ Definition check_ridge (h : positive) (i : nat) (K : list positive) (X : list si
           match nth_error L b with
           | None => Rejected ridge_matched (AtRidge h a)
           | Some v =>
-              match PM.find v (points_of m) with
+              match Table.find v (points_of m) with
               | None => Rejected vertex_known (AtSimplex (carrier f))
               | Some p =>
                   require hull_locally_convex by locally_convex i X p at AtRidge h a;
@@ -319,7 +315,7 @@ Definition check_ridge (h : positive) (i : nat) (K : list positive) (X : list si
   end.
 
 Definition check_hull (h : positive) (f : hull_entry) : result :=
-  match PM.find (carrier f) (simplices_of m) with
+  match Table.find (carrier f) (simplices_of m) with
   | None => Rejected hull_pointer (AtHull h)
   | Some e =>
       require hull_pointer by named_by_facet h (apex f) e at AtHull h;
@@ -345,9 +341,9 @@ Definition site_of (c : claim) (e : point_entry) : site :=
   if weights_of c then position e else Site (coordinates (position e)) 0.
 Definition mesh_of (c : certificate) : mesh :=
   Mesh (delaunay_of (claimed c)) (weights_of (claimed c))
-    (number (site_of (claimed c)) 1 (points c) (PM.empty _))
-    (number id 1 (simplices c) (PM.empty _))
-    (number id 1 (hull c) (PM.empty _))
+    (Table.of_list (site_of (claimed c)) (points c))
+    (Table.of_list id (simplices c))
+    (Table.of_list id (hull c))
     (sample_simplex c) (sample c) (sample_denominator c).
 
 (** [scale]: without it the caller's points could all be one, or mirror images ([unit_positive]). *)

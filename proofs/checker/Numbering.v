@@ -3,38 +3,15 @@
     Three small matters: things numbered from 1 are found where they stand in their list; [each]
     accepts only if it accepts every member; and a function of lists that changes its sign when
     two neighbouring members change places changes it under each odd permutation ([parity_sign]). *)
-From Coq Require Import Reals Lra ZArith List Bool Lia FMapPositive.
+From Coq Require Import Reals Lra ZArith List Bool Lia.
 From Circumspect Require Import Checker.
 Import ListNotations.
 
 (** ** Numbered things *)
 
-Lemma number_before {A B} (f : A -> B) (l : list A) : forall k m j, (j < k)%positive ->
-  PM.find j (number f k l m) = PM.find j m.
-Proof.
-  induction l as [|a l IH]; intros k m j H; cbn; [reflexivity|].
-  rewrite IH by lia. apply PM.gso. lia.
-Qed.
-Lemma number_from {A B} (f : A -> B) (l : list A) : forall k m i,
-  (forall j, (k <= j)%positive -> PM.find j m = None) ->
-  PM.find (Pos.of_succ_nat i + k - 1)%positive (number f k l m) = option_map f (nth_error l i).
-Proof.
-  induction l as [|a l IH]; intros k m i E.
-  - destruct i; cbn -[Pos.add Pos.sub Pos.of_succ_nat]; apply E; lia.
-  - destruct i as [|i]; cbn [number nth_error option_map].
-    + rewrite number_before by lia. replace (Pos.of_succ_nat 0 + k - 1)%positive with k by lia.
-      apply PM.gss.
-    + replace (Pos.of_succ_nat (S i) + k - 1)%positive
-        with (Pos.of_succ_nat i + Pos.succ k - 1)%positive by lia.
-      apply IH. intros j Hj. rewrite PM.gso by lia. apply E. lia.
-Qed.
-Lemma number_find {A B} (f : A -> B) (l : list A) k :
-  PM.find k (number f 1 l (PM.empty _)) = option_map f (numbered l k).
-Proof.
-  unfold numbered. rewrite <- (number_from f l 1 (PM.empty _) (pred (Pos.to_nat k))).
-  - f_equal. lia.
-  - intros. apply PM.gempty.
-Qed.
+Lemma table_find {A B} (f : A -> B) (l : list A) k :
+  Table.find k (Table.of_list f l) = option_map f (numbered l k).
+Proof. apply nth_error_map. Qed.
 
 (** The numbers of the members. *)
 Definition numbers {A} (l : list A) : list positive := map Pos.of_succ_nat (seq 0 (length l)).
@@ -161,12 +138,12 @@ Qed.
 
 (** ** Permutations and signs *)
 
-Lemma find_all_spec {A} (m : PM.t A) l X : find_all m l = Some X ->
-  length X = length l /\ forall i k, nth_error l i = Some k -> PM.find k m = nth_error X i.
+Lemma find_all_spec {A} (m : Table.t A) l X : find_all m l = Some X ->
+  length X = length l /\ forall i k, nth_error l i = Some k -> Table.find k m = nth_error X i.
 Proof.
   revert X. induction l as [|k l IH]; intros X E; cbn in E.
   - injection E as <-. split; [reflexivity|]. intros [|i] k; discriminate.
-  - destruct (PM.find k m) as [a|] eqn:F; [|discriminate].
+  - destruct (Table.find k m) as [a|] eqn:F; [|discriminate].
     destruct (find_all m l) as [r|]; [|discriminate]. injection E as <-.
     destruct (IH r eq_refl) as [L N]. split; [cbn; congruence|].
     intros [|i] j Hj; cbn in *; [congruence|]. now apply N.

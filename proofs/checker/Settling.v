@@ -5,7 +5,7 @@
     submerged point strictly above the witness plane.  [Canonical]: where one is on it, the
     perturbation decides: the first point, in the order of the list, that has a coefficient is a
     vertex of the simplex, with a positive barycentric coordinate of the apex. *)
-From Coq Require Import ZArith List Bool FMapPositive.
+From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Checker.
 Import ListNotations.
 Open Scope Z_scope.
@@ -38,11 +38,11 @@ Definition settled_wall (t : positive) (K : list positive) (X : list site) (n : 
   | OnHull _ => true
   | Neighbour u j =>
       negb (Pos.ltb t u) ||
-      match PM.find u (simplices_of m) with
+      match Table.find u (simplices_of m) with
       | None => false
       | Some e => match nth_error (corners e) j with
                   | None => false
-                  | Some v => match PM.find v (points_of m) with
+                  | Some v => match Table.find v (points_of m) with
                               | None => false
                               | Some p => settled K X n v p
                               end
@@ -57,7 +57,7 @@ Definition settled_simplex (t : positive) (e : simplex_entry) : bool :=
 Definition settled_point (k : positive) (e : point_entry) : bool :=
   match home_vertex e with
   | Some _ => true
-  | None => match PM.find (home e) (simplices_of m) with
+  | None => match Table.find (home e) (simplices_of m) with
             | None => false
             | Some t => match find_all (points_of m) (corners t) with
                         | None => false

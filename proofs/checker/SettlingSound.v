@@ -210,7 +210,7 @@ Proof.
     destruct (corner_vertex Co c geo frames u e' j E' Hj) as (v & Ev & ->).
     rewrite Ev in Simplices. destruct (simplex_accepted dim_d accepts u e' E') as (Known & _).
     destruct (Known v (nth_error_In _ _ Ev)) as (p & Ep).
-    destruct (PM.find v (points_of m)) as [q|] eqn:Fv; [|discriminate].
+    destruct (Table.find v (points_of m)) as [q|] eqn:Fv; [|discriminate].
     apply (find_point_site (d := d)) in Fv. destruct Fv as [<- _].
     now apply (settled_good t e v p). }
   intros Ht A. pose proof (matched_opposite _ _ _ _

@@ -79,7 +79,7 @@ Proof.
 Qed.
 Lemma find_corners t s : simplex_at t s -> find_all (points_of m) (corners s) = Some (sites s).
 Proof. intros E. apply find_known. intros k. apply (corner_known c HL t s k E). Qed.
-Lemma find_corner k e : point_at k e -> PM.find k (points_of m) = Some (site_at d c k).
+Lemma find_corner k e : point_at k e -> Table.find k (points_of m) = Some (site_at d c k).
 Proof. intros E. rewrite find_point. unfold site_at. now rewrite E. Qed.
 
 (** [side] and [depth] have the right signs. *)

@@ -40,7 +40,7 @@ let condition = function
   | Facet_locally_delaunay -> "facet-locally-delaunay"
 
 let place =
-  let n numeral = Big.to_string (Big.of_numeral numeral) in
+  let n = string_of_int in
   function
   | Nowhere -> ""
   | AtPoint k -> ", point " ^ n k
@@ -61,7 +61,7 @@ let context source claim dimension =
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
     | _ -> Text.fail source "the dimension, 2 or 3" (Text.quote dimension) in
-  ({ Reading.source; numeral = Reading.numerals source; d; weighted = claimed = WeightedDelaunay;
+  ({ Reading.source; d; weighted = claimed = WeightedDelaunay;
      labels = Hashtbl.create 1024 },
    claimed, space)
 
@@ -72,8 +72,6 @@ let counts d points simplices =
   ^ (if d = 2 then counted simplices "triangle" "triangles"
      else counted simplices "tetrahedron" "tetrahedra")
 
-let number numeral = Big.to_int (Big.of_numeral numeral)
-
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
 type content = { mesh : Users_mesh.mesh; verdict : unit -> string * int }
 
@@ -82,7 +80,7 @@ let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canon
 
 let certificate (c : Reading.context) space claimed standing =
   let certificate, labels = Certificate_file.read c claimed in
-  let corners (e : simplex_entry) = List.map (fun v -> Some (number v)) e.corners in
+  let corners (e : simplex_entry) = List.map Option.some e.corners in
   let mesh = { Users_mesh.unit = (certificate.numerator, certificate.denominator); d = c.d;
                weighted = c.weighted; labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.points));
@@ -102,11 +100,10 @@ let certificate (c : Reading.context) space claimed standing =
 
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
-  let corners row = List.rev (List.rev_map (Option.map number) row) in
   let mesh = { Users_mesh.unit = (refutation.unit_numerator, refutation.unit_denominator); d = c.d;
                weighted = c.weighted; labels = Array.of_list labels; ordered = true;
                sites = Array.of_list refutation.sites;
-               simplices = List.rev (List.rev_map corners refutation.rows) } in
+               simplices = refutation.rows } in
   let verdict () =
     let rule = rule_name (rule_of refutation.because) in
     if refute space refutation then

@@ -1,17 +1,7 @@
 (* What the two kinds of files have in common; see CERTIFICATE.md. *)
 open Extracted
 
-(* The binary numeral of each number, made once and shared. A number greater than any thing that
-   the file can list names nothing, and is replaced by the least such. *)
-let numerals source =
-  let made = Array.make (source.Text.lines + 2) Big.XH in
-  for n = 2 to source.Text.lines + 1 do
-    made.(n) <- (if n land 1 = 1 then Big.XI made.(n / 2) else Big.XO made.(n / 2))
-  done;
-  let beyond = source.Text.lines + 1 in
-  fun n -> made.(if n < 1 || n > beyond then beyond else n)
-
-type context = { source : Text.t; numeral : int -> Big.numeral; d : int; weighted : bool;
+type context = { source : Text.t; d : int; weighted : bool;
                  labels : (Big.t, unit) Hashtbl.t }
 
 (* Peano's numerals, which count the vertices of a simplex: short, and shared. *)
@@ -23,7 +13,10 @@ let of_natural n =
   go 0 n
 
 let count c token = Text.count c.source token
-let number c token = c.numeral (count c token)
+(* A number greater than any thing that the file can list names nothing, and is replaced by the least
+   such. *)
+let named c n = let beyond = c.source.Text.lines + 1 in if n < 1 || n > beyond then beyond else n
+let number c token = named c (count c token)
 let integer c token = Text.integer c.source token
 (* An entry of a simplex as its author wrote it: there are no more than bytes in the file. *)
 let position c token = natural (min (count c token) (String.length c.source.text))

@@ -6,7 +6,7 @@ open Reading
 let vertex c token =
   let v = integer c token in
   if Big.sign v <= 0 then None
-  else Some (c.numeral (if Big.fits_int v then Big.to_int v else max_int))
+  else Some (named c (if Big.fits_int v then Big.to_int v else max_int))
 
 let simplex c tokens =
   let expected = "the number of vertices of a simplex and these vertices" in

@@ -13,10 +13,10 @@ Section Caller.
 Context {d : nat}.
 Context {orient : list (point d) -> R} {pr : predicates} {r : R}.
 Hypothesis M : measured orient pr r.
-Variables (P : list site) (l : list row) (S : PM.t site) (L : PM.t row).
+Variables (P : list site) (l : list row) (S : Table.t site) (L : Table.t row).
 Hypothesis shaped_points : Forall (well_shaped d) P.
-Hypothesis find_point : forall k, PM.find k S = numbered P k.
-Hypothesis find_row : forall t, PM.find t L = numbered l t.
+Hypothesis find_point : forall k, Table.find k S = numbered P k.
+Hypothesis find_row : forall t, Table.find t L = numbered l t.
 Notation place := (@place_of d r).
 Notation places := (map (@place_of d r)).
 Notation framed := (framed orient pr r).

@@ -4,7 +4,7 @@
     refutation is the caller's own mesh and what is wrong with it: one line that says where to
     look, as CERTIFICATE.md describes it.  The mesh may be anything; only the lines that the
     evidence names are held to any shape.  Nothing is searched: the time is linear. *)
-From Coq Require Import ZArith List Bool FMapPositive.
+From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Predicates Checker.
 Import ListNotations.
 Open Scope Z_scope.
@@ -43,11 +43,11 @@ Definition same_places (X Y : list site) : bool := all_among X Y && all_among Y 
 
 Section Evidence.
 Variable pr : predicates.
-Variable S : PM.t site.
+Variable S : Table.t site.
 
 (** The point that an entry names. *)
 Definition named (n : option positive) : option site :=
-  match n with Some k => PM.find k S | None => None end.
+  match n with Some k => Table.find k S | None => None end.
 Fixpoint all_named (r : row) : option (list site) :=
   match r with
   | [] => Some []
@@ -160,10 +160,10 @@ Definition on_ridge (f g h : list site) : bool :=
   | Datatypes.S n => has_length n (in_all_three f g h)
   end.
 
-Variable L : PM.t row.
+Variable L : Table.t row.
 
 Definition row_at (t : positive) (f : row -> bool) : bool :=
-  match PM.find t L with Some r => f r | None => false end.
+  match Table.find t L with Some r => f r | None => false end.
 Definition entry_at (t : positive) (i : nat) (f : option positive -> bool) : bool :=
   row_at t (fun r => match nth_error r i with Some n => f n | None => false end).
 Definition simplex_at (t : positive) (f : list site -> bool) : bool :=
@@ -171,7 +171,7 @@ Definition simplex_at (t : positive) (f : list site -> bool) : bool :=
 Definition proper_at (t : positive) (f : list site -> bool) : bool :=
   row_at t (fun r => match proper_simplex_of r with Some X => f X | None => false end).
 Definition point_at (p : positive) (f : site -> bool) : bool :=
-  match PM.find p S with Some q => f q | None => false end.
+  match Table.find p S with Some q => f q | None => false end.
 (** A simplex that is not degenerate, of points of the list. *)
 Definition proper_with (X : list positive) (f : list site -> bool) : bool :=
   right_length X &&
@@ -225,11 +225,11 @@ Definition site_for (c : claim) (p : site) : site :=
 
 (** The points span R^d: without it the caller could mean a triangulation of lower dimension. *)
 Definition refute_in (pr : predicates) (r : refutation) : bool :=
-  let S := number (site_for (refuted r)) 1 (sites r) (PM.empty _) in
+  let S := Table.of_list (site_for (refuted r)) (sites r) in
   concerns (because r) (refuted r) &&
   (0 <? unit_numerator r) && (0 <? unit_denominator r) &&
   forallb (shaped pr) (sites r) &&
   proper_with pr S (basis r) (fun _ => true) &&
-  holds pr S (number id 1 (rows r) (PM.empty _)) (rows r) (because r).
+  holds pr S (Table.of_list id (rows r)) (rows r) (because r).
 
 Definition refute (D : plane_or_space) (r : refutation) : bool := refute_in (predicates_of D) r.

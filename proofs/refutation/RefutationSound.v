@@ -39,13 +39,13 @@ Proof.
   apply Nat.eqb_eq in Sh. rewrite (dimension_d (M r Pr)) in Sh.
   unfold well_shaped, site_for. now destruct (weights_of (refuted c)).
 Qed.
-Lemma sites_found k : PM.find k (number (site_for (refuted c)) 1 (sites c) (PM.empty _)) =
+Lemma sites_found k : Table.find k (Table.of_list (site_for (refuted c)) (sites c)) =
   numbered P k.
-Proof. rewrite number_find. unfold P, numbered. now rewrite nth_error_map. Qed.
+Proof. rewrite table_find. unfold P, numbered. now rewrite nth_error_map. Qed.
 
-Lemma rows_found t : PM.find t (number (@Datatypes.id row) 1 (rows c) (PM.empty _)) =
+Lemma rows_found t : Table.find t (Table.of_list (@Datatypes.id row) (rows c)) =
   numbered (rows c) t.
-Proof. rewrite number_find. now destruct (numbered _ _). Qed.
+Proof. rewrite table_find. now destruct (numbered _ _). Qed.
 
 Theorem accepted_breach (w : point d -> R) :
   (refuted c = WeightedDelaunay ->
