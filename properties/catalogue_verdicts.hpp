@@ -49,11 +49,11 @@ inline std::string said_fast(const ArrayMesh& mesh, Claim claim) {
 }
 
 // The mesh as the checkers see it: equal points merged.
-inline Mesh mesh_of(const ArrayMesh& arrays, Claim claim) {
+inline ExactMesh mesh_of(const ArrayMesh& arrays, Claim claim) {
   const std::vector<Simplex> simplices = simplices_of(arrays);
-  Mesh mesh = arrays::mesh_of({arrays.dimension, arrays.coordinates, arrays.weights},
-                              SimplexArray(simplices.begin(), simplices.end()),
-                              claim == Claim::kWeightedDelaunay);
+  ExactMesh mesh = arrays::exact_mesh_of({arrays.dimension, arrays.coordinates, arrays.weights},
+                                         SimplexArray(simplices.begin(), simplices.end()),
+                                         claim == Claim::kWeightedDelaunay);
   if (arrays.neighbors.empty()) return mesh;
   mesh.neighbors = Neighbors{};
   for (std::size_t begin = 0; begin < arrays.neighbors.size(); begin += arrays.width()) {
@@ -101,7 +101,7 @@ inline std::string fault_of(const Mutation& mutation, const MeshJudgement& judge
 
 // And is it what the checkers of oracle/judge/points say of the same mesh, word for word?
 inline std::string fault_of(const Mutation& mutation, const MeshJudgement& judged,
-                            const Verdict& slow, const Mesh& mesh) {
+                            const Verdict& slow, const ExactMesh& mesh) {
   if (judged.holds != slow.holds()) return "holds for one of the judges only";
   if (judged.unique != slow.unique || judged.canonical != slow.canonical) return "other facts";
   if (!judged.holds && judged.report != report::explanation(slow, mesh)) return "another report";

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracle/certificate/sidedness.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
@@ -17,27 +17,28 @@ struct Evidence {
 };
 
 // Faults of simplices one by one or of their lists of vertices; found by looking.
-std::optional<Evidence> simplex_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule);
+std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule);
 
 // Balls that are not empty, points below witness planes, vertices above the lower hull; from the
 // witness of the fault.
-std::optional<Evidence> ball_evidence(const Mesh& mesh, Rule rule, const Witness& witness);
+std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness);
 
 // A point of two simplices off their common face, that of the witness.
-std::optional<Evidence> overlap_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule,
-                                         const Witness& witness);
+std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule, const Witness& witness);
 
 // A point of the hull that no simplex covers, near a boundary facet beyond which there are points; or,
 // if all simplices of the boundary have other ones beyond them, a point of two. The `rule` says which
 // fault the verdict found: the hull is not convex, or not closed.
-std::optional<Evidence> hull_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule,
+std::optional<Evidence> hull_evidence(const ExactMesh& mesh, const ScaledPoints& points, Rule rule,
                                       const Verdict& verdict);
 
 // A point of the set that no simplex covers. Requires: sound simplices.
-std::optional<Evidence> uncovered_point_evidence(const Mesh& mesh, const ScaledPoints& points,
+std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point);
 
 // The number of a simplex that lists these vertices in this order. Requires: there is one.
-std::size_t number_of(const Mesh& mesh, const Simplex& simplex);
+std::size_t number_of(const ExactMesh& mesh, const Simplex& simplex);
 
 }  // namespace circumspect::certificate

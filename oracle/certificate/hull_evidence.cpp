@@ -33,7 +33,7 @@ struct Covering {
 // Looks at simplices until one other than `skipped` contains q; first at number `likely`.
 class CoverSearch {
  public:
-  CoverSearch(const Mesh& mesh, const ScaledPoints& points) : mesh_(mesh), sidedness_(points) {
+  CoverSearch(const ExactMesh& mesh, const ScaledPoints& points) : mesh_(mesh), sidedness_(points) {
     for (const Simplex& simplex : mesh.simplices) {
       orientations_.push_back(sidedness_.orientation(simplex));
     }
@@ -59,7 +59,7 @@ class CoverSearch {
     return sidedness_.separating_place(mesh_.simplices[s], orientations_[s], q);
   }
 
-  const Mesh& mesh_;
+  const ExactMesh& mesh_;
   Sidedness sidedness_;
   std::vector<int> orientations_;
   std::optional<std::size_t> likely_;
@@ -114,7 +114,7 @@ Evidence overlap(const HomogeneousPoint& common, std::size_t a, std::size_t b) {
 
 class HullEvidence {
  public:
-  HullEvidence(const Mesh& mesh, const ScaledPoints& points, Rule rule)
+  HullEvidence(const ExactMesh& mesh, const ScaledPoints& points, Rule rule)
       : mesh_(mesh), points_(points), rule_(rule), search_(mesh, points) {
     std::vector<FaceUse> uses = facets(mesh);
     for_each_face(uses, [&](std::span<const FaceUse> group) {
@@ -207,7 +207,7 @@ class HullEvidence {
     return std::nullopt;
   }
 
-  const Mesh& mesh_;
+  const ExactMesh& mesh_;
   const ScaledPoints& points_;
   Rule rule_;
   CoverSearch search_;
@@ -217,7 +217,7 @@ class HullEvidence {
 
 }  // namespace
 
-std::optional<Evidence> hull_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule,
+std::optional<Evidence> hull_evidence(const ExactMesh& mesh, const ScaledPoints& points, Rule rule,
                                       const Verdict& verdict) {
   HullEvidence hull(mesh, points, rule);
   for (const Violation& violation : verdict.violations()) {
@@ -228,7 +228,7 @@ std::optional<Evidence> hull_evidence(const Mesh& mesh, const ScaledPoints& poin
   return hull.anywhere();
 }
 
-std::optional<Evidence> uncovered_point_evidence(const Mesh& mesh, const ScaledPoints& points,
+std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point) {
   // The point with others that make a simplex of it.
   std::vector<Vertex> order = {point};

@@ -53,7 +53,7 @@ Result<std::string> read_all(const std::string& name, int descriptor) {
   std::size_t size = 0;
   while (true) {
     if (text.size() < size + kStep) text.resize(2 * size + kStep);
-    const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
+    const ssize_t count = ::read(descriptor, text.data() + size, text.size() - size);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return system_error(name, errno);
     if (count == 0) break;
