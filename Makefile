@@ -19,12 +19,13 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo proofs check test test-style test-proofs test-release test-sanitize build-release \
+.PHONY: build demo docs proofs check test test-style test-proofs test-release test-sanitize build-release \
         build-sanitize soak soak-sanitize soak-fuzz tsan \
-        bench format clean deps deps-demo deps-proofs deps-test deps-bench
+        bench format clean deps deps-demo deps-docs deps-proofs deps-test deps-bench
 
 deps: ; @cmake/packages.sh demo proofs test bench
 deps-demo: ; @cmake/packages.sh demo
+deps-docs: ; @cmake/packages.sh docs
 deps-proofs: ; @cmake/packages.sh proofs
 deps-test: ; @cmake/packages.sh demo proofs test
 deps-bench: ; @cmake/packages.sh demo bench
@@ -43,6 +44,12 @@ demo:
 	  $(MAKE) --no-print-directory build
 	@rm -rf build/demo-campaign
 	@CIRCUMSPECT=$(COMMAND) CAMPAIGN_OUTPUT=build/demo-campaign bash corpus/demo.sh
+
+# The site of docs/, in build/site: every page is in its menu, every link leads somewhere.
+docs: deps-docs
+	@python3 tidy/links.py
+	@mkdocs --quiet build --strict
+	@echo "built $(CURDIR)/build/site/index.html"
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs
@@ -77,6 +84,8 @@ test-style:
 	  { echo "the layout differs from .clang-format: run 'make format'" >&2; exit 1; }
 	@python3 tidy/tidy.py
 	@python3 tidy/tidy_test.py
+	@python3 tidy/links.py
+	@python3 tidy/links_test.py
 
 # All but coqchk, which compiles nothing and is slow: `make proofs` runs it.
 test-proofs: deps-proofs

@@ -1,4 +1,4 @@
-// Prints the tables of bench/README.md. With arguments, only the algorithms whose name contains the
+// Prints the tables of docs/performance.md. With arguments, only the algorithms whose name contains the
 // first one; of the table of `check` only the rows whose name contains the second:
 //
 //     circumspect_bench check sphere

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|proofs|test|bench...
+#   cmake/packages.sh demo|docs|proofs|test|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -45,8 +45,13 @@ gappa                 proves the error bounds of the floating-point filters
 python3               makes the mutants of certificates; in tests, runs tidy/tidy.py
 END
       ;;
+    docs) cat <<'END'
+mkdocs-material       makes a site of the pages in docs
+python3               checks the links of all pages
+END
+      ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, proofs, test or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test or bench" >&2; exit 2 ;;
   esac
 }
 

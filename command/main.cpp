@@ -42,10 +42,11 @@ ExitCode run(int argc, char** argv) {
       "Example:\n"
       "  circumspect check part.1.ele                      # is it Delaunay?\n"
       "  circumspect check part.1.ele --domain part.poly   # does it fill the domain, as a CDT?\n"
-      "  circumspect inspect part.poly                     # is the domain sound? has it a CDT?\n"
+      "  circumspect inspect part.poly                     # is the domain valid? does it have a "
+      "CDT?\n"
       "  circumspect check --help                          # claims, formats, options\n\n"
       "Exit codes: 0 it holds, 1 it does not, 2 usage, 3 the input is at fault, 4 undecided\n"
-      "within a limit, 5 internal error. Of several answers the worst: 5, 2, 3, 1, 4, 0.");
+      "within a limit, 5 internal error. Of several answers the worst counts: 5, 2, 3, 1, 4, 0.");
   app.failure_message(CLI::FailureMessage::simple);
   ExitCode exit_code = ExitCode::kHolds;
   circumspect::cli::add_check(app, exit_code);
@@ -57,6 +58,7 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_minimize(app, exit_code);
   circumspect::cli::add_generate(app, exit_code);
   circumspect::cli::add_compare(app, exit_code);
+  circumspect::cli::add_command_pages(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

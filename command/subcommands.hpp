@@ -18,6 +18,7 @@ void add_campaign(CLI::App& app, ExitCode& exit_code);
 void add_minimize(CLI::App& app, ExitCode& exit_code);
 void add_generate(CLI::App& app, ExitCode& exit_code);
 void add_compare(CLI::App& app, ExitCode& exit_code);
+void add_command_pages(CLI::App& app, ExitCode& exit_code);
 
 // Subcommands of build.
 void add_build_subdivision(CLI::App& build, ExitCode& exit_code);

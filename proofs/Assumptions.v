@@ -1,10 +1,13 @@
 (** * What the main theorems rest on: the output is compared with assumptions.expected *)
-From Circumspect Require Import MainTheorems.
+From Circumspect Require Import MainTheorems BookTheorems.
 
-(* Everything that MainTheorems.v states, as one term: so its assumptions are those of all. *)
-Definition everything := (@verified, @verified_complete, @certificate_exists,
-  @verified_not, @verified_rule, @verified_unique,
-  @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical,
+(* Everything that MainTheorems.v and BookTheorems.v state, as one term: so its assumptions are those
+   of all. *)
+Definition everything := (@verified, @verified_not, @verified_rule,
+  @verified_unique, @verified_canonical, @verified_generic,
+  @verified_complete, @certificate_exists,
+  @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical, @canonical_once,
   @perturbation_sound, @one_interpolation_error, @proposition_4_5, @proposition_4_5_heights,
+  @proposition_4_5_norms,
   @one_min_containment_ball, @proposition_4_6, @proposition_4_7, @conv_halfspaces).
 Print Assumptions everything.

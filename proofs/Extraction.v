@@ -1,15 +1,25 @@
 (** * Extraction: the checker becomes an OCaml program
 
     Integers become Zarith's (that is, GMP's); the checker only adds, subtracts, multiplies and
-    compares them, it never takes one apart.  Positive numbers, the keys of maps, stay the binary
-    numerals of Coq; natural numbers, which count the vertices of a simplex, become OCaml's. *)
-From Coq Require Import ZArith FMapPositive.
-From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt.
-From Circumspect Require Import Checker Refutation.
+    compares them, it never takes one apart.  Positive numbers, by which things are found in tables,
+    become OCaml's integers: they number things that are in memory, far fewer than 2^62, and
+    the reader of files sees to it that the others do ([ocaml/reading.ml]).  Natural numbers, which
+    count the vertices of a simplex, stay Peano's; words become OCaml's strings; tables become
+    arrays. *)
+From Coq Require Import ZArith.
+From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
+From Circumspect Require Import Checker Settling Refutation.
 
-Extract Inductive positive => "Big.numeral" [ "Big.XI" "Big.XO" "Big.XH" ].
-Extract Inductive Z => "Big.t"
-  [ "Big.zero" "Big.of_numeral" "(fun n -> Big.neg (Big.of_numeral n))" ]
+Extract Inductive positive => "int" [ "(fun n -> 2 * n + 1)" "(fun n -> 2 * n)" "1" ]
+  "(fun more twice one n -> if n = 1 then one () else if n land 1 = 1 then more (n / 2) else twice (n / 2))".
+Extract Inlined Constant Pos.eqb => "Int.equal".
+Extract Inlined Constant Pos.ltb => "Big.less".
+Extract Inlined Constant Pos.succ => "Int.succ".
+Extract Constant Table.t "'a" => "'a Table.t".
+Extract Constant Table.of_list => "Table.of_list".
+Extract Constant Table.find => "Table.find".
+
+Extract Inductive Z => "Big.t" [ "Big.zero" "Big.of_int" "(fun n -> Big.of_int (- n))" ]
   "(fun _ _ _ _ -> assert false)".
 Extract Inlined Constant Z.add => "Big.add".
 Extract Inlined Constant Z.sub => "Big.sub".
@@ -19,8 +29,4 @@ Extract Inlined Constant Z.leb => "Big.leq".
 Extract Inlined Constant Z.ltb => "Big.lt".
 Extract Inlined Constant Z.eqb => "Big.equal".
 
-(* Lists may be long, and OCaml's function needs no stack for them. *)
-Extract Constant length => "Stdlib.List.length".
-(* The maps of the standard library come with a comparison of keys that is opaque; it is not used. *)
-Set Warnings "-extraction-opaque-accessed".
-Extraction "extracted.ml" check refute.
+Extraction "extracted.ml" check settle refute rule_of rule_name claim_name.

@@ -1,27 +1,24 @@
-(** * The main theorems
+(** * The main theorems: what [circumspect-verified] guarantees
 
-    What [circumspect-verified] guarantees, and the book's theorems behind it. The notions are those
-    of [Definitions.v], and the following.
-    - Certificates and refutations are the records of [Checker.v] and [Refutation.v], written down
-      as [CERTIFICATE.md] says. What points, simplices and weights they are about is said by
-      [Meaning.v] and [Evidence.v]; what a [breach] is, by [Breach.v] and [Evidence.v]; what an
-      honest certificate is, by [Honest.v].
-    - [frame] ([Frame.v]): a d-simplex, as its vertices and its barycentric coordinates.
-    - [above h t p] ([Perturbation.v]): how far the lifted point p is above the witness plane of t;
-      [perturbed S h e]: the heights h, point number i of S lowered by e^i; [coefficients S h t p]:
-      of the polynomial in e that [above] is for these heights; [lead]: the first of them that is
-      not zero, the symbolic sign.
-    - [canonical_triangulation S h T] ([EveryPointSet.v]): T fills conv S, and its simplices have
-      all other points above their witness planes by the symbolic sign. *)
-From Coq Require Import Reals List.
+    Every notion is one of [Definitions.v].  [check] and [refute] are the functions that the program
+    evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v]) need not be read.
+    The theorems of the book stand in [BookTheorems.v].
+
+    What a line of the program does not say:
+    - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
+      they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not proved;
+    - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
+    - that the program does what [check] and [refute] do: this rests on Coq's kernel and extraction,
+      on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
+From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Refutation Meaning Breach Evidence Definitions.
-From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
-  Existence Optimality Hull Soundness RefutationSound Completeness EveryTriangulation.
+From Circumspect Require Import Checker Settling Refutation Definitions.
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound Completeness
+  EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** The program *)
+(** ** Soundness *)
 
 (** An accepted certificate: its points are different, and its simplices are what it claims. *)
 Theorem verified D c : check D c = Accepted ->
@@ -36,7 +33,66 @@ Theorem verified D c : check D c = Accepted ->
   end.
 Proof. apply Soundness.check_sound. Qed.
 
-(** No correct mesh is rejected. An honest certificate, whose pointers point at what they should
+(** For example the triangle of [Definitions.v]. *)
+Example worked_triangle_accepted : check Plane worked_triangle = Accepted.
+Proof. reflexivity. Qed.
+Example worked_triangle_verified :
+  let at_half x y := scale (1 / 2) (integer_point 2 [x; y]%Z) in
+  delaunay_triangulation [at_half 0 0; at_half 0 1; at_half 2 0]%Z
+    [[at_half 0 0; at_half 2 0; at_half 0 1]]%Z.
+Proof. apply (verified Plane worked_triangle eq_refl). Qed.
+
+(** An accepted refutation: the points span R^d, and the claim is false of them, ... *)
+Theorem verified_not D c : refute D c = true ->
+  spans (refuted_points D c) /\ ~ refuted_claim D c.
+Proof.
+  intros A. split; [now apply RefutationSound.refute_spans|now apply RefutationSound.refute_sound].
+Qed.
+
+(** ... because it breaks the rule that is printed. *)
+Theorem verified_rule D c w : refute D c = true ->
+  (refuted c = WeightedDelaunay -> refuted_weights D c w) ->
+  broken (refuted c) (lifted (refuted c) w) (refuted_points D c) (refuted_simplices D c)
+    (rule_of (because c)).
+Proof. apply RefutationSound.refute_breach. Qed.
+
+(** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
+    of the points is that of the certificate, which is lexicographic ([points-increasing]). *)
+Theorem verified_unique D c U : check D c = Accepted -> settle D c Unique = Settled ->
+  let S := points_of_certificate (dimension_of D) c in
+  match claimed c with
+  | Triangulation => False
+  | Delaunay => delaunay_triangulation S U
+  | WeightedDelaunay => exists w, weights_given (dimension_of D) c w /\
+      weighted_delaunay_triangulation w S U
+  end -> same_simplices (simplices_of_certificate (dimension_of D) c) U.
+Proof. exact (fun A Se H => SettlingSound.settled_unique D c A U Se H). Qed.
+
+Theorem verified_canonical D c s w : check D c = Accepted -> settle D c s = Settled ->
+  (claimed c = WeightedDelaunay -> weights_given (dimension_of D) c w) ->
+  canonical_triangulation (points_of_certificate (dimension_of D) c) (lifted (claimed c) w)
+    (simplices_of_certificate (dimension_of D) c).
+Proof. exact (fun A Se W => SettlingSound.settled_canonical D c A s w Se W). Qed.
+
+(** Two accepted certificates of one generic point set are about the same simplices. (That the
+    points are generic is not in a certificate. If they are not, several triangulations may be
+    Delaunay, and each has its certificate.) *)
+Theorem verified_generic D c c' : check D c = Accepted -> check D c' = Accepted ->
+  claimed c = Delaunay -> claimed c' = Delaunay ->
+  points_of_certificate (dimension_of D) c = points_of_certificate (dimension_of D) c' ->
+  generic (points_of_certificate (dimension_of D) c) ->
+  forall s, faces_of (simplices_of_certificate (dimension_of D) c) s <->
+            faces_of (simplices_of_certificate (dimension_of D) c') s.
+Proof.
+  intros A A' E E' P G. apply verified in A, A'. rewrite E in A. rewrite E' in A'.
+  rewrite <- P in A'. now apply (Uniqueness.theorem_4_4 (points_of_certificate (dimension_of D) c)).
+Qed.
+
+(** ** Completeness: no correct mesh is rejected
+
+    What an honest certificate is, is said in [completeness/Honest.v]. *)
+
+(** An honest certificate, whose pointers point at what they should
     and whose sample point is inside its simplex, is accepted if and only if its claim is true: no
     test of a sign fails on a true claim. *)
 Theorem verified_complete D c : honest_certificate D c ->
@@ -55,128 +111,3 @@ Theorem certificate_exists D c : well_listed_certificate D c -> points c <> [] -
   claim_holds (dimension_of D) c ->
   exists c', same_input c c' /\ honest_certificate D c' /\ check D c' = Accepted.
 Proof. apply EveryTriangulation.certificate_exists. Qed.
-
-(** An accepted refutation: the claim is false, by a breach of the kind that the evidence names.
-    The claims are about d-simplices, and S is meant to span R^d (the program that writes
-    refutations refuses other points): if it does not, there are only triangulations of lower
-    dimension, and what is claimed is false by that alone. *)
-Theorem verified_not D c : refute D c = true -> ~ refuted_claim D c.
-Proof. apply RefutationSound.refute_sound. Qed.
-
-Theorem verified_rule D c w : refute D c = true ->
-  (refuted c = WeightedDelaunay -> refuted_weights D c w) ->
-  breach (refuted c) (lifted (refuted c) w) (refuted_points D c) (refuted_simplices D c)
-    (because c).
-Proof. apply RefutationSound.refute_breach. Qed.
-
-(** Two accepted certificates of one generic point set are about the same simplices. (That the
-    points are generic is not in a certificate. If they are not, several triangulations may be
-    Delaunay, and each has its certificate.) *)
-Theorem verified_unique D c c' : check D c = Accepted -> check D c' = Accepted ->
-  claimed c = Delaunay -> claimed c' = Delaunay ->
-  points_of_certificate (dimension_of D) c = points_of_certificate (dimension_of D) c' ->
-  generic (points_of_certificate (dimension_of D) c) ->
-  forall s, faces_of (simplices_of_certificate (dimension_of D) c) s <->
-            faces_of (simplices_of_certificate (dimension_of D) c') s.
-Proof.
-  intros A A' E E' P G. apply verified in A, A'. rewrite E in A. rewrite E' in A'.
-  rewrite <- P in A'. now apply (Uniqueness.theorem_4_4 (points_of_certificate (dimension_of D) c)).
-Qed.
-
-(** ** The book: Chapter 4, for points of R^d with any d *)
-
-Section Book.
-Context {d : nat}.
-Implicit Types (S : list (point d)) (T U : list (simplex d)).
-
-(** Lemma 2.1, the Lifting Lemma: the height of a lifted point above the hyperplane of a ball is the
-    power of the point with respect to the ball. (So the point is inside, on or outside the sphere
-    if and only if its lifted companion is below, on or above the hyperplane.) *)
-Theorem lifting_lemma (c : point d) (r2 : R) p :
-  norm2 p - plane (scale 2 c) (r2 - norm2 c) p = dist2 c p - r2.
-Proof. apply LiftingMap.ball_plane_power. Qed.
-
-(** Lemma 4.1, the Delaunay Lemma: the three statements are equivalent. *)
-Theorem delaunay_lemma S T : (1 <= d)%nat -> triangulation S T ->
-  ((forall t, In t T -> delaunay S t) <-> (forall f, facet T f -> delaunay S f)) /\
-  ((forall t, In t T -> delaunay S t) <-> (forall f, facet T f -> locally_delaunay T f)).
-Proof. intros D. now apply BookLemma.lemma_4_1. Qed.
-
-(** Proposition 4.2. *)
-Theorem proposition_4_2 S s t : incl s S -> incl t S -> strongly_delaunay S s -> delaunay S t ->
-  exists f, incl f s /\ incl f t /\ forall q, (conv s q /\ conv t q) <-> conv f q.
-Proof. apply Uniqueness.proposition_4_2. Qed.
-
-(** Proposition 4.3. *)
-Theorem proposition_4_3 S T s : delaunay_triangulation S T ->
-  incl s S -> s <> [] -> affinely_independent s -> strongly_delaunay S s -> faces_of T s.
-Proof. apply Uniqueness.proposition_4_3. Qed.
-
-(** Theorem 4.4: a generic point set has exactly one Delaunay triangulation, which consists of the
-    strongly Delaunay simplices. (S spans R^d.) *)
-Theorem theorem_4_4 S : spans S -> generic S -> exists T, delaunay_triangulation S T /\
-  (forall s, faces_of T s <->
-     s <> [] /\ incl s S /\ affinely_independent s /\ strongly_delaunay S s) /\
-  forall U, delaunay_triangulation S U -> forall s, faces_of T s <-> faces_of U s.
-Proof. apply Existence.theorem_4_4_exactly_one. Qed.
-
-(** Section 2.9, symbolic perturbation: every point set has a Delaunay triangulation, and exactly
-    one is canonical. Which one depends on the order of the list S (the oracle's is
-    lexicographic). *)
-Theorem canonical S : spans S -> exists T,
-  delaunay_triangulation S T /\ EveryPointSet.canonical_triangulation S norm2 T /\
-  forall U, EveryPointSet.canonical_triangulation S norm2 U ->
-    (forall s, In s T -> exists r : simplex d, In r U /\ same s r) /\
-    (forall s, In s U -> exists r : simplex d, In r T /\ same s r).
-Proof. apply EveryPointSet.every_point_set. Qed.
-
-(** The symbolic signs are the numeric signs for all small e, the same e for all. *)
-Theorem perturbation_sound S h (ts : list (Frame.frame d)) : exists e0, 0 < e0 /\
-  forall e, 0 < e < e0 -> forall t p, In t ts -> In p S ->
-    (0 < Perturbation.lead (Perturbation.coefficients S h t p) <->
-     0 < Perturbation.above (Perturbation.perturbed S h e) t p) /\
-    (Perturbation.lead (Perturbation.coefficients S h t p) < 0 <->
-     Perturbation.above (Perturbation.perturbed S h e) t p < 0).
-Proof. apply Perturbation.perturbation_sound. Qed.
-
-(** At every point of conv S a triangulation has exactly one interpolation error. *)
-Theorem one_interpolation_error h S T p : fills S T -> conv S p ->
-  exists! e, interpolation_error h T p e.
-Proof. apply Optimality.one_error. Qed.
-
-(** Proposition 4.5: at every point the Delaunay triangulation has the least interpolation error. *)
-Theorem proposition_4_5 S T U p e e' : delaunay_triangulation S T -> triangulation S U ->
-  interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> 0 <= e <= e'.
-Proof. apply Optimality.proposition_4_5. Qed.
-
-(** The same for any heights, hence for weighted points (the error may be negative). *)
-Theorem proposition_4_5_heights h S T U p e e' :
-  (forall t, In t T -> witness_plane h S t) -> fills S U ->
-  interpolation_error h T p e -> interpolation_error h U p e' -> e <= e'.
-Proof. apply Optimality.proposition_4_5_heights. Qed.
-
-(** Every d-simplex of a triangulation has exactly one min-containment ball. *)
-Theorem one_min_containment_ball S T t : fills S T -> In t T ->
-  exists c r2, min_containment_ball t c r2 /\
-    forall c' r2', min_containment_ball t c' r2' -> c' = c /\ r2' = r2.
-Proof. apply Optimality.one_min_containment_ball. Qed.
-
-(** Proposition 4.6: the centre q of the min-containment ball is the point of the simplex nearest to
-    the circumcentre o. *)
-Theorem proposition_4_6 (s : simplex d) (o : point d) (r2 : R) q : circumball s o r2 -> conv s q ->
-  (forall x, conv s x -> dist2 o q <= dist2 o x) ->
-  min_containment_ball s q (r2 - dist2 o q).
-Proof. apply Optimality.proposition_4_6. Qed.
-
-(** Proposition 4.7: no triangulation has a smaller largest min-containment ball: for every Delaunay
-    simplex t it has a simplex u that no ball smaller than that of t contains. *)
-Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
-  forall t c r2, In t T -> min_containment_ball t c r2 ->
-    exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
-Proof. apply Optimality.proposition_4_7. Qed.
-
-(** The convex hull by convex combinations is the convex hull by half-spaces. *)
-Theorem conv_halfspaces S T : (1 <= d)%nat -> fills S T -> T <> [] -> forall q, conv S q <->
-  (forall a b, (forall p, In p S -> 0 <= plane a b p) -> 0 <= plane a b q).
-Proof. apply Halfspaces.conv_halfspaces. Qed.
-End Book.

@@ -1,5 +1,5 @@
 // The two ways to judge a claim are one: by lemma and by definition, on valid and on broken meshes.
-// Book: Definition 2.1, Definition 4.1, Lemma 4.1; proof: oracle/judge/points/README.md.
+// Book: Definition 2.1, Definition 4.1, Lemma 4.1; proof: docs/theory/points.md.
 #include <sstream>
 
 #include <doctest/doctest.h>

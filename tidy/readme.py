@@ -1,13 +1,20 @@
 #!/usr/bin/env python3
-"""Holds README.md to the truth: every `$ circumspect …` in it is run, and its output compared.
+"""Holds README.md and the pages of docs/ to the truth: what they show is run, and its output compared.
 
-    readme.py COMMAND [--verified PROGRAM]            compare; exit 1 and show the difference
-    readme.py COMMAND [--verified PROGRAM] --update   write the outputs into README.md
+    readme.py COMMAND [--verified PROGRAM] [--programs]            compare; exit 1 and show the difference
+    readme.py COMMAND [--verified PROGRAM] [--programs] --update   write what comes out into the pages
 
-PROGRAM is circumspect-verified; without it, what it printed stays as it is.
+PROGRAM is circumspect-verified; without it, what it printed stays as it is. Looked at are
+
+- `$ circumspect …` in a block of code, run at the root;
+- `/tmp/try$ …`, run by the shell in an empty folder, with --programs (these run programs of others);
+- the block after `<!-- file: PATH -->`, which is that file;
+- the tables of identifiers.
 """
 import argparse
+import concurrent.futures
 import difflib
+import os
 import pathlib
 import re
 import shlex
@@ -16,7 +23,6 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-README = ROOT / "README.md"
 # The header of a table of identifiers, the source that has them, and how an entry of it begins.
 TABLES = [
     ("| rule | what is wrong |", ROOT / "oracle" / "model" / "rule.cpp", r"RuleEntry\{Rule"),
@@ -25,29 +31,92 @@ TABLES = [
 ]
 # How the names of files begin that the examples write.
 SCRATCH = ("reference", "proof", "drawn", "certificate")
+SESSION = "/tmp/try$ "
+# What differs from run to run.
+SECONDS = re.compile(r"\bin \d+\.\d s$", re.MULTILINE)
+FILE = re.compile(r"<!-- file: (\S+) -->")
 
 
-def output_of(programs, line, folder):
-    """What the command prints, stdout and stderr, run at the root; files it writes are in the folder."""
-    name, *words = shlex.split(line)
-    command = programs[name]
-    words = [f"{folder}/{word}" if word.startswith(SCRATCH) else word for word in words]
-    run = subprocess.run([command, *words], cwd=ROOT, text=True, capture_output=True, check=False)
-    return (run.stdout + run.stderr).replace(f"{folder}/", "").splitlines()
+def pages():
+    """The pages, by their paths. findings.md is a record of long campaigns, which findings_test judges."""
+    docs = ROOT / "docs"
+    return [ROOT / "README.md", *sorted(set(docs.rglob("*.md")) - {docs / "findings.md"})]
 
 
-def with_outputs(programs, text, folder):
-    """The text, with the lines behind each `$ PROGRAM …` replaced by what it prints."""
-    lines = []
-    in_block = shown = False
+class Page:
+    """One page, and the folders in which its examples run."""
+
+    def __init__(self, path, programs, sessions, folder):
+        self.text = path.read_text(encoding="utf-8")
+        self.name = str(path.relative_to(ROOT))
+        self.programs = programs
+        self.sessions = sessions
+        self.folder = folder
+        self.session_folder = os.path.join(folder, "session")
+        os.mkdir(self.session_folder)
+
+    def true_text(self):
+        """The text as it ought to be."""
+        text = with_tables(with_files(self.with_outputs()))
+        same = SECONDS.sub("", text) == SECONDS.sub("", self.text)
+        return self.text if same else text
+
+    def with_outputs(self):
+        """The text, with the lines behind each prompt replaced by what is printed."""
+        lines = []
+        in_block = shown = False
+        for line in self.text.splitlines():
+            if line.startswith("```"):
+                in_block, shown = not in_block, False
+            elif in_block and line.startswith(("$ ", SESSION)):
+                output = self.output_of(line)
+                shown = output is not None
+                lines += [line, *(output or [])]
+                continue
+            elif shown:
+                continue
+            lines.append(line)
+        return "\n".join(lines) + "\n"
+
+    def output_of(self, line):
+        """What stands behind the prompt when it is run, stdout and stderr; None if it is not run."""
+        if line.startswith(SESSION):
+            return self.session_output(line[len(SESSION):]) if self.sessions else None
+        name, *words = shlex.split(line[2:])
+        if name not in self.programs:
+            return None
+        words = [f"{self.folder}/{word}" if word.startswith(SCRATCH) else word for word in words]
+        return self.printed([self.programs[name], *words], ROOT).replace(
+            f"{self.folder}/", "").splitlines()
+
+    def session_output(self, line):
+        """What the shell prints in the page's own folder, which is shown as /tmp/try."""
+        return self.printed(["bash", "-c", line], self.session_folder).replace(
+            self.session_folder, SESSION[:-2]).splitlines()
+
+    def printed(self, command, where):
+        path = os.path.dirname(self.programs["circumspect"]) + os.pathsep + os.environ["PATH"]
+        return subprocess.run(command, cwd=where, text=True, stdout=subprocess.PIPE, check=False,
+                              stderr=subprocess.STDOUT, env={**os.environ, "PATH": path},
+                              timeout=300).stdout
+
+
+def with_files(text):
+    """The text with the blocks that are files brought up to date."""
+    lines, file = [], None
+    inside = False
     for line in text.splitlines():
-        if line.startswith("```"):
-            in_block, shown = not in_block, False
-        elif in_block and line.startswith("$ "):
-            shown = line.split()[1] in programs
-            lines += [line, *(output_of(programs, line[2:], folder) if shown else [])]
-            continue
-        elif shown:
+        marked = FILE.fullmatch(line)
+        if marked:
+            file = ROOT / marked[1]
+        elif line.startswith("```") and (file or inside):
+            if not inside:
+                lines += [line, *file.read_text(encoding="utf-8").splitlines()]
+                file = None
+                inside = True
+                continue
+            inside = False
+        elif inside:
             continue
         lines.append(line)
     return "\n".join(lines) + "\n"
@@ -79,20 +148,28 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("command", type=pathlib.Path)
     parser.add_argument("--verified", type=pathlib.Path)
+    parser.add_argument("--programs", action="store_true")
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
     programs = {"circumspect": options.command, "circumspect-verified": options.verified}
     programs = {name: str(path.resolve()) for name, path in programs.items() if path}
-    text = README.read_text(encoding="utf-8")
-    with tempfile.TemporaryDirectory() as folder:
-        true_text = with_tables(with_outputs(programs, text, folder))
-    if options.update:
-        README.write_text(true_text, encoding="utf-8")
-        return 0
-    difference = list(difflib.unified_diff(text.splitlines(), true_text.splitlines(), "README.md",
-                                           "what the command prints", lineterm=""))
-    print("\n".join(difference) if difference else "README.md shows what the command prints")
-    return 1 if difference else 0
+
+    def looked_at(path):
+        """What is wrong with a page, as lines; an update mends it instead."""
+        with tempfile.TemporaryDirectory() as folder:
+            page = Page(path, programs, options.programs, folder)
+            true_text = page.true_text()
+        if options.update and true_text != page.text:
+            path.write_text(true_text, encoding="utf-8")
+            print(f"{page.name}: updated")
+            return []
+        return list(difflib.unified_diff(page.text.splitlines(), true_text.splitlines(), page.name,
+                                         "what comes out", lineterm=""))
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        differences = [line for lines in pool.map(looked_at, pages()) for line in lines]
+    print("\n".join(differences) if differences else f"{len(pages())} pages show what comes out")
+    return 1 if differences else 0
 
 
 if __name__ == "__main__":

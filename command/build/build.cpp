@@ -164,7 +164,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
   for (const auto& [name, construction] : constructions()) names.push_back(name);
   command
       .add_option("--algorithm", options.algorithm,
-                  "All give the same set of simplices (default: bowyer-watson)")
+                  "The algorithm; all give the same set of simplices (default: bowyer-watson)")
       ->check(one_of_words(names))
       ->option_text(construction_names());
   const std::map<std::string, InsertionOrder> orders = {
@@ -174,7 +174,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
       {"brio-z-order", InsertionOrder::kBrioZOrder}};
   command
       .add_option("--order", options.bowyer_watson.order,
-                  "In which order Bowyer-Watson inserts (default: brio-hilbert)")
+                  "The order in which Bowyer-Watson inserts points (default: brio-hilbert)")
       ->transform(one_of(orders))
       ->option_text("as-given|random|brio-hilbert|brio-z-order");
   const std::map<std::string, PointLocation> locations = {
@@ -186,7 +186,9 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
                   "How Bowyer-Watson locates points (default: walking)")
       ->transform(one_of(locations))
       ->option_text("linear-scan|conflict-graph|walking");
-  command.add_option("--seed", options.bowyer_watson.seed, "Of the random orders (default: 0)")
+  command
+      .add_option("--seed", options.bowyer_watson.seed,
+                  "The seed of the random orders (default: 0)")
       ->check(whole_number())
       ->option_text("N");
   command.add_flag("--statistics", options.statistics,
@@ -199,17 +201,18 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   options->what = what;
   options->input.weighted = what == "weighted-delaunay";
   CLI::App* command = build.add_subcommand(what, description);
-  command->footer(fmt::format(
-      "Example:\n"
-      "  circumspect build {} points.node -o reference.ele\n\n"
-      "Writes one simplex a line with k+1 vertices, k the dimension of the points' affine hull,\n"
-      "positively oriented, indices as in the input.",
-      what));
+  command->footer(
+      fmt::format("Example:\n"
+                  "  circumspect build {} points.node -o reference.ele\n\n"
+                  "Each line is a simplex of k+1 vertices, where k is the dimension of the points' "
+                  "affine hull.\n"
+                  "Simplices are positively oriented, and indices are those of the input.",
+                  what));
   command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
       ->required();
   command
       ->add_option("-o,--output", options->output_file,
-                   "Where to write: an .ele or a .json file; - writes the .ele on stdout")
+                   "The file to write: .ele or .json; - writes the .ele to stdout")
       ->option_text("OUT.ele");
   command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
       ->option_text("OUT.neigh");
@@ -224,12 +227,13 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
 }  // namespace
 
 void add_build(CLI::App& app, ExitCode& exit_code) {
-  CLI::App* build = app.add_subcommand("build", "Make a reference");
+  CLI::App* build =
+      app.add_subcommand("build", "Build a reference triangulation of points or of a domain");
   build->footer(
       "Examples:\n"
       "  circumspect build delaunay points.node -o reference.ele\n"
       "  circumspect build cdt part.poly -o part.1.ele\n"
-      "  circumspect build cdt --help            # what each of them takes and writes\n\n"
+      "  circumspect build cdt --help            # what a construction takes and writes\n\n"
       "Exit codes: 0 built, 1 there is none (of domains: the reason is printed), 2 usage, 3 the\n"
       "input is at fault, 4 not found within a limit or by this algorithm, 5 internal error.");
   build->require_subcommand(1);

@@ -132,9 +132,9 @@ void build(const ConstrainedOptions& options, Output& output) {
     say_no_mesh(options, mesh.error(), output);
     return;
   }
-  if (const std::string fault = numbering_fault(*mesh, domain.first_index); !fault.empty()) {
+  if (const std::string full = numbering_fault(*mesh, domain.first_index); !full.empty()) {
     output.error(ExitCode::kInputFault, "domain", options.input_file,
-                 options.input_file + ": " + fault);
+                 options.input_file + ": " + full);
     return;
   }
   if (!options.output_file.empty()) {
@@ -185,15 +185,16 @@ std::string usual_algorithm(const std::string& what) {
 }
 
 const std::string kOfPolygons =
-    "The mesh of a domain in the plane is its CDT. That of one in space has only the triangles of\n"
-    "its polygons and the segments in none of them, which is a CDT of the domain, and for check\n"
-    "one, where nothing is to be filled: all of the domain lies in one plane.\n\n";
+    "The mesh of a domain in the plane is its CDT. The mesh of a domain in space has only the\n"
+    "triangles of its polygons and the segments in none of them. That is a CDT of the domain only\n"
+    "if nothing is to be filled, because all of the domain lies in one plane.\n\n";
 
 const std::string kOfAnother =
-    "Where vertices are cospherical, a domain may have a CDT and not the canonical one. Without\n"
-    "--algorithm another one is built then, not-canonical, as inspect finds it (cdt another). "
-    "Exit\n"
-    "code 1 means that there is none (proved); a search that reaches its limit is exit code 4.\n\n";
+    "Where vertices are cospherical, a domain may have a CDT that is not the canonical one. "
+    "Without\n"
+    "--algorithm that one is built, and called not-canonical. Exit code 1 means that a proof "
+    "shows\n"
+    "that there is none; a search that reaches its limit ends with exit code 4.\n\n";
 
 std::string footer(const std::string& what) {
   const bool is_planar = what == "planar-cdt";
@@ -203,16 +204,18 @@ std::string footer(const std::string& what) {
       "  circumspect build {0} {1}.poly -o {1}.1.ele\n"
       "  circumspect check {1}.1.ele --domain {1}.poly --claim {2}\n\n"
       "{3}"
-      "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the triangles and "
-      "edges\n"
-      "that are faces of nothing; or all in one OUT.mesh or OUT.json. Steiner points come last.\n\n"
-      "Exit codes: 0 built, {4}2 usage, 3 the input is at fault, 4 undecided: the\n"
-      "algorithm that was asked for cannot tell, or a limit was reached; 5 internal error.",
+      "OUT.ele has the simplices and OUT.node the points. OUT.face and OUT.edge have the "
+      "triangles\n"
+      "and edges that are faces of nothing. OUT.mesh or OUT.json has it all in one file. Steiner\n"
+      "points come last.\n\n"
+      "Exit codes: 0 built, {4}2 usage,\n"
+      "3 the input is at fault, 4 a limit was reached or this algorithm cannot tell, 5 internal "
+      "error.",
       what, part, is_planar ? "cdt" : what,
       is_planar       ? kOfPolygons
       : what == "cdt" ? kOfAnother
                       : "",
-      what == "cdt" ? "1 there is none (proved), and why, " : "");
+      what == "cdt" ? "1 there is none, and why, " : "");
 }
 
 void add_one(CLI::App& build, const std::string& what, const std::string& description,
@@ -227,8 +230,8 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
       ->required();
   command
       ->add_option("-o,--output", options->output_file,
-                   "Where to write: an .ele, a .mesh or a .json file; - writes the .ele on stdout, "
-                   "if that is all there is")
+                   "The file to write: .ele, .mesh or .json; - writes the .ele to stdout, if that "
+                   "is all there is")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command
@@ -241,7 +244,7 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   if (has_steiner_points(what)) {
     command
         ->add_option("--steiner-points", options->most_steiner_points,
-                     "Give up, with exit code 4, when more are needed (default 10000)")
+                     "Give up, with exit code 4, when more than N are needed (default: 10000)")
         ->check(whole_number())
         ->option_text("N");
   }

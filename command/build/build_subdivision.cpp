@@ -18,7 +18,7 @@
 namespace circumspect::cli {
 namespace {
 
-using Construction = PolyhedralComplex (*)(const PointSet&);
+using SubdivisionConstruction = PolyhedralComplex (*)(const PointSet&);
 
 struct SubdivisionOptions {
   std::string points;
@@ -27,15 +27,15 @@ struct SubdivisionOptions {
   OutputOptions output;
 };
 
-const std::map<std::string, Construction>& subdivisions() {
-  static const std::map<std::string, Construction> table = {
+const std::map<std::string, SubdivisionConstruction>& subdivisions() {
+  static const std::map<std::string, SubdivisionConstruction> table = {
       {"lifted-hull", delaunay::delaunay_subdivision},
       {"by-definition", delaunay::delaunay_subdivision_by_definition},
       {"gift-wrapping-cells", delaunay::gift_wrapping_cells}};
   return table;
 }
 
-report::Json labels(const ExactMesh& mesh, const Face& face) {
+report::Json cell_labels(const ExactMesh& mesh, const Face& face) {
   report::Json array = report::Json::array();
   for (const Vertex v : face) array.push_back(mesh.label(v));
   return array;
@@ -47,7 +47,7 @@ report::Json json(const LoadedPoints& input, const PolyhedralComplex& complex) {
   report::Json faces = report::Json::object();
   for (int j = 0; j <= complex.dimension(); ++j) {
     report::Json of_dimension = report::Json::array();
-    for (const Face& face : complex.faces(j)) of_dimension.push_back(labels(input.mesh, face));
+    for (const Face& face : complex.faces(j)) of_dimension.push_back(cell_labels(input.mesh, face));
     faces[std::to_string(j)] = of_dimension;
   }
   return {{"input", input.name},

@@ -217,8 +217,9 @@ constexpr const char* kFooter =
     "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
     "      -- gmsh -3 -v 2 {domain} -o {mesh}\n\n"
     "Each failure gets a folder campaign/findings/NAME/ with a small input and reproduce.sh.\n"
-    "The same command again goes on where it stopped, after Ctrl-C or kill -9 too, and goes on\n"
-    "making small what it had no time for.\n\n"
+    "The same command, given again, goes on where it stopped, even after Ctrl-C or kill -9. It "
+    "also\n"
+    "goes on making small what it had no time for.\n\n"
     "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run or\n"
     "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal error.";
 
@@ -227,32 +228,41 @@ constexpr const char* kFooter =
 void add_campaign(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<CampaignOptions>();
   CLI::App* command = app.add_subcommand(
-      "campaign", "Run a program on generated inputs, judge its meshes, make what fails small");
+      "campaign",
+      "Run a program on generated inputs, judge its meshes, and make failing inputs small");
   command->footer(kFooter);
   add_subject_options(*command, options->subject);
-  command->add_option("--seed", options->seed, "What all inputs follow from (default: 0)")
+  command
+      ->add_option("--seed", options->seed,
+                   "The seed of all inputs: the same seed draws the same inputs (default: 0)")
       ->check(whole_number())
       ->option_text("N");
   add_duration(
       *command, "--time", options->seconds,
       "How long to go on, a quarter of it for making small what is found; a program that runs "
-      "then is waited for (default, without --cases: 60s)");
-  command->add_option("--cases", options->cases, "How many inputs to draw, in all calls together")
+      "then is waited for (default: 60s; with --cases, until all are done)");
+  command
+      ->add_option("--cases", options->cases,
+                   "How many inputs to draw, in all runs of this campaign together")
       ->check(whole_number())
       ->option_text("N");
   command
       ->add_option("--families", options->families,
-                   "Families to draw from, with commas between (default: all without modifiers; "
-                   "'all': with them; circumspect generate --list)")
+                   "The families to draw from, with commas between them (default: all families; "
+                   "'all': all with all modifiers). circumspect generate --list names them")
       ->delimiter(',')
       ->option_text("NAME,...");
-  command->add_option("--max-points", options->max_points, "Of an input (default: 20)")
+  command
+      ->add_option("--max-points", options->max_points,
+                   "How many points an input may have (default: 20)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   command
       ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
       ->option_text("FOLDER");
-  command->add_option("--jobs", options->jobs, "Programs at a time (default: one a processor)")
+  command
+      ->add_option("--jobs", options->jobs,
+                   "How many programs run at a time (default: one for each processor)")
       ->check(whole_number(1, 256))
       ->option_text("N");
   command

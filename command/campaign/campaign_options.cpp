@@ -43,21 +43,22 @@ bool split(const std::string& text, double& number, std::string& unit) {
 
 void add_files(CLI::App& command, SubjectOptions& options) {
   command
-      .add_option(
-          "--points", options.points_name,
-          "The name under which the program finds the points; its extension says the format: "
-          ".node (default: x.node), .qhull, .off, .json, .xyz (a line of coordinates a point)")
+      .add_option("--points", options.points_name,
+                  "The name of the file from which the program reads the points (default: x.node). "
+                  "Its extension says the format: .node, .qhull, .off, .json, or .xyz with one "
+                  "line of coordinates for each point")
       ->option_text("NAME");
   command
       .add_option("--domain", options.domain_name,
-                  "The same for a domain: .poly (default: x.poly) or .geo, for Gmsh")
+                  "The name of the file from which the program reads a domain (default: x.poly): "
+                  ".poly, or .geo for Gmsh")
       ->option_text("NAME");
   command
       .add_option(
           "--mesh", options.mesh_name,
-          "The name of the mesh that the program writes: what {mesh} stands for (default: "
-          "x.ele), or what it chooses itself, as tetgen does (x.1.ele); .ele, .qhull-i, .off, "
-          ".mesh, .json")
+          "The name of the file to which the program writes the mesh (default: x.ele): what {mesh} "
+          "stands for, or the name that the program itself chooses, such as x.1.ele for tetgen. "
+          "Its extension says the format: .ele, .qhull-i, .off, .mesh, .json")
       ->option_text("NAME");
   command.add_flag("--stdin", options.reads_stdin, "The program reads the input from stdin");
   command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
@@ -68,22 +69,23 @@ void add_files(CLI::App& command, SubjectOptions& options) {
 }
 
 void add_claims(CLI::App& command, SubjectOptions& options) {
-  add_claim_option(command, options.claim,
-                   "What its meshes are to be (default: delaunay; of domains: steiner-cdt)");
+  add_claim_option(
+      command, options.claim,
+      "The claim that every mesh must fulfil (default: delaunay; for domains steiner-cdt)");
   add_domain_kind_option(command, options.domain_kind);
-  command.add_option("--dimension", options.dimension, "Of the points (default: 3)")
+  command.add_option("--dimension", options.dimension, "The dimension of the points (default: 3)")
       ->check(whole_number(1, 8))
       ->option_text("D");
   command.add_flag("--full-dimension", options.full_dimension,
-                   "Skip points that lie in a hyperplane, or are too few not to");
+                   "Skip sets of points that lie in a hyperplane");
   command
       .add_option("--refusal-exit-code", options.refusal_codes,
-                  "This exit code says that the program does not take the input, and may")
+                  "With this exit code the program refuses an input, which is no failure")
       ->check(whole_number(0, 255))
       ->option_text("N ...");
   command
       .add_option("--refusal-text", options.refusal_texts,
-                  "The same for a text among what it prints")
+                  "With this text in its output the program refuses an input, which is no failure")
       ->option_text("TEXT ...");
 }
 
@@ -181,26 +183,29 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
   command
       .add_option(
           "command", options.command,
-          "The program and its arguments, after --. In them {points} or {domain} stands for "
-          "the file of the input, {mesh} for that of the mesh, {folder} for the folder of "
-          "both, in which the program runs; files of yours are found from there")
+          "The program and its arguments, after --. In them, {points} or {domain} stands for the "
+          "input file, {mesh} for the file of the mesh, and {folder} for the folder of both. The "
+          "program runs in that folder; paths to existing files of yours still work")
       ->required();
   add_files(command, options);
   add_claims(command, options);
-  add_duration(command, "--limit-time", options.seconds, "Of one run (default: 10s)");
+  add_duration(command, "--limit-time", options.seconds,
+               "How long one run may take (default: 10s)");
   add_bytes(command, "--limit-memory", options.memory,
-            "Address space of each of its processes (default: 4G; 0: any, for programs built with "
-            "AddressSanitizer)");
+            "How much address space each of its processes may have (default: 4G). 0 sets no limit, "
+            "which programs built with AddressSanitizer need");
   add_bytes(command, "--limit-output", options.output,
-            "What it may write, each file and all together (default: 64M)");
-  command.add_option("--limit-processes", options.processes, "At a time (default: 256)")
+            "How much it may write, in each file and in all together (default: 64M)");
+  command
+      .add_option("--limit-processes", options.processes,
+                  "How many processes it may have at a time (default: 256)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   add_duration(command, "--minimize-time", options.minimise_seconds,
-               "How long an input is made smaller (default: 120s)");
+               "Stop making an input smaller after this time (default: 120s)");
   command
       .add_option("--minimize-runs", options.minimise_tries,
-                  "After how many runs that ends (default: 50000)")
+                  "Stop making an input smaller after N runs (default: 50000)")
       ->check(whole_number())
       ->option_text("N");
 }

@@ -135,20 +135,21 @@ ExitCode run(const MinimizeOptions& options) {
 
 void add_minimize(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<MinimizeOptions>();
-  CLI::App* command = app.add_subcommand(
-      "minimize", "Make an input small on which a program still fails in the same way");
+  CLI::App* command =
+      app.add_subcommand("minimize", "Make an input small on which a program fails");
   command->footer(
       "Examples:\n"
       "  circumspect minimize big.node -o small.node -- ./my_program {points} {mesh}\n"
       "  circumspect minimize part.poly -o small.poly --mesh x.1.ele -- tetgen -pQ {domain}\n\n"
-      "Points and cells are left out and coordinates become small integers as long as the same "
+      "Points and cells are left out, and coordinates become small integers, as long as the same "
       "rule\n"
-      "is broken, or the program ends in the same way. Exit codes: 0 it is written, 2 usage, 3 "
-      "the\n"
-      "input is at fault or the program does not fail on it, 4 interrupted (what was reached is\n"
-      "written), 5 internal error.");
+      "is broken or the program ends in the same way.\n\n"
+      "Exit codes: 0 it is written, 2 usage, 3 the input is at fault or the program does not fail "
+      "on\n"
+      "it, 4 interrupted (the smallest input so far is written), 5 internal error.");
   command->add_option("input", options->input, "Points or a domain, in any format")->required();
-  command->add_option("-o,--output", options->output_file, "The small input; - for stdout")
+  command
+      ->add_option("-o,--output", options->output_file, "The file for the small input; - is stdout")
       ->required()
       ->option_text("OUT");
   add_subject_options(*command, options->subject);

@@ -102,25 +102,25 @@ ExitCode run(CertifyOptions& options) {
 void add_certify(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<CertifyOptions>();
   CLI::App* command = app.add_subcommand(
-      "certify", "Judge a mesh, and write what proves the verdict to a checker that is proved");
+      "certify", "Judge a mesh, and write a certificate or a refutation for circumspect-verified");
   command->footer(
       "Example:\n"
       "  circumspect certify points.1.ele -o points.cert\n"
       "  circumspect-verified points.cert        # trusts nothing that stands above\n\n"
-      "Of a claim that holds a certificate is written, else a refutation. What either has to\n"
-      "fulfil, and what follows from it, is in proofs/CERTIFICATE.md.\n\n"
+      "If the claim holds, a certificate is written, and otherwise a refutation.\n"
+      "proofs/CERTIFICATE.md describes both and says what follows from them.\n\n"
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span the\n"
       "plane or space, 3 the input is at fault, 5 internal error.");
   command->add_option("mesh", options->mesh, "A mesh, in any format that check reads")->required();
   command
       ->add_option("-o,--output", options->certificate,
-                   "Where the certificate or the refutation goes; - for stdout, which then holds "
+                   "The file for the certificate or the refutation; - is stdout, which then holds "
                    "nothing else")
       ->option_text("FILE")
       ->required();
   // The other claims are understood, so that the answer says why there is no certificate of them.
   add_claim_option(*command, options->asked,
-                   "What is claimed of the mesh (default: delaunay); weights as for check")
+                   "The claim to judge (default: delaunay); weights are read as by check")
       ->option_text("triangulation|delaunay|weighted-delaunay");
   command->add_option("--domain", options->domain)->group("");
   command->add_option("--domain-kind", options->domain_kind)->group("");

@@ -33,7 +33,7 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
   CHECK(holds.out ==
         "holds: delaunay " + meshes.good + " 4 points 2 triangles not-unique canonical\n");
   const std::string certificate = contents(meshes.cert);
-  CHECK(begins_with(certificate, "circumspect-certificate 1 delaunay 2\n"));
+  CHECK(begins_with(certificate, "circumspect-certificate 1 delaunay 2 canonical\n"));
   CHECK(has(certificate, "\n0 0  1 0 5\n"));  // by the user's own index
   const Run fails =
       run({"certify", meshes.bad, "--output", meshes.cert, "--claim", "triangulation"});
@@ -41,7 +41,7 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
   CHECK(fails.out ==
         "fails: triangulation " + meshes.bad + " triangulation.unused-point 1 vertex 8\n");
   CHECK(begins_with(contents(meshes.cert),
-                    "circumspect-refutation 1 triangulation 2 triangulation.unused-point\n"));
+                    "circumspect-refutation 2 triangulation 2 triangulation.unused-point\n"));
   CHECK(has(contents(meshes.cert), "\nbecause 4\nend\n"));
 }
 

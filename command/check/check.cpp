@@ -214,16 +214,14 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    ".npy (with --points); - for JSON on stdin")
       ->required();
   add_claim_option(*command, options->claim,
-                   "What is claimed of the mesh (default: delaunay; with a domain cdt, or "
-                   "steiner-cdt if the mesh has "
-                   "more vertices); weights are the first attribute of a .node file, as for tetgen "
-                   "-w, or the key "
-                   "weights of JSON");
+                   "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
+                   "the mesh has more vertices than the domain). Weights are the first attribute "
+                   "of a .node file, as for tetgen -w, or the key weights of JSON");
   command
       ->add_option("--domain", options->domain,
-                   "The domain that the mesh is to fill: .poly, .smesh, .off, .stl, .ply, .mesh; "
-                   "dangling triangles and edges of the mesh are in the .face and the .edge beside "
-                   "the .ele")
+                   "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .mesh. "
+                   "Dangling triangles and edges of the mesh are read from the .face and the .edge "
+                   "file beside the .ele")
       ->option_text("FILE");
   add_domain_kind_option(*command, options->domain_kind);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
@@ -237,15 +235,15 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       ->option_text("lemma|definition");
   command
       ->add_option("--certificate", options->certificate,
-                   "Write what proves the verdict, as circumspect certify does")
+                   "Also write a certificate or a refutation, as circumspect certify does")
       ->option_text("FILE");
   command->add_flag("--oriented", options->check.oriented,
-                    "Demand that all simplices list their vertices with one orientation");
+                    "Also demand that all simplices list their vertices with the same orientation");
   command->add_flag("--neighbors", options->input.neighbors,
-                    "Also hold the .neigh file beside each .ele against the mesh");
+                    "Also judge the .neigh file beside each .ele");
   command
       ->add_option("--max-errors", options->check.max_violations,
-                   "How many witnesses are kept (default 20; 0: all)")
+                   "Report at most N witnesses (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
   add_threads_option(*command, options->threads);

@@ -206,25 +206,24 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   options->input.faces = true;
   options->input.listed_weights = true;
   CLI::App* command = app.add_subcommand(
-      "compare", "Are two meshes the same complex, up to numbering? If not, what differs");
+      "compare", "Tell whether two meshes are the same complex, up to numbering, and what differs");
   command->footer(
       "Example:\n"
       "  circumspect build delaunay points.node -o ours.json\n"
       "  circumspect compare theirs.1.ele ours.json\n\n"
-      "Points are matched by their exact coordinates and weights, simplices as sets of points; "
-      "the\n"
-      "order of points, simplices and vertices means nothing. Weights are what JSON calls so, and\n"
-      "with --weighted the first attributes of a .node file; a point without any has weight 0. "
-      "Two\n"
-      "Delaunay triangulations of points that are not generic may differ and both be right: "
-      "`check`\n"
-      "tells.\n\n"
+      "Points are matched by their exact coordinates and weights, and simplices as sets of\n"
+      "points. The order of points, simplices and vertices means nothing. Weights are what JSON\n"
+      "calls so, and with --weighted the first attributes of a .node file; a point without one "
+      "has\n"
+      "weight 0. If the points are not generic, two Delaunay triangulations may differ and both "
+      "be\n"
+      "right, which check can tell.\n\n"
       "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 5 internal error.");
   command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
-  command->add_option("b", options->b, "Another")->required();
+  command->add_option("b", options->b, "The other mesh")->required();
   command
       ->add_option("--max-errors", options->most,
-                   "How many differences of each kind are shown (default 20; 0: all)")
+                   "Show at most N differences of each kind (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
   command->add_flag("--weighted", options->input.weighted,

@@ -177,30 +177,34 @@ ExitCode run(const GenerateOptions& options) {
 
 // What is to be drawn.
 void add_drawing_options(CLI::App& command, GenerateOptions& options) {
-  command.add_option("--seed", options.seed, "The same seed gives the same bytes (default: 0)")
+  command
+      .add_option("--seed", options.seed,
+                  "The seed: the same seed gives the same bytes (default: 0)")
       ->check(whole_number())
       ->option_text("N");
   command
       .add_option("--count", options.count,
-                  "How many inputs, of the seeds N, N+1, ... (default: 1)")
+                  "How many inputs to draw, with the seeds N, N+1, ... (default: 1)")
       ->check(whole_number(1, 1'000'000'000))
       ->option_text("K");
   command
-      .add_option(
-          "--points", options.points,
-          "How many points; equal ones count once; domains have about as many (default: 12)")
+      .add_option("--points", options.points,
+                  "How many points to draw, equal ones counted once; domains have about as many "
+                  "(default: 12)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
-  command.add_flag("--fewer", options.fewer, "Any number of points up to that, as campaigns draw");
+  command.add_flag("--fewer", options.fewer,
+                   "Draw any number of points up to that, as campaigns do");
   command
       .add_option("--dimension", options.dimension,
-                  "Of the points (default: 3; domains: their own)")
+                  "The dimension of the points (default: 3; domains have their own)")
       ->check(whole_number(1, formats::kLargestDimension))
       ->option_text("D");
   command
       .add_option_function<std::string>(
           "--coordinates", [&options](const std::string& word) { options.exact = word == "exact"; },
-          "Rounded to doubles (default), or exact: fractions where they are no doubles")
+          "Write coordinates rounded to doubles ('double', default), or as they are, with "
+          "fractions ('exact')")
       ->check(one_of_words({"double", "exact"}))
       ->option_text("double|exact");
 }
@@ -210,14 +214,16 @@ void add_drawing_options(CLI::App& command, GenerateOptions& options) {
 void add_generate(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand(
-      "generate", "Random inputs to try programs with: degenerate, nearly so, extreme; seeded");
+      "generate", "Draw random inputs that are degenerate, nearly degenerate or extreme");
   command->footer(
       "Example:\n"
       "  circumspect generate --list\n"
       "  circumspect generate sphere+ulp --seed 7 -o points.node\n"
       "  circumspect generate protected-solids --count 100 -o domains\n\n"
-      "Points are a .node file, with weights as its attribute; domains a .poly file. On standard\n"
-      "output without -o; then --format json writes our JSON (points only), as -o OUT.json does.\n"
+      "Points are written as a .node file, with weights as its attribute, and domains as a .poly "
+      "file.\n"
+      "Without -o they go to stdout; then --format json writes JSON (points only), as -o OUT.json "
+      "does.\n"
       "In a folder the files are FAMILY-SEED.node and FAMILY-SEED.poly.\n\n"
       "Exit codes: 0 written, 2 usage, no such family or not in that dimension, or a place that\n"
       "cannot be written to.");
@@ -226,7 +232,7 @@ void add_generate(CLI::App& app, ExitCode& exit_code) {
   add_drawing_options(*command, *options);
   command
       ->add_option("-o,--output", options->output_file,
-                   "A file, or a folder, which is made if there is more than one input; - stdout")
+                   "The file to write, or a folder if there is more than one input; - is stdout")
       ->option_text("OUT");
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -47,11 +47,11 @@ void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind) 
                                                    {"hull", DomainKind::kHull}};
   command
       .add_option("--domain-kind", kind,
-                  "What the domain fills: what its polygons, in the plane its segments, enclose "
-                  "(default, if they enclose anything) or its convex hull (default, if there are "
-                  "none). Has to be said if there are some that enclose nothing: enclosed, if they "
-                  "are to be meshed and nothing filled. hull needs points that do not all lie in "
-                  "one plane")
+                  "What the domain fills: 'enclosed', what its polygons (in the plane its "
+                  "segments) enclose, or 'hull', its convex hull. The default is 'enclosed' if "
+                  "they enclose anything, and 'hull' if there are none. If there are some and they "
+                  "enclose nothing, say which you mean: 'enclosed' meshes them alone and fills "
+                  "nothing. 'hull' needs points that do not all lie in one plane")
       ->transform(one_of(kinds))
       ->option_text("enclosed|hull");
 }

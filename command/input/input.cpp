@@ -24,8 +24,8 @@ void add_coordinates_option(CLI::App& command, InputOptions& options) {
                                                          {"decimal", NumberReading::kDecimal}};
   command
       .add_option("--coordinates", options.coordinates,
-                  "How decimals are read: 'double' as strtod does, which is what other programs "
-                  "saw (default), or 'decimal', exactly as written")
+                  "How decimals are read: as the doubles that other programs saw ('double', "
+                  "default), or exactly as written ('decimal')")
       ->transform(one_of(readings))
       ->option_text("double|decimal");
 }
@@ -34,9 +34,10 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
   const std::map<std::string, Duplicates> policies = {{"reject", Duplicates::kReject},
                                                       {"merge", Duplicates::kMerge}};
   command
-      .add_option("--duplicates", options.duplicates,
-                  "Equal points: 'reject' the input (default) or 'merge' them; what is left is the "
-                  "first of them, or where weights count the heaviest")
+      .add_option(
+          "--duplicates", options.duplicates,
+          "What to do about equal points: 'reject' the input (default), or 'merge' them into "
+          "the first, or where weights count into the heaviest")
       ->transform(one_of(policies))
       ->option_text("reject|merge");
 }

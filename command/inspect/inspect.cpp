@@ -241,11 +241,14 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       "  circumspect inspect part.poly\n\n"
       "A set is generic if no k+2 of its points lie on one sphere (k the dimension of its affine\n"
       "hull). 'unique' says that there is only one Delaunay triangulation.\n\n"
-      "A domain that is no piecewise linear complex is reported breach by breach, exit\n"
-      "code 3. For one that is, 'cdt canonical' says that it has a constrained Delaunay\n"
-      "triangulation, that of the symbolic perturbation; 'another' that other tie-breaks\n"
-      "give one; 'none' that there is none without Steiner points, which is proved;\n"
-      "'unknown' is exit code 4.\n\n"
+      "A domain that is no piecewise linear complex gets exit code 3, and its breaches are "
+      "listed.\n"
+      "Of one that is, the last line says whether it has a constrained Delaunay triangulation "
+      "(CDT):\n"
+      "  cdt canonical   it has one, by the symbolic perturbation\n"
+      "  cdt another     it has one, by other tie-breaks\n"
+      "  cdt none        it has none without Steiner points, which is proved\n"
+      "  cdt unknown     the search reached a limit (exit code 4)\n\n"
       "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 undecided within a limit,\n"
       "5 internal error.");
   command
@@ -256,12 +259,13 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       ->required();
   command
       ->add_option("--subsets", options->subsets,
-                   "Look at no more than N subsets for genericity (default 200000; 0: all)")
+                   "Look at no more than N subsets for genericity (default: 200000; 0: all)")
       ->check(whole_number())
       ->option_text("N");
   command
       ->add_option("--simplex", options->simplices,
-                   "Is this simplex, of any dimension, Delaunay? strongly? (\"1 2 3\")")
+                   "Tell whether this simplex, of any dimension, is Delaunay or strongly Delaunay "
+                   "(\"1 2 3\")")
       ->option_text("VERTICES")
       ->allow_extra_args(false);
   add_domain_inspection_options(*command, options->domain);

@@ -197,14 +197,14 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
                    "Name every segment of a domain, not only those that are not strongly Delaunay");
   command
       .add_option("--max-errors", options.max_errors,
-                  "How many breaches of a domain are reported (default 20; 0: all)")
+                  "Report at most N breaches of a domain (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
   add_search_options(command, options.limits);
   command
       .add_option("--refutations", options.refutations,
-                  "Where there is no CDT or no triangulation, write the proofs: PREFIX-cdt.cnf and "
-                  ".drat, PREFIX-triangulation.cnf and .drat, for `replay`")
+                  "Where there is no CDT or no triangulation, write the proofs for replay: "
+                  "PREFIX-cdt.cnf and .drat, PREFIX-triangulation.cnf and .drat")
       ->option_text("PREFIX");
 }
 

@@ -79,11 +79,12 @@ void add_replay(CLI::App& app, ExitCode& exit_code) {
       "  circumspect inspect room.poly --refutations room      # writes room-cdt.cnf, "
       "room-cdt.drat\n"
       "  circumspect replay room-cdt.cnf room-cdt.drat\n\n"
-      "Each step must follow from the clauses before it by unit propagation: the proof shows that\n"
-      "nothing satisfies the formula. That the formula encodes the domain is not checked here: "
-      "its\n"
-      "comments and reference/existence/matching.hpp say what the clauses mean, and `circumspect\n"
-      "inspect DOMAIN --refutations PREFIX` derives them from the domain again, to be compared.\n\n"
+      "Each step must follow from the clauses before it by unit propagation. Then nothing "
+      "satisfies the\n"
+      "formula. Whether the formula encodes the domain is not checked here. Its comments say what "
+      "the\n"
+      "clauses mean, and `circumspect inspect DOMAIN --refutations PREFIX` derives them from the\n"
+      "domain again, so that they can be compared.\n\n"
       "Exit codes: 0 the formula cannot be satisfied, 1 the steps do not show it, 2 usage,\n"
       "3 a file is at fault, 5 internal error.");
   command->add_option("formula", options->formula, "The formula: DIMACS")->required();

@@ -14,10 +14,9 @@ namespace circumspect::cli {
 // Adds --threads; 0 if it is not given.
 inline void add_threads_option(CLI::App& command, std::uint64_t& threads) {
   command
-      .add_option(
-          "--threads", threads,
-          "At most as many threads read and judge (default: one a processor); the answer is "
-          "the same for any number")
+      .add_option("--threads", threads,
+                  "Read and judge with at most N threads (default: one for each processor). The "
+                  "answer is the same for any number")
       ->check(whole_number(1))
       ->option_text("N");
 }

@@ -18,8 +18,7 @@ namespace circumspect::cli {
 void add_output_options(CLI::App& command, OutputOptions& options) {
   const std::map<std::string, OutputFormat> formats = {{"text", OutputFormat::kText},
                                                        {"json", OutputFormat::kJson}};
-  command
-      .add_option("--format", options.format, "What stdout is: text (default) or one JSON document")
+  command.add_option("--format", options.format, "Print text (default) or one JSON document")
       ->transform(one_of(formats))
       ->option_text("text|json");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");

@@ -147,7 +147,7 @@ class Simplifier {
   Coordinates simplest_;
 };
 
-std::string report(const PredicateOptions& options, const PredicateFinding& finding) {
+std::string report_text(const PredicateOptions& options, const PredicateFinding& finding) {
   std::string text = fmt::format(
       "{} in dimension {}: expected {}, found {:g} (family {})\n",
       options.kind == PredicateKind::kOrientation ? "orientation" : "in-sphere", options.dimension,
@@ -189,7 +189,7 @@ std::optional<PredicateFinding> find_wrong_sign(const Predicate& predicate,
       finding.expected = wrong->expected;
       finding.found = wrong->found;
     }
-    finding.report = report(options, finding);
+    finding.report = report_text(options, finding);
     return finding;
   }
   return std::nullopt;

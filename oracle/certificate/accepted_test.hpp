@@ -38,6 +38,11 @@ inline std::string fault_of(const ExactMesh& mesh, const Verdict& verdict,
   if (verdict.holds()) {
     const CertificateAcceptor acceptor(text);
     const std::string condition = acceptor.verdict();
+    const bool unique = verdict.unique.value_or(false);
+    const std::string standing = unique                              ? "unique"
+                                 : verdict.canonical.value_or(false) ? "canonical"
+                                                                     : "";
+    if (acceptor.header().standing != standing) return "another standing";
     return condition == "accepted" ? fault(acceptor) : condition;
   }
   RefutationAcceptor acceptor(text);

@@ -82,7 +82,8 @@ inline std::optional<std::set<std::size_t>> carrier(const std::vector<Rational>&
 struct Header {
   std::string claim;
   std::size_t dimension;
-  std::string rule;  // of a refutation
+  std::string rule;      // of a refutation
+  std::string standing;  // of a certificate, perhaps
   Rational scale;
 
   bool weighted() const { return claim == "weighted-delaunay"; }
@@ -91,11 +92,16 @@ struct Header {
 inline Header read_header(Tokens& tokens, const std::string& kind) {
   Header header;
   tokens.expect(kind);
-  tokens.expect("1");
+  tokens.expect(kind == "circumspect-refutation" ? "2" : "1");
   header.claim = tokens.word();
   header.dimension = tokens.count();
   if (kind == "circumspect-refutation") header.rule = tokens.word();
-  tokens.expect("scale");
+  std::string next = tokens.word();
+  if (next == "unique" || next == "canonical") {
+    header.standing = next;
+    next = tokens.word();
+  }
+  if (next != "scale") throw std::runtime_error("expected scale, found " + next);
   const Integer p = tokens.integer();
   const Integer q = tokens.integer();
   if (p <= 0 || q <= 0 || gcd(p, q) != 1) throw std::runtime_error("scale");

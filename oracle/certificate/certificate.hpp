@@ -51,6 +51,9 @@ struct Certificate {
   std::vector<CertifiedSimplex> simplices = {};
   std::vector<HullFacet> hull = {};
   HomogeneousPoint sample = {};  // in the interior of the first simplex
+  // Besides the claim: `unique` if it is the only such triangulation of the points, `canonical` if it is
+  // the canonical one; or nothing.
+  std::string_view standing = {};
 };
 
 // Linear in the mesh but for sorting, and for what it takes to find weighted points that are no

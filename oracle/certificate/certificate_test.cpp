@@ -24,7 +24,7 @@ ExactMesh square() {
 TEST_CASE("the certificate of a triangle, as it stands in the file") {
   const ExactMesh mesh{PointSet({{0, 0}, {3, 0}, {0, Rational(3, 2)}}), {{0, 2, 1}}, {}, 7};
   CHECK(certificate_text(mesh) ==
-        "circumspect-certificate 1 delaunay 2\n"
+        "circumspect-certificate 1 delaunay 2 unique\n"
         "scale 3 2\n"
         "points 3\n"
         "0 0  1 0 7\n"

@@ -38,7 +38,13 @@ tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Ver
   if (!beyond.empty()) return tl::unexpected(beyond);
   auto points = scaled_to_integers(mesh.points);
   if (!points) return tl::unexpected(points.error());
-  if (verdict.holds()) return certificate_of(mesh, verdict.claim(), std::move(*points));
+  if (verdict.holds()) {
+    Certificate certificate = certificate_of(mesh, verdict.claim(), std::move(*points));
+    certificate.standing = verdict.unique.value_or(false)      ? "unique"
+                           : verdict.canonical.value_or(false) ? "canonical"
+                                                               : "";
+    return certificate;
+  }
   auto refutation = refutation_of(mesh, verdict, *points);
   if (!refutation) {
     // The witness that is needed may be one that the verdict had no room for.

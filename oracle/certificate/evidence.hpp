@@ -28,13 +28,11 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
 std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                          Rule rule, const Witness& witness);
 
-// A point of the hull that no simplex covers, near a boundary facet beyond which there are points; or,
-// if all simplices of the boundary have other ones beyond them, a point of two. The `rule` says which
-// fault the verdict found: the hull is not convex, or not closed.
-std::optional<Evidence> hull_evidence(const ExactMesh& mesh, const ScaledPoints& points, Rule rule,
-                                      const Verdict& verdict);
+// A point beyond a facet of the boundary, or three facets of the boundary that share a ridge; from the
+// witness of the fault.
+std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness);
 
-// A point of the set that no simplex covers. Requires: sound simplices.
+// For each simplex a facet beyond which the point lies: none covers it. Requires: sound simplices.
 std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point);
 

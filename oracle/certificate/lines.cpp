@@ -32,8 +32,9 @@ void Lines::flush() {
 }
 
 void write_first_line(Lines& lines, std::string_view kind, Claim claim, std::size_t dimension,
-                      std::string_view rule) {
-  lines << kind << 1 << name(claim) << dimension << rule;
+                      std::string_view more) {
+  lines << kind << name(claim) << dimension;
+  if (!more.empty()) lines << more;
   lines.end_line();
 }
 

@@ -38,9 +38,10 @@ Lines& operator<<(Lines& lines, Number number) {
   return lines << std::string_view(std::to_string(number));
 }
 
-// A claim and its dimension, after the first word of a file.
+// A claim, its dimension and what else is said of it, after the first words of a file, `kind` and its
+// version.
 void write_first_line(Lines& lines, std::string_view kind, Claim claim, std::size_t dimension,
-                      std::string_view rule = "");
+                      std::string_view more = "");
 
 void write_scale(Lines& lines, const ScaledPoints& points);
 

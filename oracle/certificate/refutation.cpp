@@ -48,7 +48,9 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
       });
     case Rule::kHullNotClosed:
     case Rule::kHullNotConvex:
-      return hull_evidence(mesh, points, rule, verdict);
+      return from_violations(verdict, rule, [&](const Witness& witness) {
+        return hull_evidence(mesh, rule, witness);
+      });
     case Rule::kFacetNotLocal:
     case Rule::kVertexInBall:
     case Rule::kVertexSubmerged:
@@ -68,7 +70,8 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
   for (const auto& [rule, tally] : verdict.tallies()) {
     auto evidence = evidence_for(mesh, verdict, points, rule);
     if (evidence) {
-      return Refutation{verdict.claim(), evidence->rule, std::move(evidence->because)};
+      const std::vector<std::size_t>& basis = mesh.points.configuration().hull().basis;
+      return Refutation{verdict.claim(), evidence->rule, std::move(evidence->because), basis};
     }
   }
   return std::nullopt;
@@ -77,7 +80,7 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation) {
   Lines lines(out);
-  write_first_line(lines, "circumspect-refutation", refutation.claim, points.dimension,
+  write_first_line(lines, "circumspect-refutation 2", refutation.claim, points.dimension,
                    identifier(refutation.rule));
   write_scale(lines, points);
   lines << "points" << points.size();
@@ -95,6 +98,9 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
     for (const Vertex v : simplex) lines << Integer(v) + 1;
     lines.end_line();
   }
+  lines << "spans";
+  for (const std::size_t v : refutation.basis) lines << v + 1;
+  lines.end_line();
   lines << "because";
   for (const Integer& token : refutation.because) lines << token;
   lines.end_line();

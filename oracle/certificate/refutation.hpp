@@ -15,12 +15,11 @@ namespace circumspect::certificate {
 struct Refutation {
   Claim claim;
   Rule rule;
-  std::vector<Integer> because;  // the tokens of the evidence
+  std::vector<Integer> because;    // the tokens of the evidence
+  std::vector<std::size_t> basis;  // points that span the plane or space
 };
 
-// Of the rules that the verdict says are broken the first that can be shown; or the fault behind it,
-// where evidence of another kind says more surely what is wrong: where what should be bare beyond a
-// hull facet is covered, complex.overlap. Linear in the mesh for all but rare kinds of fault. Nothing
+// Of the rules that the verdict says are broken the first that can be shown. Linear in the mesh. Nothing
 // if all that is broken is no part of the claim: simplex.orientation, complex.wrong-neighbor.
 // Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that is
 // the dimension of their affine hull.

@@ -26,6 +26,8 @@ class RefutationAcceptor {
       simplex.resize(tokens_.count());
       for (Integer& v : simplex) v = tokens_.integer();
     }
+    tokens_.expect("spans");
+    spans_ = solid(around()).has_value();
     tokens_.expect("because");
   }
 
@@ -35,7 +37,7 @@ class RefutationAcceptor {
 
   // Does the evidence show the fault, and is there nothing after it? To be asked once.
   bool accepts() {
-    if (!is_rule_of_claim() || !evidence()) return false;
+    if (!spans_ || !is_rule_of_claim() || !evidence()) return false;
     tokens_.expect("end");
     return tokens_.empty();
   }
@@ -55,7 +57,7 @@ class RefutationAcceptor {
     if (header_.rule == "delaunay.facet-not-local") return header_.claim != "triangulation";
     if (kind == "delaunay") return header_.claim == "delaunay";
     if (kind == "weighted") return header_.weighted();
-    return header_.rule != "triangulation.unused-point" || !header_.weighted();
+    return true;
   }
 
   bool evidence() {
@@ -66,11 +68,13 @@ class RefutationAcceptor {
     if (rule == "simplex.degenerate") return is_degenerate();
     if (rule == "complex.duplicate-simplex") return is_duplicate();
     if (rule == "complex.facet-overused") return is_overused();
-    if (rule == "complex.overlap" || rule == "triangulation.covered-twice") return overlap();
-    if (rule == "triangulation.unused-point") return is_unused();
-    if (rule == "triangulation.hull-not-convex" || rule == "triangulation.hull-not-closed") {
-      return is_uncovered();
+    if (rule == "complex.overlap") return overlap();
+    if (rule == "triangulation.covered-twice") return is_covered_twice();
+    if (rule == "triangulation.unused-point") {
+      return header_.weighted() ? is_uncovered() : is_unused();
     }
+    if (rule == "triangulation.hull-not-convex") return is_not_convex();
+    if (rule == "triangulation.hull-not-closed") return is_not_closed();
     if (rule == "delaunay.vertex-in-ball" || rule == "weighted.point-below-plane") {
       const std::vector<Integer> ball = simplex();
       return is_below(ball, tokens_.integer());
@@ -172,6 +176,55 @@ class RefutationAcceptor {
     return in_a && in_b && *in_a != *in_b;
   }
 
+  bool is_covered_twice() {
+    const std::size_t a = simplex_number();
+    const std::size_t b = simplex_number();
+    const Point q = tokens_.rational_point(d_);
+    const auto in_a = carrier_of(a, q);
+    return in_a && in_a->size() == d_ + 1 && carrier_of(b, q) &&
+           ascending(simplices_[a]) != ascending(simplices_[b]);
+  }
+
+  // Does one simplex only have the facet?
+  bool is_on_boundary(const Entry& entry) const {
+    const std::vector<Integer> wanted = facet(entry);
+    std::size_t uses = 0;
+    for (std::size_t s = 0; s < simplices_.size(); ++s) {
+      const std::vector<Integer> vertices = ascending(simplices_[s]);
+      uses +=
+          std::includes(vertices.begin(), vertices.end(), wanted.begin(), wanted.end()) ? 1u : 0u;
+    }
+    return uses == 1 && solid(simplices_[entry.simplex]);
+  }
+
+  bool is_beyond(const Entry& entry, const Integer& v) const {
+    return names_point(v) &&
+           sign(barycentric(*solid(simplices_[entry.simplex]), point(v).at)->at(entry.place)) < 0;
+  }
+
+  bool is_not_convex() {
+    const Entry a = read_entry();
+    const Integer v = tokens_.integer();
+    return is_on_boundary(a) && is_beyond(a, v);
+  }
+
+  bool is_not_closed() {
+    const Entry a = read_entry();
+    const Entry b = read_entry();
+    const Entry c = read_entry();
+    const std::vector<Integer> first = facet(a);
+    std::size_t shared = 0;
+    for (const Integer& v : first) {
+      const auto in = [&](const Entry& other) {
+        const std::vector<Integer> vertices = facet(other);
+        return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+      };
+      shared += in(b) && in(c) ? 1u : 0u;
+    }
+    return is_on_boundary(a) && is_on_boundary(b) && is_on_boundary(c) &&
+           std::set{first, facet(b), facet(c)}.size() == 3 && shared + 1 == d_;
+  }
+
   bool is_unused() {
     const Integer v = tokens_.integer();
     if (!names_point(v)) return false;
@@ -188,9 +241,9 @@ class RefutationAcceptor {
   }
 
   bool is_uncovered() {
-    const Point q = tokens_.rational_point(d_);
-    const auto hull = solid(around());
-    if (!hull || !carrier(*barycentric(*hull, q))) return false;
+    const Integer v = tokens_.integer();
+    if (!names_point(v)) return false;
+    const Point& q = point(v).at;
     for (const std::vector<Integer>& vertices : simplices_) {
       const std::size_t place = tokens_.count();
       const auto corners = solid(vertices);
@@ -215,7 +268,7 @@ class RefutationAcceptor {
     const Entry a = read_entry();
     const Entry b = read_entry();
     return facet(a) == facet(b) && solid(simplices_[b.simplex]) &&
-           is_below(simplices_[a.simplex], at(b));
+           is_below(simplices_[a.simplex], at(b)) && is_beyond(a, at(b));
   }
 
   bool is_submerged() {
@@ -232,6 +285,7 @@ class RefutationAcceptor {
   std::vector<ListedPoint> points_;
   LabelledPoints labelled_;
   std::vector<std::vector<Integer>> simplices_;
+  bool spans_ = false;
 };
 
 }  // namespace circumspect::certificate

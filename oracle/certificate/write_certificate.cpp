@@ -71,8 +71,8 @@ void write_hull(Lines& lines, const Certificate& certificate) {
 
 void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate) {
   Lines lines(out);
-  write_first_line(lines, "circumspect-certificate", certificate.claim,
-                   certificate.points.dimension);
+  write_first_line(lines, "circumspect-certificate 1", certificate.claim,
+                   certificate.points.dimension, certificate.standing);
   write_scale(lines, certificate.points);
   write_points(lines, mesh, certificate);
   write_simplices(lines, certificate);

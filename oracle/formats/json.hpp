@@ -1,4 +1,4 @@
-// Points, weights, simplices and faces in our own JSON; README.md beside this file has the schema.
+// Points, weights, simplices and faces in our own JSON; docs/formats.md has the schema.
 #pragma once
 
 #include <ostream>

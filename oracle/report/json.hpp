@@ -1,4 +1,4 @@
-// Verdicts for programs. The schema stands in oracle/report/README.md.
+// Verdicts for programs. The schema stands in docs/json.md.
 #pragma once
 
 #include <string>

@@ -100,7 +100,7 @@ def flat(thing):
 
 
 def text(c):
-    lines = ["circumspect-certificate 1 %s %d" % (c["claim"], c["d"]),
+    lines = ["circumspect-certificate 1 %s %d%s" % (c["claim"], c["d"], c.get("standing", "")),
              " ".join(map(str, ["scale"] + c["scale"]))]
     for name in ["points", "simplices", "hull"]:
         lines.append("%s %d" % (name, len(c[name])))
@@ -179,6 +179,7 @@ def files():
             c[key] = value
         return change
 
+    yield mutant(space, put("points", 3, 4, space["points"][5][4]), "labels-different")
     yield mutant(space, put("scale", 1, 0), "scale")
     yield mutant(space, put("scale", 0, -1), "scale", "scale--negative")
     twice = certificate("delaunay", SQUARE + [(4, 4)], SQUARE_MESH)
@@ -220,6 +221,7 @@ def files():
     yield mutant(space, put("hull", g - 1, 2, b, [g % 8 + 1, 0]),
                  "ridge-back-pointer, hull facet 1, ridge 0")
     yield from broken_meshes(plane, space)
+    yield from standings()
 
 
 def broken_meshes(plane, space):
@@ -267,6 +269,44 @@ def broken_meshes(plane, space):
     yield "facet-locally-delaunay--submerged-vertex", heavy, "rejected: facet-locally-delaunay"
 
 
+def standings():
+    """The only Delaunay triangulation, the canonical one, and others of points of one circle."""
+    corners = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    rising, falling = [(0, 1, 2), (0, 2, 3)], [(0, 1, 3), (1, 2, 3)]
+    # In lexicographic order the first corner is (0, 0): the canonical diagonal ends there.
+    cases = [
+        ("unique--sound", SQUARE, SQUARE_MESH, "unique", None, "verified"),
+        ("unique", corners, rising, "unique", None, "rejected: unique, simplex 1"),
+        ("canonical--sound", corners, rising, "canonical", None, "verified"),
+        ("canonical--where-unique", SQUARE, SQUARE_MESH, "canonical", None, "verified"),
+        ("canonical", corners, falling, "canonical", None, "rejected: canonical, simplex 1"),
+    ]
+    cube = [(x, y, z) for x in (0, 2) for y in (0, 2) for z in (0, 2)]
+    pulled = [(0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7)]
+    turned = [tuple(7 - v if v in (0, 7) else v for v in s) for s in pulled]
+    middle = [(0, 3, 5, 6), (0, 1, 3, 5), (0, 2, 3, 6), (0, 4, 5, 6), (3, 5, 6, 7)]
+    cases += [
+        ("canonical--cube", cube, pulled, "canonical", None, "verified"),
+        ("canonical--cube-in-five", cube, middle, "canonical", None, "rejected: canonical, simplex"),
+        ("unique--cube", cube, pulled, "unique", None, "rejected: unique, simplex"),
+    ]
+    # A point that is no vertex, on the lower hull or strictly above it.
+    for name, weight in ("on-the-hull", -2), ("above-the-hull", -3):
+        points, lifted = [(0, 0), (2, 0), (0, 2), (1, 1)], [0, 0, 0, weight]
+        c = certificate("weighted-delaunay", points, [(0, 1, 2)], weights=lifted)
+        k = next(k for k, row in enumerate(c["points"]) if row[4] == 3)
+        c["points"][k][2:4] = [1, "-"]
+        for standing in "unique", "canonical":
+            settled = dict(copy.deepcopy(c), standing=" " + standing)
+            answer = "verified" if weight == -3 or standing == "canonical" else \
+                "rejected: %s, point" % standing
+            yield "%s--submerged-%s" % (standing, name), settled, answer
+    for name, points, mesh, standing, _, answer in cases:
+        yield name, dict(certificate("delaunay", points, mesh), standing=" " + standing), answer
+    plain = certificate("triangulation", SQUARE, SQUARE_MESH)
+    yield "unique--of-a-triangulation", dict(plain, standing=" unique"), "rejected: unique"
+
+
 def malformed():
     sound = text(certificate("delaunay", SQUARE, SQUARE_MESH))
     lines = sound.split("\n")
@@ -288,6 +328,7 @@ def refutations():
     fan = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]]
     halves = [[1, 2, 3], [1, 3, 4]]
     crossed = [[1, 2, 3], [1, 2, 4]]
+    hanging = [[1, 2, 4], [1, 6, 5]]
     cases = [  # rule, simplices, evidence, evidence that fails, weights, the point to leave out
         ("simplex.wrong-dimension", fan + [[1, 2]], "5", "1", None),
         ("triangulation.unknown-vertex", fan + [[1, 2, -7]], "5 2", "5 1", None),
@@ -298,33 +339,45 @@ def refutations():
          None),
         ("complex.overlap", crossed, "1 2 4 1 2", "1 2 0 0 1", None),
         ("triangulation.covered-twice", crossed, "1 2 4 1 2", "1 1 4 1 2", None),
+        ("triangulation.covered-twice", hanging, None, "1 2 2 0 1", None, "--nothing-is"),
         ("triangulation.unused-point", halves, "5", "4", None),
-        ("triangulation.hull-not-convex", fan[:3], "1 2 1 1 5 4 1 0 0", "3 1 1 1 5 4 1 0 0", None),
-        ("triangulation.hull-not-closed", fan[:3], "1 2 1 1 5 4 1 0 0", "1 2 1 1 5 4 1 0 2", None),
+        ("triangulation.unused-point", halves[:1], "4 1", "4 0", [0, 0, 0, 0, 0, 0, 0]),
+        ("triangulation.hull-not-convex", fan[:3], "1 1 4", "1 2 4", None),
+        ("triangulation.hull-not-closed", [fan[0], fan[2]], "1 0 1 1 2 0", "1 0 1 1 1 0", None),
+        ("triangulation.hull-not-closed", fan, None, "1 2 2 2 3 2", None, "--of-a-square"),
         ("delaunay.vertex-in-ball", halves, "1 5", "1 4", None),
         ("delaunay.facet-not-local", [[1, 2, 3], [1, 3, 7]], "1 1 2 2", "1 0 2 2", None),
+        ("delaunay.facet-not-local", [[1, 2, 3], [1, 2, 5]], None, "1 2 2 2", None,
+         "--on-the-same-side"),
         ("weighted.point-below-plane", halves, "1 5", "1 4", [0, 0, 0, 0, 0, 0, 0]),
         ("weighted.vertex-submerged", fan, "1 2 1 2 3", "1 1 1 2 3", [0, 0, 0, 0, -50, 0, 0]),
     ]
-    for rule, simplices, shows, fails, weights in cases:
+    for rule, simplices, shows, fails, weights, *why in cases:
         claim = "weighted-delaunay" if weights else \
             "delaunay" if rule.startswith("delaunay") else "triangulation"
         points = square + [(2, 2), (1, 3)]
-        lines = ["circumspect-refutation 1 %s 2 %s" % (claim, rule), "scale 1 1",
+        lines = ["circumspect-refutation 2 %s 2 %s" % (claim, rule), "scale 1 1",
                  "points %d" % len(points)]
         lines += [" ".join(map(str, [*p, *([weights[v]] if weights else []), v]))
                   for v, p in enumerate(points)]
         lines.append("simplices %d" % len(simplices))
         lines += [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        if weights and not rule.startswith("weighted"):
+            why = ["--weighted"]
         for name, evidence, answer in (
                 ("shown", shows, "verified: not %s, %s" % (claim, rule)),
                 ("not-shown", fails, "rejected: the evidence does not show " + rule)):
-            yield "%s--%s" % (rule, name), \
-                "\n".join(lines + ["because " + evidence, "end"]) + "\n", answer
+            if evidence:
+                yield "%s--%s%s" % (rule, name, "".join(why)), \
+                    "\n".join(lines + ["spans 1 2 3", "because " + evidence, "end"]) + "\n", answer
+    line = "circumspect-refutation 2 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 3\n" \
+        "0 0 0\n1 0 1\n2 0 2\nsimplices 2\n2 1 2\n2 2 3\nspans 1 2 3\nbecause 1\nend\n"
+    # They lie in a line and have a Delaunay triangulation, the two edges.
+    yield "spans--points-of-a-line", line, "rejected: the evidence does not show"
     row = " ".join(["1"] * 1000000)
     yield "large--simplex-of-1000000-vertices", \
-        "circumspect-refutation 1 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 1\n0 0 0\n" \
-        "simplices 1\n1000000 %s\nbecause 1\nend\n" % row, \
+        "circumspect-refutation 2 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 3\n" \
+        "0 0 0\n1 0 1\n0 1 2\nsimplices 1\n1000000 %s\nspans 1 2 3\nbecause 1\nend\n" % row, \
         "verified: not delaunay, simplex.wrong-dimension"
 
 

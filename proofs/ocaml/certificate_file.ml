@@ -18,8 +18,8 @@ let read c claimed =
   let points = section c "points" expected (fun tokens ->
       let position, rest = site c expected c.weighted tokens in
       let (home, home_vertex), rest = pair c expected number (unless_dash index) rest in
-      let label, rest = take c integer 1 expected rest in
-      (({ position; home; home_vertex }, List.hd label), rest)) in
+      let label, rest = label c expected rest in
+      (({ position; home; home_vertex }, label), rest)) in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
   let simplices = section c "simplices" expected (fun tokens ->
       let corners, rest = take c number (c.d + 1) expected tokens in

@@ -1,12 +1,17 @@
 (* circumspect-verified FILE: checks a certificate or a refutation, prints one line.
+   circumspect-verified FILE MESH.node MESH.ele: the same, and whether the mesh is that of these files.
    circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
    Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified [--mesh] FILE\n\
+let usage = "usage: circumspect-verified FILE [[--coordinates decimal] MESH.node MESH.ele]\n\
+       circumspect-verified --mesh FILE\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote; `-` is standard input.\n\
---mesh prints the points and simplices that it is about, by your own labels, and checks nothing."
+With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
+the simplices in their order. Decimals mean the nearest double, unless they are taken at their word.\n\
+--mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
+checks nothing."
 
 let read_all channel =
   let buffer = Buffer.create 65536 in
@@ -35,17 +40,16 @@ let condition = function
   | Facet_locally_delaunay -> "facet-locally-delaunay"
 
 let place =
-  let n numeral = Big.to_string (Big.of_numeral numeral) in
+  let n = string_of_int in
   function
   | Nowhere -> ""
   | AtPoint k -> ", point " ^ n k
   | AtSimplex t -> ", simplex " ^ n t
-  | AtFacet (t, i) -> Printf.sprintf ", simplex %s, facet %d" (n t) i
+  | AtFacet (t, i) -> Printf.sprintf ", simplex %s, facet %d" (n t) (Reading.of_natural i)
   | AtHull h -> ", hull facet " ^ n h
-  | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) a
+  | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) (Reading.of_natural a)
 
-let claims =
-  [ "triangulation", Triangulation; "delaunay", Delaunay; "weighted-delaunay", WeightedDelaunay ]
+let claims = List.map (fun claim -> (claim_name claim, claim)) [ Triangulation; Delaunay; WeightedDelaunay ]
 
 (* CLAIM and D of the first line. *)
 let context source claim dimension =
@@ -57,7 +61,8 @@ let context source claim dimension =
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
     | _ -> Text.fail source "the dimension, 2 or 3" (Text.quote dimension) in
-  ({ Reading.source; numeral = Reading.numerals source; d; weighted = claimed = WeightedDelaunay },
+  ({ Reading.source; d; weighted = claimed = WeightedDelaunay;
+     labels = Hashtbl.create 1024 },
    claimed, space)
 
 let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
@@ -67,65 +72,100 @@ let counts d points simplices =
   ^ (if d = 2 then counted simplices "triangle" "triangles"
      else counted simplices "tetrahedron" "tetrahedra")
 
-let number numeral = Big.to_int (Big.of_numeral numeral)
-
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
-type content = { mesh : unit -> unit; verdict : unit -> string * int }
+type content = { mesh : Users_mesh.mesh; verdict : unit -> string * int }
 
-let certificate (c : Reading.context) space claim claimed =
+(* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
+let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canonical, ", canonical") ]
+
+let certificate (c : Reading.context) space claimed standing =
   let certificate, labels = Certificate_file.read c claimed in
-  let sites = List.rev (List.rev_map (fun e -> e.position) certificate.points) in
-  let corners (e : simplex_entry) = List.map (fun v -> Some (number v)) e.corners in
-  let verdict () = match check space certificate with
-    | Accepted ->
-      (Printf.sprintf "verified: %s, %s" claim
-         (counts c.d (List.length sites) (List.length certificate.simplices)), 0)
-    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1) in
-  let unit = (certificate.numerator, certificate.denominator) in
-  let mesh () =
-    Mesh_text.print unit c.weighted sites labels (List.rev_map corners certificate.simplices) in
+  let corners (e : simplex_entry) = List.map Option.some e.corners in
+  let mesh = { Users_mesh.unit = (certificate.numerator, certificate.denominator); d = c.d;
+               weighted = c.weighted; labels = Array.of_list labels; ordered = false;
+               sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.points));
+               simplices = List.rev (List.rev_map corners certificate.simplices) } in
+  let verified extra =
+    (Printf.sprintf "verified: %s, %s%s" (claim_name certificate.claimed)
+       (counts c.d (List.length certificate.points) (List.length certificate.simplices)) extra, 0) in
+  let verdict () = match check space certificate, standing with
+    | Rejected (why, where), _ -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted, None -> verified ""
+    | Accepted, Some word ->
+      let standing, extra = List.assoc word standings in
+      match settle space certificate standing with
+      | Settled -> verified extra
+      | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
   { mesh; verdict }
 
-let refutation (c : Reading.context) space claim claimed rule =
+let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
-  let corners row = List.rev (List.rev_map (Option.map number) row) in
+  let mesh = { Users_mesh.unit = (refutation.unit_numerator, refutation.unit_denominator); d = c.d;
+               weighted = c.weighted; labels = Array.of_list labels; ordered = true;
+               sites = Array.of_list refutation.sites;
+               simplices = refutation.rows } in
   let verdict () =
-    if refute space refutation then (Printf.sprintf "verified: not %s, %s" claim rule, 0)
+    let rule = rule_name (rule_of refutation.because) in
+    if refute space refutation then
+      (Printf.sprintf "verified: not %s, %s" (claim_name refutation.refuted) rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  let unit = (refutation.unit_numerator, refutation.unit_denominator) in
-  let mesh () =
-    Mesh_text.print unit c.weighted refutation.sites labels (List.rev_map corners refutation.rows) in
   { mesh; verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D' or 'circumspect-refutation 1 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical]' or 'circumspect-refutation 2 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claim dimension in
-    certificate c space claim claimed
-  | [ "circumspect-refutation"; "1"; claim; dimension; rule ] ->
+    certificate c space claimed None
+  | [ "circumspect-certificate"; "1"; claim; dimension; standing ]
+    when List.mem_assoc standing standings ->
     let c, claimed, space = context source claim dimension in
-    refutation c space claim claimed rule
+    certificate c space claimed (Some standing)
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
+    let c, claimed, space = context source claim dimension in
+    refutation c space claimed rule
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
+
+(* The line to print if the mesh is that of the user's files, too; the other line if it is another. *)
+let of_users_files ~exactly node ele content =
+  let compared name compare =
+    match compare (Text.of_string (read_file name)) with
+    | result -> Ok result
+    | exception Sys_error message ->
+      Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name)
+               (String.escaped message), 3)
+    | exception Users_mesh.Another how ->
+      Error (Printf.sprintf "rejected: another mesh, %s:%s" (String.escaped name) how, 1)
+    | exception Text.Malformed (line, message) ->
+      Error (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3) in
+  let both = Result.bind
+      (compared node (Users_mesh.compare_points ~exactly content.mesh)) (fun number_of ->
+        compared ele (Users_mesh.compare_simplices content.mesh number_of)) in
+  match both, content.verdict () with
+  | Error answer, (_, 0) -> answer
+  | Ok (), (line, 0) -> (Printf.sprintf "%s: %s %s" line (String.escaped node) (String.escaped ele), 0)
+  | _, answer -> answer
 
 let () =
   (* Little of what is read becomes garbage: collect seldom. *)
   Gc.set { (Gc.get ()) with Gc.space_overhead = 400; minor_heap_size = 1 lsl 20 };
-  let only_mesh, name = match Sys.argv with
-    | [| _; ("-h" | "--help") |] -> print_endline usage; exit 0
-    | [| _; "--mesh"; name |] -> (true, name)
-    | [| _; name |] -> (false, name)
+  let answer, name = match List.tl (Array.to_list Sys.argv) with
+    | [ ("-h" | "--help") ] -> print_endline usage; exit 0
+    | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print content.mesh; exit 0), name)
+    | [ name ] -> ((fun content -> content.verdict ()), name)
+    | [ name; node; ele ] -> (of_users_files ~exactly:false node ele, name)
+    | [ name; "--coordinates"; "decimal"; node; ele ] -> (of_users_files ~exactly:true node ele, name)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in
   let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in
   let line, code =
     match content (Text.of_string (read_file name)) with
-    | content when only_mesh ->
-      (match content.mesh () with
-       | () -> exit 0
+    | content ->
+      (match answer content with
+       | answer -> answer
        | exception Sys_error _ -> close_out_noerr stdout; exit 5
        | exception Division_by_zero -> malformed ": the scale is zero")
-    | content -> content.verdict ()
+    | exception Reading.Repeated_label label -> ("rejected: labels-different, label " ^ label, 1)
     | exception Text.Malformed (line, message) -> malformed (Printf.sprintf ":%d: %s" line message)
     | exception Sys_error message ->
       (Printf.sprintf "malformed: cannot read %s: %s" shown (String.escaped message), 3)

@@ -1,25 +1,41 @@
-(* The mesh that a file is about, for whoever wants to compare it with his own: points by label, with
-   their coordinates (and weights) in the caller's unit; simplices by the labels of their vertices. *)
+(* The mesh that a file is about, as the JSON that `circumspect compare` reads: points in the caller's
+   unit, and simplices by their vertices.  Points stand in the order of their labels. *)
 open Extracted
 
-let point (p, q) weighted site label =
-  let scaled power x =
-    let unit_to n = Q.make (Big.pow p n) (Big.pow q n) in
-    Q.to_string (Q.mul (Q.of_bigint x) (unit_to power)) in
-  let weight = if weighted then [ scaled 2 site.weight ] else [] in
-  Big.to_string label :: List.map (scaled 1) site.coordinates @ weight
+let quoted x = "\"" ^ x ^ "\""
+let listed items = "[" ^ String.concat ", " items ^ "]"
+let print_lines items =
+  List.iteri (fun i item -> print_string (if i = 0 then "\n" else ",\n"); print_string item) items
 
-(* `find` gives the label of a vertex; one that names no point has none. *)
-let simplex labels vertices =
-  List.rev (List.rev_map (fun v -> match v with
-      | Some n when n >= 1 && n <= Array.length labels -> Big.to_string labels.(n - 1)
-      | _ -> "?") vertices)
-
-(* The simplices come last first. *)
-let print unit weighted sites labels simplices =
-  let line tokens = print_endline (String.concat " " tokens) in
-  line [ "points"; string_of_int (List.length sites) ];
-  List.iter2 (fun site label -> line (point unit weighted site label)) sites labels;
-  line [ "simplices"; string_of_int (List.length simplices) ];
-  let labels = Array.of_list labels in
-  List.iter (fun vertices -> line (simplex labels vertices)) (List.rev simplices)
+(* Where labels are those of consecutive numbers, vertices have them too; else they count from 1. *)
+let print (mesh : Users_mesh.mesh) =
+  let p, q = mesh.unit in
+  let unit_to n = Q.make (Big.pow p n) (Big.pow q n) in
+  let scaled power =
+    let factor = unit_to power in
+    fun x -> quoted (Q.to_string (Q.mul (Q.of_bigint x) factor)) in
+  let n = Array.length mesh.sites in
+  let order = Array.init n Fun.id in
+  Array.sort (fun k l -> Big.compare mesh.labels.(k) mesh.labels.(l)) order;
+  let place = Array.make n 0 in
+  Array.iteri (fun i k -> place.(k) <- i) order;
+  let first = if n = 0 then Big.one else mesh.labels.(order.(0)) in
+  let consecutive = Big.fits_int first && n > 0 &&
+    Big.equal mesh.labels.(order.(n - 1)) (Big.add first (Big.of_int (n - 1))) in
+  let first = if consecutive then Big.to_int first else 1 in
+  let sites = List.map (fun k -> mesh.sites.(k)) (Array.to_list order) in
+  Printf.printf "{\"circumspect\": 1, \"dimension\": %d, \"first_index\": %d,\n\"points\": ["
+    mesh.d first;
+  print_lines (List.rev (List.rev_map (fun site ->
+      listed (List.map (scaled 1) site.coordinates)) sites));
+  if mesh.weighted then begin
+    print_string "],\n\"weights\": [";
+    print_lines (List.rev (List.rev_map (fun site -> scaled 2 site.weight) sites))
+  end;
+  print_string "],\n\"simplices\": [";
+  let vertex = function
+    | Some v when v >= 1 && v <= n -> string_of_int (first + place.(v - 1))
+    | _ -> string_of_int (first + n) in
+  print_lines (List.rev (List.rev_map (fun vertices -> listed (List.map vertex vertices))
+                           mesh.simplices));
+  print_endline "]}"

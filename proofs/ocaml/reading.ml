@@ -1,23 +1,27 @@
 (* What the two kinds of files have in common; see CERTIFICATE.md. *)
 open Extracted
 
-(* The binary numeral of each number, made once and shared. A number greater than any thing that
-   the file can list names nothing, and is replaced by the least such. *)
-let numerals source =
-  let made = Array.make (source.Text.lines + 2) Big.XH in
-  for n = 2 to source.Text.lines + 1 do
-    made.(n) <- (if n land 1 = 1 then Big.XI made.(n / 2) else Big.XO made.(n / 2))
-  done;
-  let beyond = source.Text.lines + 1 in
-  fun n -> made.(if n < 1 || n > beyond then beyond else n)
+type context = { source : Text.t; d : int; weighted : bool;
+                 labels : (Big.t, unit) Hashtbl.t }
 
-type context = { source : Text.t; numeral : int -> Big.numeral; d : int; weighted : bool }
+(* Peano's numerals, which count the vertices of a simplex: short, and shared. *)
+let natural n =
+  let rec go n made = if n <= 0 then made else go (n - 1) (S made) in
+  go n O
+let of_natural n =
+  let rec go counted = function O -> counted | S n -> go (counted + 1) n in
+  go 0 n
 
 let count c token = Text.count c.source token
-let number c token = c.numeral (count c token)
+(* A number greater than any thing that the file can list names nothing, and is replaced by the least
+   such. *)
+let named c n = let beyond = c.source.Text.lines + 1 in if n < 1 || n > beyond then beyond else n
+let number c token = named c (count c token)
 let integer c token = Text.integer c.source token
+(* An entry of a simplex as its author wrote it: there are no more than bytes in the file. *)
+let position c token = natural (min (count c token) (String.length c.source.text))
 (* A vertex, facet or ridge: greater numbers than d name nothing. *)
-let index c token = min (count c token) (c.d + 1)
+let index c token = natural (min (count c token) (c.d + 1))
 let unless_dash read c token = if token = "-" then None else Some (read c token)
 
 (* The first [n] tokens, each read, and the others; a line may have millions. *)
@@ -45,6 +49,15 @@ let line c name rest_expected =
   | word :: rest when word = name -> (expected, rest)
   | word :: _ -> Text.fail c.source expected (Text.quote word)
   | [] -> assert false
+
+(* By which index the user knows a point; no two points have the same. *)
+exception Repeated_label of string
+let label c expected tokens =
+  let values, rest = take c integer 1 expected tokens in
+  let label = List.hd values in
+  if Hashtbl.mem c.labels label then raise (Repeated_label (Big.to_string label));
+  Hashtbl.add c.labels label ();
+  (label, rest)
 
 (* `NAME COUNT` and that many lines. *)
 let section c name expected read =

@@ -6,24 +6,19 @@ open Reading
 let vertex c token =
   let v = integer c token in
   if Big.sign v <= 0 then None
-  else Some (c.numeral (if Big.fits_int v then Big.to_int v else max_int))
+  else Some (named c (if Big.fits_int v then Big.to_int v else max_int))
 
 let simplex c tokens =
   let expected = "the number of vertices of a simplex and these vertices" in
   let sizes, rest = take c count 1 expected tokens in
   take c vertex (List.hd sizes) expected rest
 
-let position c token = count c token
-
-(* Reads what follows `because`, by rule. *)
-let evidence c rule simplices tokens =
+(* Reads what follows `because`, by rule; which rule is then printed is the evidence's business. *)
+let evidence c claimed rule simplices tokens =
   let expected = "what CERTIFICATE.md asks for as evidence of " ^ rule in
-  let number tokens =
-    let values, rest = take c number 1 expected tokens in (List.hd values, rest) in
-  let position tokens =
-    let values, rest = take c position 1 expected tokens in (List.hd values, rest) in
-  let integer tokens =
-    let values, rest = take c integer 1 expected tokens in (List.hd values, rest) in
+  let one read tokens =
+    let values, rest = take c read 1 expected tokens in (List.hd values, rest) in
+  let number = one number and position = one position and integer = one integer in
   let entry tokens =
     let t, rest = number tokens in
     let i, rest = position rest in
@@ -32,6 +27,16 @@ let evidence c rule simplices tokens =
     let q, rest = site c expected false tokens in
     let w, rest = integer rest in
     ((q, w), rest) in
+  let two_simplices tokens =
+    let t, rest = number tokens in
+    let u, rest = number rest in
+    let (q, w), rest = point rest in
+    ((t, u, q, w), rest) in
+  let three_facets tokens =
+    let (t, i), rest = entry tokens in
+    let (u, j), rest = entry rest in
+    let (v, k), rest = entry rest in
+    ((t, i, u, j, v, k), rest) in
   let found, rest = match rule with
     | "simplex.wrong-dimension" ->
       let t, rest = number tokens in (WrongDimension t, rest)
@@ -46,21 +51,24 @@ let evidence c rule simplices tokens =
       let t, rest = number tokens in
       let u, rest = number rest in (DuplicateSimplex (t, u), rest)
     | "complex.facet-overused" ->
-      let (t, i), rest = entry tokens in
-      let (u, j), rest = entry rest in
-      let (v, k), rest = entry rest in (FacetOverused (t, i, u, j, v, k), rest)
-    | "complex.overlap" | "triangulation.covered-twice" ->
-      let t, rest = number tokens in
-      let u, rest = number rest in
-      let (q, w), rest = point rest in (Overlap (t, u, q, w), rest)
+      let facets, rest = three_facets tokens in let t, i, u, j, v, k = facets in
+      (FacetOverused (t, i, u, j, v, k), rest)
+    | "complex.overlap" ->
+      let (t, u, q, w), rest = two_simplices tokens in (Overlap (t, u, q, w), rest)
+    | "triangulation.covered-twice" ->
+      let (t, u, q, w), rest = two_simplices tokens in (CoveredTwice (t, u, q, w), rest)
+    | "triangulation.unused-point" when claimed = WeightedDelaunay ->
+      let p, rest = number tokens in
+      let facets, rest = take c Reading.position (List.length simplices) expected rest in
+      (UncoveredPoint (p, facets), rest)
     | "triangulation.unused-point" ->
       let p, rest = number tokens in (UnusedPoint p, rest)
-    | "triangulation.hull-not-convex" | "triangulation.hull-not-closed" ->
-      let (q, w), rest = point tokens in
-      let corners, rest = times (c.d + 1) number rest in
-      let away, rest = List.fold_left (fun (sides, rest) _ ->
-          let side, rest = position rest in (side :: sides, rest)) ([], rest) simplices in
-      (Uncovered (q, w, corners, List.rev away), rest)
+    | "triangulation.hull-not-convex" ->
+      let (t, i), rest = entry tokens in
+      let p, rest = number rest in (HullNotConvex (t, i, p), rest)
+    | "triangulation.hull-not-closed" ->
+      let facets, rest = three_facets tokens in let t, i, u, j, v, k = facets in
+      (HullNotClosed (t, i, u, j, v, k), rest)
     | "delaunay.vertex-in-ball" ->
       let t, rest = number tokens in
       let p, rest = number rest in (VertexInBall (t, p), rest)
@@ -72,7 +80,8 @@ let evidence c rule simplices tokens =
       let p, rest = number rest in (PointBelowPlane (t, p), rest)
     | "weighted.vertex-submerged" ->
       let (t, i), rest = entry tokens in
-      let corners, rest = times (c.d + 1) number rest in (VertexSubmerged (t, i, corners), rest)
+      let corners, rest = take c Reading.number (c.d + 1) expected rest in
+      (VertexSubmerged (t, i, corners), rest)
     | _ -> Text.fail c.source "a rule of CERTIFICATE.md" (Text.quote rule) in
   no_more c expected rest;
   found
@@ -83,12 +92,15 @@ let read c refuted rule =
   let expected = "the coordinates of a point and a label" in
   let sites = section c "points" expected (fun tokens ->
       let position, rest = site c expected c.weighted tokens in
-      let label, rest = take c integer 1 expected rest in
-      ((position, List.hd label), rest)) in
+      let label, rest = label c expected rest in
+      ((position, label), rest)) in
   let labels = List.rev (List.rev_map snd sites) in
   let sites = List.rev (List.rev_map fst sites) in
   let rows = section c "simplices" "a simplex" (simplex c) in
+  let expected, tokens = line c "spans" "POINTS" in
+  let basis, rest = take c number (c.d + 1) expected tokens in
+  no_more c expected rest;
   let _, tokens = line c "because" "EVIDENCE" in
-  let because = evidence c rule rows tokens in
+  let because = evidence c refuted rule rows tokens in
   ending c;
-  ({ refuted; unit_numerator; unit_denominator; sites; rows; because }, labels)
+  ({ refuted; unit_numerator; unit_denominator; sites; rows; basis; because }, labels)

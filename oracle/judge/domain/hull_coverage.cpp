@@ -1,4 +1,4 @@
-// Coverage where the convex hull is the domain: what oracle/judge/points/README.md proves of triangulations
+// Coverage where the convex hull is the domain: what docs/theory/points.md proves of triangulations
 // of point sets does most of the work.
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@ namespace circumspect::check {
 //   steiner-cdt            one of the domain with further vertices?
 //   conforming-delaunay    a Steiner triangulation in which every simplex is Delaunay (Definition
 //                          4.5)?
-// The lemmas are linear but for sorting and for searches in space; oracle/judge/domain/README.md
+// The lemmas are linear but for sorting and for searches in space; docs/theory/domains.md
 // proves that they suffice.
 // `known`: what is known of the mesh's simplices, if anything; the verdict is the same with and
 // without. oracle/judge/judge.hpp finds it out.

@@ -13,7 +13,7 @@ namespace circumspect::check {
 using OfTriangulation =
     std::function<void(const MeshedDomain& in, const std::vector<WallPiece>& pieces)>;
 
-// Conditions 0–7 of oracle/judge/domain/README.md, near-linear; without those that are known to hold, if
+// Conditions 0–7 of docs/theory/domains.md, near-linear; without those that are known to hold, if
 // `known` is anything.
 void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domain,
                                       const Options& options, const fast::SimplexFacts* known,

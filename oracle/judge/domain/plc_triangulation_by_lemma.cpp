@@ -1,4 +1,4 @@
-// Conditions 0–7 of oracle/judge/domain/README.md, where it is proved that they suffice.
+// Conditions 0–7 of docs/theory/domains.md, where it is proved that they suffice.
 #include <algorithm>
 
 #include "oracle/judge/domain/coverage.hpp"

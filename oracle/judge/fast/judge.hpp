@@ -1,5 +1,5 @@
 // Does a mesh of doubles hold? Quickly, exactly, and only if it does: oracle/judge/points says what is wrong
-// with a mesh that does not, in its own words. oracle/judge/fast/README.md proves that this is the same answer.
+// with a mesh that does not, in its own words. docs/theory/fast.md proves that this is the same answer.
 #pragma once
 
 #include <cstddef>

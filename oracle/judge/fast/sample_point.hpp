@@ -64,7 +64,7 @@ SamplePoint<kDimension> barycentre_of(const SiteRow<kDimension>& row, std::size_
 extern template SamplePoint<2> barycentre_of(const SiteRow<2>&, std::size_t);
 extern template SamplePoint<3> barycentre_of(const SiteRow<3>&, std::size_t);
 
-// Any point that is strictly inside some simplex serves oracle/judge/points/README.md. The rounded barycentre
+// Any point that is strictly inside some simplex serves docs/theory/points.md. The rounded barycentre
 // of a simplex in whose interior that is, of some simplices from all over the list; or if all of them
 // are too thin to have a double inside, the barycentre of one, as it is.
 // Undecided: a simplex that names no points, or is flat. Requires: at least one simplex.

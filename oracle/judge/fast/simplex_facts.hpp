@@ -1,5 +1,5 @@
 // What there is to say of the simplices of a mesh whatever they cover: for meshes of domains, whose
-// walls decide the rest (oracle/judge/domain/README.md).
+// walls decide the rest (docs/theory/domains.md).
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace circumspect::fast {
 
 // That there are any says: every simplex has d + 1 different vertices, all of them points, and is not
 // flat; no two have the same vertices; no facet is in three of them, and two at a facet are on opposite
-// sides of it: conditions 0 and 1 of oracle/judge/domain/README.md, listed faces aside. And all of the
+// sides of it: conditions 0 and 1 of docs/theory/domains.md, listed faces aside. And all of the
 // following is right. Lists are ascending.
 struct SimplexFacts {
   std::vector<FacetId> boundary = {};  // all facets of one simplex
@@ -26,7 +26,7 @@ struct SimplexFacts {
   std::vector<FacetId> not_canonical = {};
   bool oriented = true;  // all simplices alike
   // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2 and 3
-  // of oracle/judge/points/README.md.)
+  // of docs/theory/points.md.)
   bool fills_hull = false;
   Stages stages = {};  // what decided the signs
 };

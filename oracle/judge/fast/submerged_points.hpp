@@ -1,4 +1,4 @@
-// Condition 4w of oracle/judge/points/README.md: points of a weighted set that are not vertices.
+// Condition 4w of docs/theory/points.md: points of a weighted set that are not vertices.
 #pragma once
 
 #include <algorithm>

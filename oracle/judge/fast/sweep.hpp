@@ -1,5 +1,5 @@
 // One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1 of
-// oracle/judge/points/README.md, what condition 3 says of simplices, the links, and Lemma 4.1.
+// docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 
 namespace circumspect::check {
 
-// From the lemma: linear in the mesh, by the conditions that oracle/judge/points/README.md proves
+// From the lemma: linear in the mesh, by the conditions that docs/theory/points.md proves
 // sufficient. From the definition: quadratic and worse, and obvious. Properties hold them equal.
 enum class By { kLemma, kDefinition };
 

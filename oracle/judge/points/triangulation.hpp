@@ -11,11 +11,11 @@ namespace circumspect::check {
 // All require that judge_simplices found nothing wrong, and say whether every facet lies in one
 // or two simplices, two being on opposite sides of it.
 
-// Condition 1 of oracle/judge/points/README.md alone. `uses` are those of the mesh.
+// Condition 1 of docs/theory/points.md alone. `uses` are those of the mesh.
 bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                           Verdict& verdict);
 
-// Conditions 1–3 of oracle/judge/points/README.md: linear but for sorting. `uses` are those of the mesh.
+// Conditions 1–3 of docs/theory/points.md: linear but for sorting. `uses` are those of the mesh.
 bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                             Verdict& verdict);
 

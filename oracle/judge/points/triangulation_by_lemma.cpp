@@ -1,4 +1,4 @@
-// Conditions 1–3 of oracle/judge/points/README.md, where it is proved that they suffice.
+// Conditions 1–3 of docs/theory/points.md, where it is proved that they suffice.
 #include <algorithm>
 #include <optional>
 
