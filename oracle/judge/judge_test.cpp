@@ -113,7 +113,7 @@ TEST_CASE("what the fast engine does not take, and why") {
         "simplices of a lower dimension");
   CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {}}) == "no simplices");
   CHECK(why_not_fast(Claim::kDelaunay, {PointSet({}), {}}) == "no simplices");
-  CHECK(why_not_fast(Claim::kDelaunay, {PointSet({{0}, {1}}), {{0, 1}}}) ==
+  CHECK(why_not_fast(Claim::kDelaunay, {PointSet(std::vector<Point>{{0}, {1}}), {{0, 1}}}) ==
         "a dimension other than 2 and 3");
   for (const Vertex wrong : {Vertex{-2}, Vertex{1} << 40}) {
     CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, wrong}, {1, 3, 2}}}) ==

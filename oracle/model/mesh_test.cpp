@@ -55,7 +55,8 @@ TEST_CASE("rows that lie elsewhere are not copied") {
   CHECK(mesh.points() == 4);
   CHECK(mesh.dimension() == 2);
   CHECK(mesh.point(3) == Point{1, 1});
-  CHECK(std::get<Rows<double>>(mesh.coordinates).values().data() == square.data());
+  const Numbers& numbers = mesh.coordinates;
+  CHECK(std::get<Rows<double>>(numbers).values().data() == square.data());
   const Mesh moved = std::move(mesh);
   CHECK(moved.points() == 4);
 }
