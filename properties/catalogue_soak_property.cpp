@@ -96,8 +96,8 @@ std::string named_rule(const Mutation& mutation, ArrayMesh mutant, bool known) {
   const Claim claim = claim_of(mutant);
   const MeshJudgement judged = judge(claim, mutant, 2);
   if (known) {
-    const ExactMesh merged = mesh_of(mutant, claim);
-    CHECK(fault_of(mutation, judged, check::judge_points(claim, merged), merged) == "");
+    const Mesh merged = mesh_of(mutant, claim);
+    CHECK(fault_of(mutation, judged, check::judge_points(claim, exact(merged)), merged) == "");
   } else {
     CHECK(fault_of(mutation, judged) == "");
   }

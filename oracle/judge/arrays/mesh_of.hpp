@@ -11,6 +11,7 @@ namespace circumspect::arrays {
 // to count; labels are the places in the array. Throws std::invalid_argument: coordinates that are no
 // multiple of the dimension or not finite; weights that are not as many as the points, or not finite.
 Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted = false);
+Mesh mesh_of(PointArray&& points, const SimplexArray& simplices, bool weighted = false) = delete;
 
 // The same in exact numbers. Of equal points the first one stands for all (where weights count, that with
 // the largest weight, below which the others are submerged), and simplices that name another of them name it.

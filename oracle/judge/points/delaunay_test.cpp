@@ -126,7 +126,7 @@ TEST_CASE("facts: canonical means every cell, not the last one looked at") {
   check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 4}, {2, 4, 5}}}, false, false);
 }
 
-// Against judge() on large meshes: flat/judge_flat_test.cpp.
+// Against judge_points() on large meshes: oracle/judge/judge_test.cpp.
 TEST_CASE("facets that somebody found not to be locally Delaunay are asked again, in their order") {
   // The kite twice, and what is between.
   const PointSet points({{-2, 0},
