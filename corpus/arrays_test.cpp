@@ -10,7 +10,7 @@ namespace circumspect::corpus {
 TEST_CASE("arrays are judged as files are, and by the fast judge wherever they hold") {
   std::size_t fast = 0, rejected = 0;
   for (const Row& row : expected_rows()) {
-    const Mesh mesh = mesh_of(row);
+    const ExactMesh mesh = mesh_of(row);
     const auto arrays = arrays::arrays_of(mesh);
     if (!arrays) continue;
     INFO(row.text);

@@ -10,7 +10,7 @@ namespace {
 // The acceptor of the tests computes with rationals, and slowly.
 constexpr std::size_t kManySimplices = 3000;
 
-bool has_certificate(const Mesh& mesh) {
+bool has_certificate(const ExactMesh& mesh) {
   const std::size_t dimension = mesh.points.ambient_dimension();
   return (dimension == 2 || dimension == 3) &&
          mesh.points.dimension() == static_cast<int>(dimension);
@@ -29,9 +29,9 @@ TEST_CASE("each verdict in the plane and in space has a certificate or a refutat
   std::set<std::string> refuted;
   for (const Row& row : expected_rows()) {
     INFO(row.text);
-    const Mesh mesh = mesh_of(row);
+    const ExactMesh mesh = mesh_of(row);
     if (!has_certificate(mesh) || mesh.simplices.size() > kManySimplices) continue;
-    const Verdict verdict = check::judge(row.claim, mesh, row.options);
+    const Verdict verdict = check::judge_points(row.claim, mesh, row.options);
     if (is_about_options(row.broken)) {
       CHECK(!certificate::document_of(mesh, verdict));
       continue;

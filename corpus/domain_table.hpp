@@ -79,17 +79,14 @@ inline Domain domain_of(const std::string& path, std::optional<DomainKind> kind 
   return {std::move(*complex), file->labels, file->first_index};
 }
 
-inline Mesh mesh_with_faces(const std::string& path) {
-  auto raw = formats::read_mesh({.mesh = path, .with_faces = true});
-  if (!raw) throw std::runtime_error(raw.error().to_string());
-  Mesh mesh{PointSet(std::move(raw->points.points)),
-            std::move(raw->simplices.simplices),
-            {},
-            raw->first_index};
-  std::erase_if(raw->faces,
-                [&](const Simplex& face) { return face.size() > mesh.points.ambient_dimension(); });
-  mesh.faces = std::move(raw->faces);
-  return mesh;
+inline Mesh read_mesh_with_faces(const std::string& path) {
+  auto file = formats::read_mesh({.mesh = path, .with_faces = true});
+  if (!file) throw std::runtime_error(file.error().to_string());
+  return std::move(file->mesh);
+}
+
+inline ExactMesh mesh_with_faces(const std::string& path) {
+  return exact(read_mesh_with_faces(path));
 }
 
 }  // namespace circumspect::corpus

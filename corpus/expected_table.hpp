@@ -59,26 +59,18 @@ inline std::vector<Row> expected_rows() {
 }
 
 // Throws if it cannot be read: the corpus holds no malformed mesh.
-inline Mesh mesh_of(const Row& row) {
+inline Mesh read_mesh_of(const Row& row) {
   formats::MeshRequest request;
   request.mesh = CIRCUMSPECT_CORPUS_DIR "/" + row.path;
   request.with_neighbors = row.with_neighbors;
-  auto raw = formats::read_mesh(request);
-  if (!raw) throw std::runtime_error(raw.error().to_string());
-  std::vector<Rational> weights;
-  if (row.claim == Claim::kWeightedDelaunay) {
-    for (const std::vector<Rational>& attributes : raw->points.attributes) {
-      weights.push_back(attributes.at(0));
-    }
-  }
-  Mesh mesh{PointSet(std::move(raw->points.points), std::move(weights)),
-            std::move(raw->simplices.simplices),
-            {},
-            raw->first_index};
-  if (!row.with_neighbors) return mesh;
-  mesh.neighbors = Neighbors{raw->neighbors.value().neighbors, raw->neighbors->first_index};
-  return mesh;
+  if (row.claim == Claim::kWeightedDelaunay) request.weights = formats::Weights::kDemanded;
+  auto file = formats::read_mesh(request);
+  if (!file) throw std::runtime_error(file.error().to_string());
+  if (row.with_neighbors && !file->mesh.neighbors) throw std::runtime_error("no .neigh file");
+  return std::move(file->mesh);
 }
+
+inline ExactMesh mesh_of(const Row& row) { return exact(read_mesh_of(row)); }
 
 inline std::set<std::string> broken_rules(const Verdict& verdict) {
   std::set<std::string> rules;

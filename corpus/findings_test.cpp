@@ -57,9 +57,10 @@ std::string rule_of_points(const FindingRow& row) {
   const auto points = generators::array({points_of(row).points.points, {}});
   auto raw = formats::read_mesh({.mesh = row.mesh, .points = row.input});
   if (!raw) return raw.error().to_string();
-  const auto& simplices = raw->simplices.simplices;
-  const Mesh mesh = arrays::mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
-  return first_rule(check::judge(Claim::kDelaunay, mesh, {.max_violations = 1}));
+  const std::vector<Simplex> simplices = raw->mesh.simplices.lists();
+  const ExactMesh mesh =
+      arrays::exact_mesh_of(points, SimplexArray(simplices.begin(), simplices.end()));
+  return first_rule(check::judge_points(Claim::kDelaunay, mesh, {.max_violations = 1}));
 }
 
 std::string rule_of_domain(const FindingRow& row) {

@@ -48,7 +48,7 @@ struct Answer {
 };
 
 // Requires: the points span the plane or space.
-Answer answer_of(const Mesh& mesh, const Verdict& verdict) {
+Answer answer_of(const ExactMesh& mesh, const Verdict& verdict) {
   const auto document = certificate::document_of(mesh, verdict);
   if (!document) return {"a document", document.error()};
   std::ostringstream text;
@@ -82,9 +82,9 @@ TEST_CASE("each verdict of the corpus in the plane and in space is verified") {
   for (const corpus::Row& row : corpus::expected_rows()) {
     if (is_about_options(row.broken)) continue;
     INFO(row.text);
-    const Mesh mesh = corpus::mesh_of(row);
+    const ExactMesh mesh = corpus::mesh_of(row);
     if (!spans_plane_or_space(mesh.points)) continue;
-    const Verdict verdict = check::judge(row.claim, mesh, row.options);
+    const Verdict verdict = check::judge_points(row.claim, mesh, row.options);
     CHECK(verdict.holds() == row.broken.empty());
     const Answer answer = answer_of(mesh, verdict);
     CHECK_MESSAGE(answer.is_right(), answer.expected << " found " << answer.found);
@@ -115,8 +115,8 @@ TEST_CASE("verdicts on a thousand random and degenerate meshes, whole and broken
         const Claim claim = points.is_weighted()          ? Claim::kWeightedDelaunay
                             : *rc::gen::arbitrary<bool>() ? Claim::kDelaunay
                                                           : Claim::kTriangulation;
-        const Mesh mesh{points, simplices};
-        const Verdict verdict = check::judge(claim, mesh);
+        const ExactMesh mesh{points, simplices};
+        const Verdict verdict = check::judge_points(claim, mesh);
         const Answer answer = answer_of(mesh, verdict);
         RC_ASSERT(answer.is_right());
         ++(verdict.holds() ? accepted : refuted);

@@ -61,7 +61,8 @@ Verdict constrained_verdict(ComplexCase whole) {
   for (const auto& s : whole.input.segments) segments.push_back({s[0], s[1]});
   const SimplexArray rows =
       cgal_constrained_2(generators::array({whole.input.points, {}}, 2), segments);
-  const Mesh mesh{PointSet(whole.input.points), std::vector<Simplex>(rows.begin(), rows.end())};
+  const ExactMesh mesh{PointSet(whole.input.points),
+                       std::vector<Simplex>(rows.begin(), rows.end())};
   return check::judge_domain(Claim::kCdt, mesh, {whole.complex()});
 }
 

@@ -26,7 +26,7 @@ struct Answers {
   std::size_t wrong_neighbors = 0;
 };
 
-void judge_and_compare(Claim claim, const Mesh& mesh, Answers& answers) {
+void judge_and_compare(Claim claim, const ExactMesh& mesh, Answers& answers) {
   const auto arrays = arrays::arrays_of(mesh);
   if (!arrays) return;
   const unsigned threads = *rc::gen::element(1U, 2U);
@@ -53,7 +53,7 @@ TEST_CASE("Delaunay triangulations hold, and the fast judge decides") {
     CHECK(holds("of sets of doubles", 400, [&] {
       const bool weighted = *rc::gen::arbitrary<bool>();
       const PointSet points = set_of_doubles(d, weighted);
-      const Mesh mesh{points, delaunay::bowyer_watson(points).simplices()};
+      const ExactMesh mesh{points, delaunay::bowyer_watson(points).simplices()};
       const Claim claim = points.is_weighted() ? Claim::kWeightedDelaunay : Claim::kDelaunay;
       judge_and_compare(claim, mesh, answers);
     }));
@@ -130,7 +130,7 @@ TEST_CASE("of listed neighbours, right and wrong at one end or at both, both jud
       if (*rc::gen::inRange(0, 3) == 0) {
         simplices = (*alteration(simplices, points.size())).simplices;
       }
-      Mesh mesh{points, simplices};
+      ExactMesh mesh{points, simplices};
       mesh.neighbors = neighbors_of(simplices);
       if (!simplices.empty() && *rc::gen::inRange(0, 3) > 0) break_links(*mesh.neighbors);
       judge_and_compare(Claim::kTriangulation, mesh, answers);

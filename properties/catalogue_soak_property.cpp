@@ -97,7 +97,7 @@ std::string named_rule(const Mutation& mutation, ArrayMesh mutant, bool known) {
   const MeshJudgement judged = judge(claim, mutant, 2);
   if (known) {
     const Mesh merged = mesh_of(mutant, claim);
-    CHECK(fault_of(mutation, judged, check::judge(claim, merged), merged) == "");
+    CHECK(fault_of(mutation, judged, check::judge_points(claim, exact(merged)), merged) == "");
   } else {
     CHECK(fault_of(mutation, judged) == "");
   }

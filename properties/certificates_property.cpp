@@ -25,8 +25,9 @@ PointSet spanning_set(std::size_t d, std::size_t max_points, bool weighted) {
 }
 
 // Is the verdict proved? Counts both kinds.
-void prove(Claim claim, const Mesh& mesh, check::By by, std::size_t& held, std::size_t& failed) {
-  const Verdict verdict = check::judge(claim, mesh, {.by = by, .max_violations = 5});
+void prove(Claim claim, const ExactMesh& mesh, check::By by, std::size_t& held,
+           std::size_t& failed) {
+  const Verdict verdict = check::judge_points(claim, mesh, {.by = by, .max_violations = 5});
   RC_ASSERT(certificate::fault_of(mesh, verdict) == "");
   ++(verdict.holds() ? held : failed);
 }
@@ -46,7 +47,7 @@ TEST_CASE("each verdict on a Delaunay triangulation, or an altered one, is prove
       const int kind = *rc::gen::inRange(0, 4);
       if (kind == 1) simplices = (*corruption(simplices, points.size())).simplices;
       if (kind > 1) simplices = (*alteration(simplices, points.size())).simplices;
-      const Mesh mesh{points, simplices};
+      const ExactMesh mesh{points, simplices};
       const Claim claim = *rc::gen::element(Claim::kTriangulation, Claim::kDelaunay);
       prove(claim, mesh, any_way(), held, failed);
     }));

@@ -64,8 +64,10 @@ std::optional<SimplexArray> vouched_by_tetgen(const PointArray& points, const Si
     return std::nullopt;
   }
   const auto written = formats::read_mesh({.mesh = "broken.1.ele"});
-  if (!written || written->points.points != generators::from(points).points) return std::nullopt;
-  const auto& simplices = written->simplices.simplices;
+  if (!written || written->mesh.exact_points() != generators::from(points).points) {
+    return std::nullopt;
+  }
+  const std::vector<Simplex> simplices = written->mesh.simplices.lists();
   return SimplexArray(simplices.begin(), simplices.end());
 }
 

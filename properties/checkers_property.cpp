@@ -22,12 +22,12 @@ PointSet breakable_set(std::size_t d, std::size_t max_points) {
   return PointSet(set.points);
 }
 
-bool holds_by(check::By by, Claim claim, const Mesh& mesh) {
-  return check::judge(claim, mesh, {.by = by}).holds();
+bool holds_by(check::By by, Claim claim, const ExactMesh& mesh) {
+  return check::judge_points(claim, mesh, {.by = by}).holds();
 }
 
 // The common answer of both ways.
-bool judged(Claim claim, const Mesh& mesh) {
+bool judged(Claim claim, const ExactMesh& mesh) {
   const bool by_lemma = holds_by(check::By::kLemma, claim, mesh);
   RC_ASSERT(by_lemma == holds_by(check::By::kDefinition, claim, mesh));
   return by_lemma;
@@ -40,7 +40,7 @@ TEST_CASE("a corrupted mesh is rejected by lemma and by definition") {
       const PointSet points = breakable_set(d, 10);
       const Triangulation good = delaunay::bowyer_watson(points);
       const Mutant mutant = *corruption(good.simplices(), points.size());
-      const Mesh mesh{points, mutant.simplices};
+      const ExactMesh mesh{points, mutant.simplices};
       RC_ASSERT_FALSE(judged(Claim::kTriangulation, mesh));
       RC_ASSERT_FALSE(judged(Claim::kDelaunay, mesh));
     }));
@@ -56,7 +56,7 @@ TEST_CASE("lemma and definition agree on altered meshes, valid or not") {
       const PointSet points = breakable_set(d, 10);
       const Triangulation good = delaunay::bowyer_watson(points);
       const Mutant mutant = *alteration(good.simplices(), points.size());
-      const Mesh mesh{points, mutant.simplices};
+      const ExactMesh mesh{points, mutant.simplices};
       triangulations += judged(Claim::kTriangulation, mesh) ? 1u : 0u;
       delaunay_ones += judged(Claim::kDelaunay, mesh) ? 1u : 0u;
     }));
@@ -73,7 +73,7 @@ TEST_CASE("lemma and definition report the same uniqueness and canonicity") {
     CHECK(holds("same facts", 300, [&] {
       const PointSet points = breakable_set(d, 10);
       const Mutant mutant = *alteration(delaunay::bowyer_watson(points).simplices(), points.size());
-      const Mesh mesh{points, mutant.simplices};
+      const ExactMesh mesh{points, mutant.simplices};
       const Verdict by_lemma = check::delaunay(mesh, {.by = check::By::kLemma});
       const Verdict by_definition = check::delaunay(mesh, {.by = check::By::kDefinition});
       RC_ASSERT(by_lemma.unique == by_definition.unique);

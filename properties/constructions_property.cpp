@@ -16,7 +16,7 @@ namespace {
 using generators::PointsCase;
 
 void assert_accepted(const PointSet& points, const Triangulation& triangulation) {
-  const Mesh mesh{points, triangulation.simplices()};
+  const ExactMesh mesh{points, triangulation.simplices()};
   for (const check::By by : {check::By::kLemma, check::By::kDefinition}) {
     const Verdict verdict = check::delaunay(mesh, {.by = by});
     RC_ASSERT(verdict.holds());

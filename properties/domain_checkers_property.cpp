@@ -12,7 +12,7 @@
 #include "inputs/scalars.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
-#include "oracle/judge/judge_domain_quickly.hpp"
+#include "oracle/judge/judge.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "properties/mutations/mutations.hpp"
@@ -36,17 +36,17 @@ constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulat
                              Claim::kSteinerCdt, Claim::kConformingDelaunay};
 
 // How often the fast judge knew something of a mesh that it was asked about.
-std::size_t known_volumes = 0;
+std::size_t known = 0;
 
 // The common answers of both ways.
-std::map<Claim, bool> judged(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
+std::map<Claim, bool> judged(const ExactMesh& mesh, const PiecewiseLinearComplex& complex) {
   const Domain domain{complex};
   std::map<Claim, bool> answers;
   for (const Claim claim : kClaims) {
     const Verdict verdict = check::judge_domain(claim, mesh, domain, {.by = check::By::kLemma});
-    const Verdict quick = check::judge_domain_quickly(claim, mesh, domain, {}, 1);
+    const Verdict quick = check::judge(claim, in_rows(mesh), &domain, {.threads = 1}).value();
     RC_ASSERT(check::text_of(quick, mesh) == check::text_of(verdict, mesh));
-    known_volumes += check::known_volume(claim, mesh, domain, {}, 1) ? 1U : 0U;
+    known += quick.course.fast ? 1U : 0U;
     const bool by_lemma = verdict.holds();
     const bool by_definition =
         check::judge_domain(claim, mesh, domain, {.by = check::By::kDefinition}).holds();
@@ -64,15 +64,15 @@ std::map<Claim, bool> judged(const Mesh& mesh, const PiecewiseLinearComplex& com
   return answers;
 }
 
-Mesh mesh_of(const PointSet& points, const PlcTriangulation& triangulation) {
-  Mesh mesh{points, triangulation.simplices};
+ExactMesh mesh_of(const PointSet& points, const PlcTriangulation& triangulation) {
+  ExactMesh mesh{points, triangulation.simplices};
   for (const Simplex& simplex : triangulation.dangling) {
     if (simplex.size() > 1) mesh.faces.push_back(simplex);
   }
   return mesh;
 }
 
-void print(const Mesh& mesh) {
+void print(const ExactMesh& mesh) {
   for (const auto* simplices : {&mesh.simplices, &mesh.faces}) {
     for (const Simplex& simplex : *simplices) {
       for (const Vertex v : simplex) RC_LOG() << v << " ";
@@ -102,12 +102,12 @@ TEST_CASE("C2 CDTs pass by lemma and by definition; all but some faces or simpli
     const PiecewiseLinearComplex complex = one.complex();
     const auto cdt = cdt_of(complex);
     if (!cdt) return;
-    Mesh mesh = mesh_of(complex.points, *cdt);
+    ExactMesh mesh = mesh_of(complex.points, *cdt);
     print(mesh);
     const auto answers = judged(mesh, complex);
     RC_ASSERT(answers.at(Claim::kCdt));
     if (!mesh.faces.empty()) {
-      Mesh without = mesh;
+      ExactMesh without = mesh;
       without.faces.erase(without.faces.begin() +
                           *generators::below(static_cast<long>(mesh.faces.size())));
       RC_ASSERT_FALSE(judged(without, complex).at(Claim::kSteinerTriangulation));
@@ -120,7 +120,7 @@ TEST_CASE("C2 CDTs pass by lemma and by definition; all but some faces or simpli
     ++broken;
   }));
   CHECK(occurs(broken));
-  CHECK(occurs(known_volumes, 100));
+  CHECK(occurs(known, 100));
 }
 
 TEST_CASE("C1 lemma and definition agree on altered CDTs") {
@@ -130,7 +130,7 @@ TEST_CASE("C1 lemma and definition agree on altered CDTs") {
     const PiecewiseLinearComplex complex = one.complex();
     const auto cdt = cdt_of(complex);
     if (!cdt || cdt->simplices.empty()) return;
-    Mesh mesh = mesh_of(complex.points, *cdt);
+    ExactMesh mesh = mesh_of(complex.points, *cdt);
     mesh.simplices = (*alteration(mesh.simplices, complex.points.size())).simplices;
     print(mesh);
     for (const auto& [claim, answer] : judged(mesh, complex)) hold[claim] += answer ? 1u : 0u;
@@ -167,7 +167,8 @@ TEST_CASE("C2 a polyhedron left empty, or a hole filled, is no triangulation of 
     std::erase_if(others,
                   [&](const Simplex& simplex) { return region_of(simplex) == region_of(any); });
     const auto faces = faces_in_cells(complex, regions, *cdt);
-    const Mesh mesh = mesh_of(complex.points, constrained::with_dangling(std::move(others), faces));
+    const ExactMesh mesh =
+        mesh_of(complex.points, constrained::with_dangling(std::move(others), faces));
     print(mesh);
     RC_ASSERT_FALSE(judged(mesh, complex).at(Claim::kSteinerTriangulation));
     ++left_empty;
@@ -212,7 +213,7 @@ TEST_CASE("C1 lemma and definition agree on dangling polygons however they are c
     RC_PRE(complex.kind == DomainKind::kEnclosed);
     const auto cdt = cdt_of(complex);
     if (!cdt) return;
-    Mesh mesh = mesh_of(complex.points, *cdt);
+    ExactMesh mesh = mesh_of(complex.points, *cdt);
     mesh.faces = recut(complex, mesh.faces);
     print(mesh);
     const auto answers = judged(mesh, complex);
@@ -234,7 +235,7 @@ TEST_CASE("C1 lemma and definition agree on any triangulation of a complex in sp
     const auto candidates = existence::respecting_tetrahedra(complex, regions);
     for (const auto& tetrahedra : plc_triangulations(complex, regions, candidates, 5)) {
       // What dangles is the same in each, but for the way a polygon is cut.
-      const Mesh mesh = mesh_of(complex.points, {tetrahedra, cdt->dangling});
+      const ExactMesh mesh = mesh_of(complex.points, {tetrahedra, cdt->dangling});
       print(mesh);
       const auto answers = judged(mesh, complex);
       RC_ASSERT(answers.at(Claim::kPlcTriangulation));
@@ -275,7 +276,7 @@ TEST_CASE("C1 lemma and definition agree on triangulations of a finer complex") 
     const auto cdt = cdt_of(complex);
     if (!cdt || complex.kind != DomainKind::kHull) return;
     const auto coarse = validated(coarser(fine.input));
-    const Mesh mesh = mesh_of(complex.points, *cdt);
+    const ExactMesh mesh = mesh_of(complex.points, *cdt);
     RC_ASSERT(coarse.has_value());
     steiner_points += complex.points.size() - coarse->points.size();
     print(mesh);

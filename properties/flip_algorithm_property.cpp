@@ -190,12 +190,13 @@ TEST_CASE("D7 from any triangulation the flip algorithm ends at the canonical on
 TEST_CASE("D7 the flip algorithm is stuck at once at the corpus's stuck triangulations") {
   for (const std::string name : {"stuck-3d", "stuck-weighted-2d"}) {
     CAPTURE(name);
-    const auto raw = formats::read_mesh({CIRCUMSPECT_CORPUS_DIR "/regressions/" + name + ".ele"});
-    REQUIRE(raw.has_value());
-    std::vector<Rational> weights;
-    for (const auto& attributes : raw->points.attributes) weights.push_back(attributes.front());
-    const PointSet points(raw->points.points, weights);
-    const Triangulation start(points.dimension(), raw->simplices.simplices);
+    formats::MeshRequest request{CIRCUMSPECT_CORPUS_DIR "/regressions/" + name + ".ele"};
+    if (name == "stuck-weighted-2d") request.weights = formats::Weights::kDemanded;
+    const auto file = formats::read_mesh(request);
+    REQUIRE(file.has_value());
+    const ExactMesh mesh = exact(file->mesh);
+    const PointSet& points = mesh.points;
+    const Triangulation start(points.dimension(), mesh.simplices);
     CHECK(points.is_weighted() == (points.dimension() == 2));
     CHECK(check::triangulation({points, start.simplices()}).holds());
     for (const FlipTest test : {FlipTest::kPerturbed, FlipTest::kUnperturbed}) {

@@ -50,7 +50,7 @@ bool is_triangulation_of_some(const PointSet& points, const Simplices& simplices
       return false;
     }
   }
-  Mesh mesh{PointSet(used), simplices};
+  ExactMesh mesh{PointSet(used), simplices};
   for (Simplex& simplex : mesh.simplices) {
     for (Vertex& v : simplex) v = new_index[static_cast<std::size_t>(v)];
   }
@@ -155,7 +155,8 @@ rc::Gen<TriangulationCase> random_triangulations(std::size_t d) {
 }
 
 void assert_triangulation(const PointSet& points, const StarIndex& triangulation) {
-  const Mesh mesh{points, {triangulation.simplices().begin(), triangulation.simplices().end()}};
+  const ExactMesh mesh{points,
+                       {triangulation.simplices().begin(), triangulation.simplices().end()}};
   RC_ASSERT(check::triangulation(mesh).holds());
   RC_ASSERT(check::triangulation(mesh, {.by = check::By::kDefinition}).holds());
 }

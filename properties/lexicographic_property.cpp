@@ -30,7 +30,7 @@ TEST_CASE("the lexicographic triangulation is a triangulation (Sections 2.1, 4.1
     CHECK(holds("lexicographic triangulation", d == 4 ? 30 : 120, [&] {
       const PointSet points = any_set(d, d == 4 ? 8 : 11);
       const Triangulation triangulation = delaunay::lexicographic(points);
-      const Mesh mesh{points, triangulation.simplices()};
+      const ExactMesh mesh{points, triangulation.simplices()};
       RC_ASSERT(check::triangulation(mesh, {.by = check::By::kLemma}).holds());
       RC_ASSERT(check::triangulation(mesh, {.by = check::By::kDefinition}).holds());
       not_delaunay += check::delaunay(mesh).holds() ? 0u : 1u;

@@ -20,7 +20,7 @@ PointSet weighted_set(std::size_t d, std::size_t max_points) {
 }
 
 // The common answer by lemma and by definition.
-Verdict judged(const Mesh& mesh) {
+Verdict judged(const ExactMesh& mesh) {
   const Verdict by_lemma = check::weighted_delaunay(mesh, {.by = check::By::kLemma});
   const Verdict by_definition = check::weighted_delaunay(mesh, {.by = check::By::kDefinition});
   RC_ASSERT(by_lemma.holds() == by_definition.holds());
@@ -35,7 +35,7 @@ TEST_CASE("D10 the weighted Delaunay triangulation is accepted, as the canonical
     std::size_t with_submerged_points = 0;
     CHECK(holds("accepted", 150, [&] {
       const PointSet points = weighted_set(d, 10);
-      const Mesh mesh{points, delaunay::bowyer_watson(points).simplices()};
+      const ExactMesh mesh{points, delaunay::bowyer_watson(points).simplices()};
       const Verdict verdict = judged(mesh);
       RC_ASSERT(verdict.holds());
       RC_ASSERT(verdict.canonical == true);

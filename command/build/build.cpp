@@ -53,13 +53,13 @@ std::string statistics_text(const delaunay::Statistics& statistics) {
 
 // The points of a weighted set that are no vertices: submerged, or on the lower hull without being
 // extreme.
-std::string not_vertices_text(const Mesh& mesh, const Triangulation& triangulation) {
+std::string not_vertices_text(const ExactMesh& mesh, const Triangulation& triangulation) {
   const std::vector<Vertex> unused = check::unused_points({mesh.points, triangulation.simplices()});
   return unused.empty() ? "" : "not vertices: " + report::labels(mesh, unused) + "\n";
 }
 
 // "unique canonical" and the like: what is known of the triangulation beside its size.
-std::string facts(const BuildOptions& options, const Mesh& mesh,
+std::string facts(const BuildOptions& options, const ExactMesh& mesh,
                   const Triangulation& triangulation) {
   if (options.what == "lexicographic") return "";
   const bool unique =
@@ -76,8 +76,8 @@ Triangulation construct_triangulation(const BuildOptions& options, const PointSe
 }
 
 // Writes the files asked for; false if one could not be written.
-bool write_files(const BuildOptions& options, const Mesh& mesh, const Triangulation& triangulation,
-                 Output& output) {
+bool write_files(const BuildOptions& options, const ExactMesh& mesh,
+                 const Triangulation& triangulation, Output& output) {
   const auto write_mesh = [&](std::ostream& stream) {
     if (formats::extension(options.output_file) == ".json") {
       formats::write_json(stream, json_file(mesh, triangulation));
@@ -103,7 +103,7 @@ void build_triangulation(const BuildOptions& options, Output& output) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
-  const Mesh& mesh = loaded->mesh;
+  const ExactMesh& mesh = loaded->mesh;
   delaunay::Statistics statistics;
   const Triangulation triangulation = construct_triangulation(options, mesh.points, statistics);
   if (!write_files(options, mesh, triangulation, output)) return;

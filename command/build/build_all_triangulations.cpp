@@ -41,7 +41,7 @@ std::vector<Listed> list_all(const PointSet& points, optimality::VertexUse use) 
   return all;
 }
 
-std::string text(const LoadedMesh& input, const std::vector<Listed>& all) {
+std::string text(const LoadedPoints& input, const std::vector<Listed>& all) {
   std::string out;
   std::size_t delaunay_ones = 0;
   std::size_t regular_ones = 0;
@@ -61,7 +61,7 @@ std::string text(const LoadedMesh& input, const std::vector<Listed>& all) {
                      report::counted(all.size(), "triangulation"), regular_ones, delaunay_ones);
 }
 
-report::Json json(const LoadedMesh& input, const std::vector<Listed>& all) {
+report::Json json(const LoadedPoints& input, const std::vector<Listed>& all) {
   report::Json triangulations = report::Json::array();
   for (const Listed& listed : all) {
     report::Json simplices = report::Json::array();

@@ -35,7 +35,7 @@ const std::map<std::string, SubdivisionConstruction>& subdivisions() {
   return table;
 }
 
-report::Json cell_labels(const Mesh& mesh, const Face& face) {
+report::Json cell_labels(const ExactMesh& mesh, const Face& face) {
   report::Json array = report::Json::array();
   for (const Vertex v : face) array.push_back(mesh.label(v));
   return array;
@@ -43,7 +43,7 @@ report::Json cell_labels(const Mesh& mesh, const Face& face) {
 
 // {"input", "dimension", "simplicial", "faces": {"0": […], …, "k": […]}}: every face by all the
 // points on it.
-report::Json json(const LoadedMesh& input, const PolyhedralComplex& complex) {
+report::Json json(const LoadedPoints& input, const PolyhedralComplex& complex) {
   report::Json faces = report::Json::object();
   for (int j = 0; j <= complex.dimension(); ++j) {
     report::Json of_dimension = report::Json::array();
@@ -56,7 +56,7 @@ report::Json json(const LoadedMesh& input, const PolyhedralComplex& complex) {
           {"faces", faces}};
 }
 
-std::string text(const LoadedMesh& input, const PolyhedralComplex& complex) {
+std::string text(const LoadedPoints& input, const PolyhedralComplex& complex) {
   std::string out;
   for (const Face& cell : complex.cells()) {
     out += fmt::format("cell {}\n", report::labels(input.mesh, cell));

@@ -17,7 +17,7 @@ std::size_t vertices_of_each(const Triangulation& triangulation) {
 }
 
 // Simplices are numbered as the points are, but never −1, which means none, nor beyond 64 bits.
-Vertex first_index_of_simplices(const Mesh& mesh, const Triangulation& triangulation) {
+Vertex first_index_of_simplices(const ExactMesh& mesh, const Triangulation& triangulation) {
   const std::size_t count = triangulation.simplices().size();
   return mesh.first_index >= 0 && has_room(mesh.first_index, count) ? mesh.first_index : 0;
 }
@@ -43,7 +43,7 @@ std::string output_name_fault(const std::string& path,
   return fmt::format("expected -o {}or - for standard output, found {}", names, path);
 }
 
-formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation) {
+formats::SimplexFile simplex_file(const ExactMesh& mesh, const Triangulation& triangulation) {
   formats::SimplexFile file;
   file.first_index = first_index_of_simplices(mesh, triangulation);
   file.vertices_per_simplex = vertices_of_each(triangulation);
@@ -55,7 +55,7 @@ formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangu
   return file;
 }
 
-formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& triangulation) {
+formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation) {
   std::vector<Simplex> simplices;
   for (const Simplex& simplex : triangulation.simplices()) {
     simplices.push_back(positively_oriented(mesh.points, simplex));
@@ -76,7 +76,7 @@ formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& trian
   return file;
 }
 
-formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation) {
+formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation) {
   formats::JsonFile file;
   file.points.dimension = std::max<std::size_t>(mesh.points.ambient_dimension(), 1);
   file.points.points = mesh.points.points();

@@ -8,7 +8,7 @@
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/simplex_file.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::cli {
@@ -23,14 +23,14 @@ std::string output_name_fault(const std::string& path,
 
 // Positively oriented, so that programs that care find det[p_0 − p_d; …] > 0; vertices by the
 // user's own indices.
-formats::SimplexFile simplex_file(const Mesh& mesh, const Triangulation& triangulation);
+formats::SimplexFile simplex_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
 // neighbors[s][i]: the simplex across the facet opposite vertex i of simplex s, in the order in
 // which simplex_file lists both; −1 on the hull.
-formats::NeighborFile neighbor_file(const Mesh& mesh, const Triangulation& triangulation);
+formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
 // The document lists the points itself, without those that were merged, so that vertices are counted
 // among these.
-formats::JsonFile json_file(const Mesh& mesh, const Triangulation& triangulation);
+formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
 }  // namespace circumspect::cli

@@ -6,7 +6,7 @@
 
 namespace circumspect::cli {
 
-bool write_certificate(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
+bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output) {
   const auto document = certificate::document_of(mesh, verdict);
   if (!document) {

@@ -4,14 +4,14 @@
 #include <string>
 
 #include "command/output/output.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::cli {
 
 // Writes the certificate or the refutation to `path`, "-" being stdout. If there is none, or it cannot
 // be written, says so on stderr and in the exit code. True if it was written.
-bool write_certificate(const std::string& path, const std::string& mesh_name, const Mesh& mesh,
+bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output);
 
 }  // namespace circumspect::cli

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
-#include "command/check/judge_file.hpp"
+#include "command/check/judge_loaded.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/threads_option.hpp"
@@ -34,20 +34,25 @@ struct CertifyOptions {
 };
 
 void certify(const CertifyOptions& options, Output& output) {
-  const JudgeFileOptions judging{{}, options.input, true, thread_count(options.threads)};
-  const auto judged = judge_file(options.mesh, options.claim(), judging);
-  if (!judged) {
-    output.error(ExitCode::kInputFault, "mesh", options.mesh, judged.error());
+  const unsigned threads = thread_count(options.threads);
+  auto loaded = load_mesh(options.mesh, options.input, threads);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, loaded.error());
     return;
   }
-  for (const std::string& note : judged->notes) output.note(note);
-  const Mesh& mesh = judged->mesh;
-  const Verdict& verdict = judged->verdict;
-  if (!write_certificate(options.certificate, options.mesh, mesh, verdict, output)) return;
-  output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
-  output.text(report::verdict_line(verdict, mesh, options.mesh) + "\n");
+  const auto verdict =
+      judge_loaded(options.claim(), *loaded, options.input.duplicates, {.threads = threads});
+  if (!verdict) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
+    return;
+  }
+  for (const std::string& note : loaded->notes) output.note(note);
+  const Mesh& mesh = loaded->mesh;
+  if (!write_certificate(options.certificate, options.mesh, exact(mesh), *verdict, output)) return;
+  output.exit_with(verdict->holds() ? ExitCode::kHolds : ExitCode::kFails);
+  output.text(report::verdict_line(*verdict, mesh, options.mesh) + "\n");
   if (output.wants_json()) {
-    report::Json result = report::verdict(verdict, mesh, options.mesh, check::By::kLemma);
+    report::Json result = report::verdict(*verdict, mesh, options.mesh, check::By::kLemma);
     result["certificate"] = options.certificate;
     output.json(std::move(result));
   }

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
-#include "command/check/judge_file.hpp"
+#include "command/check/judge_loaded.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
@@ -18,7 +18,6 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/judge/judge_domain_quickly.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -39,9 +38,9 @@ struct CheckOptions {
 };
 
 // The same points, in whatever order?
-bool has_same_points(const PointSet& a, const PointSet& b) {
-  if (a.size() != b.size()) return false;
-  std::vector<Point> of_a = a.points();
+bool has_same_points(const Mesh& a, const PointSet& b) {
+  if (a.points() != b.size()) return false;
+  std::vector<Point> of_a = a.exact_points();
   std::vector<Point> of_b = b.points();
   std::sort(of_a.begin(), of_a.end());
   std::sort(of_b.begin(), of_b.end());
@@ -52,7 +51,7 @@ bool has_same_points(const PointSet& a, const PointSet& b) {
 // the domain.
 Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
   if (options.claim) return *options.claim;
-  const bool same = has_same_points(mesh.points, domain.domain.complex.points);
+  const bool same = has_same_points(mesh, domain.domain.complex.points);
   return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
 
@@ -65,7 +64,7 @@ std::string domain_line(const LoadedDomain& domain) {
   return fmt::format("domain: {} {}, {}\n", on_one_line(domain.name), word(complex.kind), filled);
 }
 
-// Says what a mesh was found to be. `mesh` is what the witnesses of the verdict name.
+// Says what a mesh was found to be.
 void report_verdict(const std::string& path, const Verdict& verdict, const Mesh& mesh,
                     const std::vector<std::string>& notes, const CheckOptions& options,
                     const LoadedDomain* domain, Output& output) {
@@ -90,41 +89,52 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
 }
 
 void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
-  const JudgeFileOptions judging{options.check, options.input, options.certificate.has_value(),
-                                 thread_count(options.threads)};
-  const auto judged = judge_file(path, options.claim.value_or(Claim::kDelaunay), judging);
-  if (!judged) {
-    output.error(ExitCode::kInputFault, "mesh", path, judged.error());
+  auto loaded = load_mesh(path, options.input, options.check.threads);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  for (const std::string& note : judged->notes) output.note(note);
-  report_verdict(path, judged->verdict, judged->mesh, judged->notes, options, nullptr, output);
+  const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
+                                    options.input.duplicates, options.check);
+  if (!verdict) {
+    output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
+    return;
+  }
+  for (const std::string& note : loaded->notes) output.note(note);
+  report_verdict(path, *verdict, loaded->mesh, loaded->notes, options, nullptr, output);
   if (options.certificate) {
-    write_certificate(*options.certificate, path, judged->mesh, judged->verdict, output);
+    write_certificate(*options.certificate, path, exact(loaded->mesh), *verdict, output);
   }
 }
 
 void check_with_domain(const std::string& path, const CheckOptions& options,
                        const LoadedDomain& domain, Output& output) {
   const std::size_t dimension = domain.domain.complex.ambient_dimension();
-  const auto loaded = load_mesh(path, options.input, dimension);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
+  auto loaded = load_mesh(path, options.input, options.check.threads, dimension);
+  // The claim may depend on which points there are.
+  const std::string fault =
+      loaded ? settle_equal_points(*loaded, options.input.duplicates) : loaded.error();
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", path, fault);
     return;
   }
   for (const std::string& note : loaded->notes) output.note(note);
   const Mesh& mesh = loaded->mesh;
-  if (!mesh.points.empty() && mesh.points.ambient_dimension() != dimension) {
+  if (mesh.points() > 0 && mesh.dimension() != dimension) {
     output.error(
         ExitCode::kInputFault, "mesh", path,
         fmt::format("{}: expected points of dimension {}, as those of {}, found dimension {}", path,
-                    dimension, domain.name, mesh.points.ambient_dimension()));
+                    dimension, domain.name, mesh.dimension()));
     return;
   }
   const Claim claim = claim_of(options, mesh, domain);
-  const Verdict verdict = check::judge_domain_quickly(claim, mesh, domain.domain, options.check,
-                                                      thread_count(options.threads));
-  report_verdict(path, verdict, mesh, loaded->notes, options, &domain, output);
+  const auto verdict =
+      judge_loaded(claim, *loaded, options.input.duplicates, options.check, &domain.domain);
+  if (!verdict) {
+    output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
+    return;
+  }
+  report_verdict(path, *verdict, mesh, loaded->notes, options, &domain, output);
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
@@ -176,6 +186,7 @@ ExitCode run(CheckOptions& options) {
   Output output(options.output);
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
+  options.check.threads = thread_count(options.threads);
   if (options.domain) {
     check_against_domain(options, output);
   } else {

@@ -93,6 +93,12 @@ TEST_CASE("compare and certify take no mesh of nothing for one either") {
   CHECK(run({"compare", empty, triangle}).exit_code == 3);
   CHECK(run({"compare", "--allow-empty", empty, other}).exit_code == 0);
   CHECK(run({"compare", "--allow-empty", triangle, empty}).exit_code == 1);
+  // Nor files of the plain form, which have a reader of their own.
+  folder.write("n.node", "0 2\n");
+  const std::string plain = folder.write("n.ele", "0 3\n");
+  CHECK(run({"compare", plain, plain}).exit_code == 3);
+  CHECK(run({"compare", plain, triangle}).exit_code == 3);
+  CHECK(run({"compare", "--allow-empty", plain, empty}).exit_code == 0);
   const Run certificate = run({"certify", empty, "-o", folder.path("c")});
   CHECK(certificate.exit_code == 3);
   CHECK(is_error_line(certificate.err));

@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,9 +13,7 @@
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/formats/flat_mesh.hpp"
-#include "oracle/judge/flat_difference.hpp"
-#include "oracle/judge/points/difference.hpp"
+#include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number_text.hpp"
@@ -31,42 +28,6 @@ struct CompareOptions {
   InputOptions input;
   OutputOptions output;
 };
-
-// A mesh as it was read: in arrays, or exactly.
-struct MeshRead {
-  const std::string& name;
-  std::optional<formats::FlatMesh> flat = {};
-  std::optional<LoadedMesh> exact = {};
-
-  std::size_t simplex_count() const {
-    if (exact) return exact->mesh.simplices.size();
-    return std::visit([](const auto& rows) { return rows.rows(); }, flat->simplices);
-  }
-  bool has_weights(bool asked_for) const {
-    return exact ? exact->mesh.points.is_weighted() : asked_for;
-  }
-};
-
-using MeshOrFault = tl::expected<MeshRead, std::string>;
-
-MeshOrFault exact_mesh(const std::string& name, formats::RawMesh raw, const InputOptions& options) {
-  auto loaded = mesh_of(name, std::move(raw), options);
-  if (!loaded) return tl::unexpected(std::move(loaded.error()));
-  return MeshRead{name, {}, std::move(*loaded)};
-}
-
-MeshOrFault read(const std::string& name, const InputOptions& options) {
-  formats::MeshRequest request{name, options.points, options.coordinates, false, options.faces};
-  formats::load_streams(request);
-  auto flat = formats::read_flat_mesh(request, {thread_count(0)});
-  const bool lacks_weights =
-      flat && options.weighted && flat->points.weights.rows() != flat->points.coordinates.rows();
-  if (lacks_weights) return exact_mesh(name, formats::raw_mesh(*flat), options);  // says so
-  if (flat) return MeshRead{name, std::move(flat)};
-  auto raw = formats::read_mesh(request);
-  if (!raw) return tl::unexpected(raw.error().to_string());
-  return exact_mesh(name, std::move(*raw), options);
-}
 
 // A point or a simplex that the other mesh lacks, by the user's own indices.
 struct NamedPoint {
@@ -102,81 +63,27 @@ std::size_t shown(std::size_t count, std::size_t most) {
   return most == 0 ? count : std::min(count, most);
 }
 
-// `point(v)` and `label(v)` say what vertex v is.
-template <class ToPoint, class ToLabel>
-Side side(const std::string& name, const std::vector<Vertex>& points,
-          const std::vector<Simplex>& simplices, std::size_t most, const ToPoint& point,
-          const ToLabel& label) {
-  Side side{name, points.size(), simplices.size()};
+Side side(const LoadedMesh& input, const std::vector<Vertex>& points,
+          const std::vector<Simplex>& simplices, std::size_t most) {
+  const Mesh& mesh = input.mesh;
+  Side side{input.name, points.size(), simplices.size()};
   for (std::size_t i = 0; i < shown(points.size(), most); ++i) {
-    side.points.push_back(point(points[i]));
+    const Vertex v = points[i];
+    NamedPoint& named = side.points.emplace_back(NamedPoint{mesh.label(v), mesh.point(v), {}});
+    if (mesh.is_weighted()) named.weight = mesh.weight(v);
   }
   for (std::size_t i = 0; i < shown(simplices.size(), most); ++i) {
     Simplex& labels = side.simplices.emplace_back(simplices[i]);
-    for (Vertex& v : labels) v = label(v);
+    for (Vertex& v : labels) v = mesh.label(v);
   }
   return side;
 }
 
-Side side(const std::string& name, const Mesh& mesh, const std::vector<Vertex>& points,
-          const std::vector<Simplex>& simplices, std::size_t most) {
-  const auto label = [&mesh](Vertex v) { return mesh.label(v); };
-  const auto point = [&mesh](Vertex v) {
-    NamedPoint named{mesh.label(v), mesh.points[v], {}};
-    if (mesh.points.is_weighted()) named.weight = mesh.points.weight(v);
-    return named;
-  };
-  return side(name, points, simplices, most, point, label);
-}
-
-Side side(const std::string& name, const check::FlatComplex& complex,
-          const std::vector<Vertex>& points, const std::vector<Simplex>& simplices,
-          std::size_t most) {
-  const formats::FlatPoints& flat = complex.points;
-  const auto label = [&flat](Vertex v) { return v + flat.first_index; };
-  const auto point = [&](Vertex v) {
-    const auto i = static_cast<std::size_t>(v);
-    NamedPoint named{label(v), {}, {}};
-    for (const double x : flat.coordinates.row(i)) named.coordinates.push_back(exact_value(x));
-    if (flat.weights.rows() > 0) named.weight = exact_value(flat.weights.row(i)[0]);
-    return named;
-  };
-  return side(name, points, simplices, most, point, label);
-}
-
-// Both meshes in doubles; none if that cannot be.
-std::optional<Comparison> compared_as_doubles(const MeshRead& a, const MeshRead& b,
-                                              const CompareOptions& options) {
-  const auto complex = [&options](const MeshRead& input) -> std::optional<check::FlatComplex> {
-    if (!input.flat) return check::flat_complex(input.exact->mesh);
-    return check::flat_complex(*input.flat, options.input.weighted);
-  };
-  const auto of_a = complex(a);
-  if (!of_a) return std::nullopt;
-  const auto of_b = complex(b);
-  if (!of_b) return std::nullopt;
-  const auto found = check::difference(*of_a, *of_b);
-  if (!found) return std::nullopt;
-  const auto only_in = [&options](const MeshRead& input, const check::FlatComplex& own,
-                                  const std::vector<Vertex>& points,
-                                  const std::vector<Simplex>& simplices) {
-    if (input.exact) return side(input.name, input.exact->mesh, points, simplices, options.most);
-    return side(input.name, own, points, simplices, options.most);
-  };
-  return Comparison{of_a->points.coordinates.rows(), a.simplex_count(),
-                    a.has_weights(options.input.weighted) || b.has_weights(options.input.weighted),
-                    only_in(a, *of_a, found->points_only_in_a, found->simplices_only_in_a),
-                    only_in(b, *of_b, found->points_only_in_b, found->simplices_only_in_b)};
-}
-
-// Requires: both are exact.
-Comparison compared(const MeshRead& input_a, const MeshRead& input_b, std::size_t most) {
-  const Mesh& a = input_a.exact->mesh;
-  const Mesh& b = input_b.exact->mesh;
-  const check::Difference found = check::difference(a, b);
-  return {a.points.size(), a.simplices.size(), a.points.is_weighted() || b.points.is_weighted(),
-          side(input_a.name, a, found.points_only_in_a, found.simplices_only_in_a, most),
-          side(input_b.name, b, found.points_only_in_b, found.simplices_only_in_b, most)};
+Comparison compared(const LoadedMesh& a, const LoadedMesh& b, const check::Difference& found,
+                    std::size_t most) {
+  return {a.mesh.points(), a.mesh.simplices.size(), a.mesh.is_weighted() || b.mesh.is_weighted(),
+          side(a, found.points_only_in_a, found.simplices_only_in_a, most),
+          side(b, found.points_only_in_b, found.simplices_only_in_b, most)};
 }
 
 std::string coordinates_text(const NamedPoint& point) {
@@ -256,22 +163,20 @@ void report_comparison(const CompareOptions& options, const Comparison& comparis
 }
 
 // What ought to be known where only one of the meshes has weights; else nothing.
-std::vector<std::string> notes_of(const MeshRead& a, const MeshRead& b, bool weighted) {
-  if (a.has_weights(weighted) == b.has_weights(weighted)) return {};
-  const bool first = a.has_weights(weighted);
+std::vector<std::string> notes_of(const LoadedMesh& a, const LoadedMesh& b) {
+  if (a.mesh.is_weighted() == b.mesh.is_weighted()) return {};
+  const bool first = a.mesh.is_weighted();
   return {fmt::format(
       "{} has weights and {} has none; --weighted takes the first attributes of a .node file for "
       "weights",
       (first ? a : b).name, (first ? b : a).name)};
 }
 
-// False, and said, if the mesh has a fault that reading it into arrays does not find.
-bool make_exact(MeshRead& input, const CompareOptions& options, Output& output) {
-  if (input.exact) return true;
-  MeshOrFault exact = exact_mesh(input.name, formats::raw_mesh(*input.flat), options.input);
-  if (!exact) output.error(ExitCode::kInputFault, "mesh", input.name, exact.error());
-  if (exact) input.exact = std::move(exact->exact);
-  return exact.has_value();
+// False, and said, if there are equal points and they are refused.
+bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
+  const std::string fault = settle_equal_points(input, options.input.duplicates);
+  if (!fault.empty()) output.error(ExitCode::kInputFault, "mesh", input.name, fault);
+  return fault.empty();
 }
 
 void compare(const CompareOptions& options, Output& output) {
@@ -279,19 +184,19 @@ void compare(const CompareOptions& options, Output& output) {
     output.error(ExitCode::kUsage, "mesh", "-", "expected one mesh on standard input, found two");
     return;
   }
-  auto a = read(options.a, options.input);
+  auto a = load_mesh(options.a, options.input);
   if (!a) output.error(ExitCode::kInputFault, "mesh", options.a, a.error());
-  auto b = read(options.b, options.input);
+  auto b = load_mesh(options.b, options.input);
   if (!b) output.error(ExitCode::kInputFault, "mesh", options.b, b.error());
   if (!a || !b) return;
-  std::optional<Comparison> comparison = compared_as_doubles(*a, *b, options);
-  if (!comparison) {
-    // Numbers that are no doubles, or equal points, which are refused or merged.
-    const bool are_exact = make_exact(*a, options, output) && make_exact(*b, options, output);
-    if (!are_exact) return;
-    comparison.emplace(compared(*a, *b, options.most));
+  std::optional<check::Difference> found = check::difference(a->mesh, b->mesh);
+  if (!found) {
+    const bool are_settled = settle(*a, options, output) && settle(*b, options, output);
+    if (!are_settled) return;
+    found = check::difference(a->mesh, b->mesh);
   }
-  report_comparison(options, *comparison, notes_of(*a, *b, options.input.weighted), output);
+  report_comparison(options, compared(*a, *b, found.value(), options.most), notes_of(*a, *b),
+                    output);
 }
 
 }  // namespace

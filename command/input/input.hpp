@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
 namespace CLI {
@@ -35,30 +35,37 @@ void add_coordinates_option(CLI::App& command, InputOptions& options);
 void add_duplicates_option(CLI::App& command, InputOptions& options);
 void add_allow_empty_option(CLI::App& command, InputOptions& options);
 
-// A mesh that can be judged, or one line that says what is wrong with the input.
+// A mesh as it was read, or one line that says what is wrong with the input.
 struct LoadedMesh {
   std::string name;
   Mesh mesh;
+  std::string points_name = {};         // of the file with its points
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there
 };
+// Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
+// weights asked for and not there; neighbours asked for and not there. Equal points are left to
+// judges and to settle_equal_points.
 // `domain_dimension`: of the domain that the mesh is held against, if it is. Then what
-// formats/fit_to_domain.hpp says is done.
+// formats/fit_to_domain.hpp says is done. `threads`: 0: as many as the machine has.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
-                                                const InputOptions& options,
+                                                const InputOptions& options, unsigned threads = 0,
                                                 std::optional<std::size_t> domain_dimension = {});
 
-// The same for a mesh that has been read.
-tl::expected<LoadedMesh, std::string> mesh_of(const std::string& path, formats::RawMesh raw,
-                                              const InputOptions& options);
+// What is wrong with points that are equal, where they are not to be merged.
+std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated);
 
-// Errors besides those of the formats: duplicates, unless they are merged (oracle/model/merged_points.hpp says
-// how); a mesh without points and simplices, unless that is allowed; weights asked for and not there;
-// neighbours asked for and not there.
+// Merges equal points (oracle/model/equal_points.hpp says how), or returns what is wrong with them if
+// they are refused; empty if all is well.
+std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 
-// The points alone, as a mesh without simplices. If `merged` is given, it receives the duplicates
-// that were merged, by places in the file counted from 0.
-tl::expected<LoadedMesh, std::string> load_points(const std::string& path,
-                                                  const InputOptions& options,
-                                                  std::vector<Duplicate>* merged = nullptr);
+// Points alone, as a mesh without simplices. Errors: as above, and equal points that are refused. If
+// `merged` is given, it receives the duplicates that were merged, by places in the file counted from 0.
+struct LoadedPoints {
+  std::string name;
+  ExactMesh mesh;
+};
+tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
+                                                    const InputOptions& options,
+                                                    std::vector<Duplicate>* merged = nullptr);
 
 }  // namespace circumspect::cli

@@ -89,7 +89,7 @@ std::string_view answer_word(Genericity::Answer answer) {
 }
 
 struct Facts {
-  const LoadedMesh& input;
+  const LoadedPoints& input;
   std::size_t points_read;
   std::vector<Duplicate> duplicates;
   Genericity genericity;
@@ -110,7 +110,7 @@ std::string counts_text(const std::vector<SimplexCount>& counts) {
 }
 
 std::string text(const Facts& facts) {
-  const Mesh& mesh = facts.input.mesh;
+  const ExactMesh& mesh = facts.input.mesh;
   std::string out;
   for (const Duplicate& duplicate : facts.duplicates) {
     out += fmt::format("duplicate: points {} and {} are equal\n", duplicate.kept + mesh.first_index,
@@ -139,7 +139,7 @@ std::string text(const Facts& facts) {
 }
 
 report::Json json(const Facts& facts) {
-  const Mesh& mesh = facts.input.mesh;
+  const ExactMesh& mesh = facts.input.mesh;
   report::Json repeated = report::Json::array();
   for (const Duplicate& duplicate : facts.duplicates) {
     repeated.push_back({duplicate.kept + mesh.first_index, duplicate.again + mesh.first_index});

@@ -20,7 +20,7 @@ struct AskedSimplex {
 };
 
 // The point that the user calls so, or an equal one that is left of it; −1 if there is none.
-Vertex vertex_of(const Mesh& mesh, const std::vector<Duplicate>& repeated, Vertex own) {
+Vertex vertex_of(const ExactMesh& mesh, const std::vector<Duplicate>& repeated, Vertex own) {
   for (const Duplicate& duplicate : repeated) {
     if (index_of_place(duplicate.again, mesh.first_index) != own) continue;
     own = index_of_place(duplicate.kept, mesh.first_index);
@@ -32,7 +32,7 @@ Vertex vertex_of(const Mesh& mesh, const std::vector<Duplicate>& repeated, Verte
   return -1;
 }
 
-tl::expected<AskedSimplex, std::string> read_simplex(const Mesh& mesh,
+tl::expected<AskedSimplex, std::string> read_simplex(const ExactMesh& mesh,
                                                      const std::vector<Duplicate>& repeated,
                                                      std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
@@ -83,7 +83,7 @@ std::string ball_text(const Ball& ball) {
                      to_decimal(ball.squared_radius));
 }
 
-std::string obstruction_text(const Mesh& mesh, const delaunay::SimplexDelaunayhood& answer) {
+std::string obstruction_text(const ExactMesh& mesh, const delaunay::SimplexDelaunayhood& answer) {
   const bool open = answer.delaunayhood == delaunay::Delaunayhood::kNotDelaunay;
   return fmt::format(", every {} circumball contains one of {}", open ? "open" : "closed",
                      report::labels(mesh, answer.obstruction->points));
@@ -91,7 +91,7 @@ std::string obstruction_text(const Mesh& mesh, const delaunay::SimplexDelaunayho
 
 }  // namespace
 
-tl::expected<SimplexAnswer, std::string> inspect_simplex(const Mesh& mesh,
+tl::expected<SimplexAnswer, std::string> inspect_simplex(const ExactMesh& mesh,
                                                          const std::vector<Duplicate>& repeated,
                                                          const std::string& vertices) {
   const auto asked = read_simplex(mesh, repeated, vertices);

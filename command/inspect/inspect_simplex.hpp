@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/report/json.hpp"
 
 namespace circumspect::cli {
@@ -20,7 +20,7 @@ struct SimplexAnswer {
 // ball that shows it or the points that forbid it; or one line that says what is wrong with the
 // question: an index that names no point, a vertex twice, vertices that are affinely dependent.
 // `repeated`: the points that were merged into equal ones, by places in the file; they name these.
-tl::expected<SimplexAnswer, std::string> inspect_simplex(const Mesh& mesh,
+tl::expected<SimplexAnswer, std::string> inspect_simplex(const ExactMesh& mesh,
                                                          const std::vector<Duplicate>& repeated,
                                                          const std::string& vertices);
 

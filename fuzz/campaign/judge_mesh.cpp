@@ -4,9 +4,10 @@
 #include <map>
 
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/judge/domain/judge_domain.hpp"
-#include "oracle/model/merged_points.hpp"
+#include "oracle/judge/judge.hpp"
+#include "oracle/model/equal_points.hpp"
 #include "oracle/report/text.hpp"
+#include "reference/kernel/exact/affine_hull.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -15,13 +16,6 @@ namespace {
 
 // How many witnesses a finding carries.
 constexpr std::size_t kWitnesses = 3;
-
-// The mesh of these points, equal ones as one; simplices counted from 0.
-Mesh mesh_of(const PointsCase& set, Vertex first_index, std::vector<Simplex> simplices,
-             bool weighted) {
-  return mesh_of_merged(set.points, weighted ? set.weights : std::vector<Rational>(),
-                        duplicates(set.points), first_index, std::move(simplices));
-}
 
 Outcome unreadable(const std::string& message) {
   return {OutcomeKind::kUnreadable, word(OutcomeKind::kUnreadable), message, message + "\n"};
@@ -54,17 +48,27 @@ bool lists_points(const std::string& path) {
   return extension != ".ele" && extension != ".qhull-i";
 }
 
-check::Options options() { return {check::By::kLemma, false, kWitnesses}; }
+check::Options options() { return {.max_violations = kWitnesses, .threads = 1}; }
 
-// The weights that the input gives to the points of the mesh, which are in another order.
-PointsCase with_weights_of(const PointsCase& set, std::vector<Point> points) {
-  PointsCase own{std::move(points), {}};
-  if (set.weights.empty()) return own;
-  const PointSet given = mesh_of(set, 0, {}, true).points;
+// A mesh without simplices, of points of the input.
+Mesh mesh_of_points(const PointsCase& set, std::size_t dimension) {
+  Mesh mesh;
+  mesh.coordinates = numbers_of(set.points, dimension);
+  if (!set.weights.empty()) mesh.weights = numbers_of(set.weights);
+  return mesh;
+}
+
+// The weights that the input gives to these points, which are in another order. Of equal points each has
+// that of the one that counts.
+std::vector<Rational> weights_of(const std::vector<Point>& points, const PointsCase& set,
+                                 std::size_t dimension) {
+  Mesh given = mesh_of_points(set, dimension);
+  merge_equal_points(given);
   std::map<Point, Rational> weight_of;
-  for (Vertex v = 0; given.names(v); ++v) weight_of[given[v]] = given.weight(v);
-  for (const Point& point : own.points) own.weights.push_back(weight_of[point]);
-  return own;
+  for (Vertex v = 0; given.names(v); ++v) weight_of[given.point(v)] = given.weight(v);
+  std::vector<Rational> weights;
+  for (const Point& point : points) weights.push_back(weight_of[point]);
+  return weights;
 }
 
 Outcome judged_points(const Subject& subject, const PointsCase& set, const std::string& path) {
@@ -72,62 +76,52 @@ Outcome judged_points(const Subject& subject, const PointsCase& set, const std::
   request.mesh = path;
   const bool own = lists_points(path);
   if (!own) {
-    // What is asked of the points is how many coordinates they have, and from where they are counted.
     request.own_points.emplace();
     request.own_points->dimension =
         set.points.empty() ? subject.dimension : set.points.front().size();
+    request.own_points->points = set.points;
     request.own_points->first_index = subject.first_index;
   }
-  auto raw = formats::read_mesh(request);
-  if (!raw) return unreadable(raw.error().to_string());
-  const bool weighted = subject.claim == Claim::kWeightedDelaunay;
-  PointsCase points = set;
+  auto file = formats::read_mesh(request, 1);
+  if (!file) return unreadable(file.error().to_string());
+  Mesh& mesh = file->mesh;
+  const bool weighted = subject.claim == Claim::kWeightedDelaunay && !set.weights.empty();
   if (own) {
-    if (sorted_set(raw->points.points) != sorted_set(set.points)) {
+    const std::vector<Point> points = mesh.exact_points();
+    if (sorted_set(points) != sorted_set(set.points)) {
       return other_points(subject.mesh_name + ": expected the " +
                           std::to_string(set.points.size()) + " points of the input, found " +
-                          std::to_string(raw->points.points.size()) + ", not the same ones");
+                          std::to_string(points.size()) + ", not the same ones");
     }
-    points = with_weights_of(set, std::move(raw->points.points));
+    if (weighted) mesh.weights = numbers_of(weights_of(points, set, mesh.dimension()));
+  } else if (weighted) {
+    mesh.weights = numbers_of(set.weights);
   }
-  const Mesh mesh =
-      mesh_of(points, raw->first_index, std::move(raw->simplices.simplices), weighted);
-  return outcome_of(check::judge(subject.claim, mesh, options()), mesh, subject, nullptr);
-}
-
-// Triangles and edges listed beside the simplices of full dimension.
-std::vector<Simplex> proper_faces(std::vector<Simplex> faces, std::size_t dimension) {
-  std::erase_if(faces, [dimension](const Simplex& face) { return face.size() > dimension; });
-  return faces;
+  const Verdict verdict = check::judge_merged(subject.claim, mesh, nullptr, options());
+  return outcome_of(verdict, mesh, subject, nullptr);
 }
 
 Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const std::string& path) {
   formats::MeshRequest request;
   request.mesh = path;
   request.with_faces = true;
-  auto raw = formats::read_mesh(request);
-  if (!raw) return unreadable(raw.error().to_string());
+  const auto file = formats::read_mesh(request, 1);
+  if (!file) return unreadable(file.error().to_string());
+  const Mesh& mesh = file->mesh;
   Domain domain{whole.complex(), {}, subject.first_index, {}};
   domain.complex.kind = subject.domain_kind;
   const std::size_t dimension = domain.complex.ambient_dimension();
-  if (!raw->points.points.empty() && raw->points.dimension != dimension) {
+  if (mesh.points() > 0 && mesh.dimension() != dimension) {
     return unreadable(subject.mesh_name + ": expected points of dimension " +
                       std::to_string(dimension) + ", found dimension " +
-                      std::to_string(raw->points.dimension));
+                      std::to_string(mesh.dimension()));
   }
-  if (const auto repeated = duplicates(raw->points.points); !repeated.empty()) {
-    return other_points(subject.mesh_name + ": expected distinct vertices, found vertices " +
-                        std::to_string(repeated.front().kept + raw->first_index) + " and " +
-                        std::to_string(repeated.front().again + raw->first_index) + " equal");
-  }
-  const Mesh mesh{PointSet(std::move(raw->points.points)),
-                  std::move(raw->simplices.simplices),
-                  {},
-                  raw->first_index,
-                  {},
-                  proper_faces(std::move(raw->faces), dimension)};
-  return outcome_of(check::judge_domain(subject.claim, mesh, domain, options()), mesh, subject,
-                    &domain);
+  const auto verdict = check::judge(subject.claim, mesh, &domain, options());
+  if (verdict) return outcome_of(*verdict, mesh, subject, &domain);
+  const Duplicate& first = verdict.error().repeated.front();
+  return other_points(subject.mesh_name + ": expected distinct vertices, found vertices " +
+                      std::to_string(first.kept + mesh.first_index) + " and " +
+                      std::to_string(first.again + mesh.first_index) + " equal");
 }
 
 std::string reason_to_skip_points(const Subject& subject, const PointsCase& set) {
@@ -163,7 +157,7 @@ Outcome judged(const Subject& subject, const Input& input, const std::string& pa
 bool is_flat(const Subject& subject, const Input& input) {
   const auto* const set = std::get_if<PointsCase>(&input);
   if (set == nullptr) return false;
-  return mesh_of(*set, 0, {}, false).points.dimension() < static_cast<int>(subject.dimension);
+  return affine_hull(set->points).dimension < static_cast<int>(subject.dimension);
 }
 
 std::string reason_to_skip(const Subject& subject, const Input& input) {

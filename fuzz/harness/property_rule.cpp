@@ -9,7 +9,7 @@
 #include "fuzz/harness/cases.hpp"
 #include "inputs/arrays.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
-#include "oracle/judge/points/check.hpp"
+#include "oracle/judge/judge.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::harness {
@@ -100,8 +100,9 @@ bool is_the_only_answer(const PropertyOptions& options, const PointArray& points
                         const Answer& given) {
   if (!given.failure.empty() || options.claim == "triangulation") return false;
   const bool weighted = options.claim == "weighted-delaunay";
-  const Mesh mesh = arrays::mesh_of(points, given.simplices, weighted);
-  const Verdict verdict = weighted ? check::weighted_delaunay(mesh) : check::delaunay(mesh);
+  Mesh mesh = arrays::mesh_of(points, given.simplices, weighted);
+  const Claim claim = weighted ? Claim::kWeightedDelaunay : Claim::kDelaunay;
+  const Verdict verdict = check::judge_merged(claim, mesh, nullptr, {.threads = 1});
   return verdict.holds() && verdict.unique.value_or(false);
 }
 

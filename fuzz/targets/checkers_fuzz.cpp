@@ -14,18 +14,18 @@ constexpr std::size_t kMostPoints = 12;
 void hold_checkers_equal(Bytes bytes) {
   const Input<kHead> input(bytes, kMostPoints);
   if (input.points.size() == 0) return;
-  Mesh mesh = arrays::mesh_of(input.points, {}, input.is_weighted());
+  ExactMesh mesh = arrays::exact_mesh_of(input.points, {}, input.is_weighted());
   mesh.simplices = delaunay::bowyer_watson(mesh.points).simplices();
   const Claim delaunay = input.is_weighted() ? Claim::kWeightedDelaunay : Claim::kDelaunay;
-  if (!check::judge(delaunay, mesh).holds()) {
+  if (!check::judge_points(delaunay, mesh).holds()) {
     fail("a right mesh is rejected", input.points, mesh.simplices);
   }
   for (std::size_t i = 1; i < kHead; i += 3) {
     alter(mesh.simplices, mesh.points.size(), Bytes(input.head).subspan(i, 3));
   }
   for (const Claim claim : {Claim::kTriangulation, delaunay}) {
-    const Verdict lemma = check::judge(claim, mesh, {.by = check::By::kLemma});
-    const Verdict definition = check::judge(claim, mesh, {.by = check::By::kDefinition});
+    const Verdict lemma = check::judge_points(claim, mesh, {.by = check::By::kLemma});
+    const Verdict definition = check::judge_points(claim, mesh, {.by = check::By::kDefinition});
     if (lemma.holds() != definition.holds()) {
       fail(std::string(name(claim)) + ": lemma and definition differ", input.points,
            mesh.simplices);

@@ -17,7 +17,7 @@ constexpr std::size_t kMostPoints = 9;
 void hold_constructions_equal(Bytes bytes) {
   const Input<kHead> input(bytes, kMostPoints);
   if (input.points.size() == 0) return;
-  const PointSet points = arrays::mesh_of(input.points, {}, input.is_weighted()).points;
+  const PointSet points = arrays::exact_mesh_of(input.points, {}, input.is_weighted()).points;
   const Triangulation expected = delaunay::by_definition(points);
   const auto expect = [&](const char* name, const Triangulation& found) {
     if (found != expected) fail(std::string(name) + " differs", input.points, found.simplices());

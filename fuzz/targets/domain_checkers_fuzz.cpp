@@ -48,13 +48,13 @@ std::optional<constrained::PlcTriangulation> cdt_of(const PiecewiseLinearComplex
 void hold_checkers_equal(Bytes bytes) {
   const DomainInput input(bytes, kMostPoints);
   if (input.points.size() < 3) return;
-  const PointSet points = arrays::mesh_of(input.points, {}).points;
+  const PointSet points = arrays::exact_mesh_of(input.points, {}).points;
   if (points.dimension() < static_cast<int>(points.ambient_dimension())) return;
   const auto complex = validated(domain_of(input, points), 1);
   if (!complex) return;
   const auto cdt = cdt_of(*complex);
   if (!cdt || cdt->simplices.empty()) return;
-  Mesh mesh{points, cdt->simplices};
+  ExactMesh mesh{points, cdt->simplices};
   for (const Simplex& simplex : cdt->dangling) {
     if (simplex.size() > 1) mesh.faces.push_back(simplex);
   }

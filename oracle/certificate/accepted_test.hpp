@@ -7,14 +7,14 @@
 
 namespace circumspect::certificate {
 
-inline std::string text_of(const Mesh& mesh, const Document& document) {
+inline std::string text_of(const ExactMesh& mesh, const Document& document) {
   std::ostringstream out;
   write(out, mesh, document);
   return out.str();
 }
 
 // Are these the points of the user's mesh, scaled back?
-inline bool are_points_of(const Mesh& mesh, const LabelledPoints& points) {
+inline bool are_points_of(const ExactMesh& mesh, const LabelledPoints& points) {
   if (points.size() != mesh.points.size()) return false;
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     const auto found = points.find(std::to_string(mesh.label(v)));
@@ -27,7 +27,8 @@ inline bool are_points_of(const Mesh& mesh, const LabelledPoints& points) {
 }
 
 // What is wrong with the document, whatever it is; empty if it proves its claim about this mesh.
-inline std::string fault_of(const Mesh& mesh, const Verdict& verdict, const std::string& text) {
+inline std::string fault_of(const ExactMesh& mesh, const Verdict& verdict,
+                            const std::string& text) {
   const auto fault = [&](const auto& acceptor) -> std::string {
     if (acceptor.header().claim != name(verdict.claim())) return "another claim";
     if (acceptor.header().dimension != mesh.points.ambient_dimension()) return "another dimension";
@@ -49,14 +50,14 @@ inline std::string fault_of(const Mesh& mesh, const Verdict& verdict, const std:
 }
 
 // What is wrong with what is written about the mesh.
-inline std::string fault_of(const Mesh& mesh, const Verdict& verdict) {
+inline std::string fault_of(const ExactMesh& mesh, const Verdict& verdict) {
   const auto document = document_of(mesh, verdict);
   if (!document) return document.error();
   return fault_of(mesh, verdict, text_of(mesh, *document));
 }
 
 // The rule that a refutation is about; empty if it is none or there is none.
-inline std::string refuted_rule(const Mesh& mesh, const Verdict& verdict) {
+inline std::string refuted_rule(const ExactMesh& mesh, const Verdict& verdict) {
   const auto document = document_of(mesh, verdict);
   if (!document || !std::holds_alternative<RefutationWithPoints>(*document)) return "";
   return std::string(identifier(std::get<RefutationWithPoints>(*document).refutation.rule));

@@ -18,7 +18,7 @@ std::size_t place_of(const Simplex& simplex, Vertex v) {
 }
 
 // The simplex that joins the facet and the vertex.
-Entry entry_of(const Mesh& mesh, Simplex facet, Vertex apex) {
+Entry entry_of(const ExactMesh& mesh, Simplex facet, Vertex apex) {
   facet.push_back(apex);
   const Simplex vertices = sorted(facet);
   const auto found =
@@ -29,7 +29,7 @@ Entry entry_of(const Mesh& mesh, Simplex facet, Vertex apex) {
 }
 
 // Any simplex that has the vertex.
-Entry entry_of(const Mesh& mesh, Vertex v) {
+Entry entry_of(const ExactMesh& mesh, Vertex v) {
   const auto found = std::find_if(mesh.simplices.begin(), mesh.simplices.end(),
                                   [v](const Simplex& simplex) { return contains(simplex, v); });
   assert(found != mesh.simplices.end());
@@ -43,13 +43,13 @@ void append(std::vector<Integer>& because, const Entry& entry) {
 
 }  // namespace
 
-std::size_t number_of(const Mesh& mesh, const Simplex& simplex) {
+std::size_t number_of(const ExactMesh& mesh, const Simplex& simplex) {
   const auto found = std::find(mesh.simplices.begin(), mesh.simplices.end(), simplex);
   assert(found != mesh.simplices.end());
   return static_cast<std::size_t>(found - mesh.simplices.begin()) + 1;
 }
 
-std::optional<Evidence> ball_evidence(const Mesh& mesh, Rule rule, const Witness& witness) {
+std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness) {
   Evidence evidence{rule, {}};
   const Vertex q = witness.vertices.front();
   const Simplex& simplex = witness.simplices.front();

@@ -26,7 +26,8 @@ std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
 }
 
 // Swaps two vertices where that makes the orientation positive.
-std::vector<CertifiedSimplex> positive_simplices(const Mesh& mesh, const ScaledPoints& points) {
+std::vector<CertifiedSimplex> positive_simplices(const ExactMesh& mesh,
+                                                 const ScaledPoints& points) {
   Sidedness sidedness(points);
   std::vector<CertifiedSimplex> simplices(mesh.simplices.size());
   const std::size_t size = points.dimension + 1;
@@ -135,7 +136,7 @@ void choose_sample(Certificate& certificate) {
 
 }  // namespace
 
-Certificate certificate_of(const Mesh& mesh, Claim claim, ScaledPoints points) {
+Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points) {
   assert(!mesh.simplices.empty());
   assert(mesh.points.size() < std::numeric_limits<std::uint32_t>::max());
   assert(mesh.simplices.size() < std::numeric_limits<std::uint32_t>::max());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oracle/certificate/scaled_points.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
@@ -59,9 +59,9 @@ struct Certificate {
 // Linear in the mesh but for sorting, and for what it takes to find weighted points that are no
 // vertices. Requires: the claim holds of the mesh; its points have dimension 2 or 3, and that is the
 // dimension of their affine hull.
-Certificate certificate_of(const Mesh& mesh, Claim claim, ScaledPoints points);
+Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points);
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
-void write(std::ostream& out, const Mesh& mesh, const Certificate& certificate);
+void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate);
 
 }  // namespace circumspect::certificate

@@ -9,20 +9,20 @@ namespace circumspect::certificate {
 namespace {
 
 // Requires: the claim holds.
-std::string certificate_text(const Mesh& mesh, Claim claim = Claim::kDelaunay) {
-  const Verdict verdict = check::judge(claim, mesh);
+std::string certificate_text(const ExactMesh& mesh, Claim claim = Claim::kDelaunay) {
+  const Verdict verdict = check::judge_points(claim, mesh);
   REQUIRE(verdict.holds());
   const std::string text = text_of(mesh, *document_of(mesh, verdict));
   CHECK(fault_of(mesh, verdict, text) == "");
   return text;
 }
 
-Mesh square() {
+ExactMesh square() {
   return {PointSet({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), {{0, 1, 2}, {0, 3, 2}}, {}, 1};
 }
 
 TEST_CASE("the certificate of a triangle, as it stands in the file") {
-  const Mesh mesh{PointSet({{0, 0}, {3, 0}, {0, Rational(3, 2)}}), {{0, 2, 1}}, {}, 7};
+  const ExactMesh mesh{PointSet({{0, 0}, {3, 0}, {0, Rational(3, 2)}}), {{0, 2, 1}}, {}, 7};
   CHECK(certificate_text(mesh) ==
         "circumspect-certificate 1 delaunay 2 unique\n"
         "scale 3 2\n"
@@ -48,7 +48,7 @@ TEST_CASE("the certificate of a square, with an orientation turned and a facet b
 }
 
 TEST_CASE("labels are the user's own") {
-  Mesh mesh = square();
+  ExactMesh mesh = square();
   mesh.labels = {10, 30, 20, -4};
   const std::string text = certificate_text(mesh);
   CHECK(text.find("0 0  1 0 10\n0 1  2 2 -4\n") != std::string::npos);
@@ -57,7 +57,7 @@ TEST_CASE("labels are the user's own") {
 TEST_CASE("weighted points that are no vertices are given the simplex that contains them") {
   const PointSet points({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {3, 1}, {2, 2}, {4, 2}},
                         {0, 0, 0, 0, -9, -9, -9});
-  const Mesh mesh{points, {{0, 1, 2}, {0, 3, 2}}};
+  const ExactMesh mesh{points, {{0, 1, 2}, {0, 3, 2}}};
   const std::string text = certificate_text(mesh, Claim::kWeightedDelaunay);
   CHECK(text.find("3 1 -9  1 - 4\n") != std::string::npos);
   CHECK(text.find("4 2 -9  1 - 6\n") != std::string::npos);
@@ -68,8 +68,8 @@ TEST_CASE("a certificate in space") {
   // A cube in five tetrahedra.
   std::vector<Point> corners;
   for (int i = 0; i < 8; ++i) corners.push_back({i & 1, (i >> 1) & 1, (i >> 2) & 1});
-  const Mesh mesh{PointSet(corners),
-                  {{0, 3, 5, 6}, {1, 0, 3, 5}, {2, 0, 3, 6}, {4, 0, 5, 6}, {7, 3, 5, 6}}};
+  const ExactMesh mesh{PointSet(corners),
+                       {{0, 3, 5, 6}, {1, 0, 3, 5}, {2, 0, 3, 6}, {4, 0, 5, 6}, {7, 3, 5, 6}}};
   const std::string text = certificate_text(mesh);
   CHECK(text.find("simplices 5\n") != std::string::npos);
   CHECK(text.find("hull 12\n") != std::string::npos);
@@ -77,7 +77,7 @@ TEST_CASE("a certificate in space") {
 }
 
 TEST_CASE("without a plane or a space, or of another claim, there is none, and it says why") {
-  const auto refusal = [](const Mesh& mesh, Claim claim) {
+  const auto refusal = [](const ExactMesh& mesh, Claim claim) {
     const auto document = document_of(mesh, Verdict(claim, mesh, 1));
     return document ? "" : document.error();
   };
@@ -123,7 +123,7 @@ TEST_CASE("the acceptor of the tests finds each condition broken") {
 }
 
 TEST_CASE("the acceptor of the tests finds a notch, and a facet that is not locally Delaunay") {
-  const auto verdict_of = [](const Mesh& mesh) {
+  const auto verdict_of = [](const ExactMesh& mesh) {
     const Certificate certificate =
         certificate_of(mesh, Claim::kDelaunay, *scaled_to_integers(mesh.points));
     return CertificateAcceptor(text_of(mesh, certificate)).verdict();

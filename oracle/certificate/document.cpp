@@ -8,7 +8,7 @@ namespace circumspect::certificate {
 namespace {
 
 // What certificates do not cover; empty if they cover this.
-std::string limit(const Mesh& mesh, Claim claim) {
+std::string limit(const ExactMesh& mesh, Claim claim) {
   if (is_about_a_domain(claim)) {
     return fmt::format(
         "expected triangulation, delaunay or weighted-delaunay for a certificate, found {}",
@@ -33,7 +33,7 @@ std::string limit(const Mesh& mesh, Claim claim) {
 
 }  // namespace
 
-tl::expected<Document, std::string> document_of(const Mesh& mesh, const Verdict& verdict) {
+tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict) {
   const std::string beyond = limit(mesh, verdict.claim());
   if (!beyond.empty()) return tl::unexpected(beyond);
   auto points = scaled_to_integers(mesh.points);
@@ -48,7 +48,7 @@ tl::expected<Document, std::string> document_of(const Mesh& mesh, const Verdict&
   auto refutation = refutation_of(mesh, verdict, *points);
   if (!refutation) {
     // The witness that is needed may be one that the verdict had no room for.
-    const Verdict with_all = check::judge(verdict.claim(), mesh, {.max_violations = 0});
+    const Verdict with_all = check::judge_points(verdict.claim(), mesh, {.max_violations = 0});
     refutation = refutation_of(mesh, with_all, *points);
   }
   if (refutation) return RefutationWithPoints{std::move(*refutation), std::move(*points)};
@@ -57,7 +57,7 @@ tl::expected<Document, std::string> document_of(const Mesh& mesh, const Verdict&
       identifier(verdict.tallies().begin()->first), name(verdict.claim())));
 }
 
-void write(std::ostream& out, const Mesh& mesh, const Document& document) {
+void write(std::ostream& out, const ExactMesh& mesh, const Document& document) {
   if (const auto* certificate = std::get_if<Certificate>(&document)) {
     write(out, mesh, *certificate);
   } else {

@@ -23,8 +23,8 @@ using Document = std::variant<Certificate, RefutationWithPoints>;
 // A certificate if the claim holds of the mesh, else a refutation. Error: why there is none, for
 // people: other claims; points that span no plane or space, or have other dimensions; a verdict that
 // fails for nothing but rules that are no part of the claim.
-tl::expected<Document, std::string> document_of(const Mesh& mesh, const Verdict& verdict);
+tl::expected<Document, std::string> document_of(const ExactMesh& mesh, const Verdict& verdict);
 
-void write(std::ostream& out, const Mesh& mesh, const Document& document);
+void write(std::ostream& out, const ExactMesh& mesh, const Document& document);
 
 }  // namespace circumspect::certificate

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracle/certificate/sidedness.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
@@ -17,25 +17,26 @@ struct Evidence {
 };
 
 // Faults of simplices one by one or of their lists of vertices; found by looking.
-std::optional<Evidence> simplex_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule);
+std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule);
 
 // Balls that are not empty, points below witness planes, vertices above the lower hull; from the
 // witness of the fault.
-std::optional<Evidence> ball_evidence(const Mesh& mesh, Rule rule, const Witness& witness);
+std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness);
 
 // A point of two simplices off their common face, that of the witness.
-std::optional<Evidence> overlap_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule,
-                                         const Witness& witness);
+std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule, const Witness& witness);
 
 // A point beyond a facet of the boundary, or three facets of the boundary that share a ridge; from the
 // witness of the fault.
-std::optional<Evidence> hull_evidence(const Mesh& mesh, Rule rule, const Witness& witness);
+std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness);
 
 // For each simplex a facet beyond which the point lies: none covers it. Requires: sound simplices.
-std::optional<Evidence> uncovered_point_evidence(const Mesh& mesh, const ScaledPoints& points,
+std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point);
 
 // The number of a simplex that lists these vertices in this order. Requires: there is one.
-std::size_t number_of(const Mesh& mesh, const Simplex& simplex);
+std::size_t number_of(const ExactMesh& mesh, const Simplex& simplex);
 
 }  // namespace circumspect::certificate

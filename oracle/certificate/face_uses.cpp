@@ -16,7 +16,7 @@ FaceUse face_use(std::span<const std::uint32_t> vertices, std::size_t cell, std:
   return use;
 }
 
-std::vector<FaceUse> facets(const Mesh& mesh) {
+std::vector<FaceUse> facets(const ExactMesh& mesh) {
   std::vector<FaceUse> uses;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
     const std::vector<std::uint32_t> vertices(mesh.simplices[s].begin(), mesh.simplices[s].end());

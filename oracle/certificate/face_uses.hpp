@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::certificate {
 
@@ -24,7 +24,7 @@ struct FaceUse {
 FaceUse face_use(std::span<const std::uint32_t> vertices, std::size_t cell, std::size_t place);
 
 // The uses of the facets of a mesh. Requires: simplices of at most four vertices, which are points.
-std::vector<FaceUse> facets(const Mesh& mesh);
+std::vector<FaceUse> facets(const ExactMesh& mesh);
 
 void sort(std::vector<FaceUse>& uses);
 

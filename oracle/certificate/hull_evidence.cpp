@@ -8,7 +8,7 @@ namespace circumspect::certificate {
 namespace {
 
 // The number of a simplex that has the facet, and the place of its other vertex.
-void append_facet(std::vector<Integer>& because, const Mesh& mesh, const Simplex& facet) {
+void append_facet(std::vector<Integer>& because, const ExactMesh& mesh, const Simplex& facet) {
   const auto found =
       std::find_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& simplex) {
         return std::all_of(facet.begin(), facet.end(),
@@ -23,7 +23,7 @@ void append_facet(std::vector<Integer>& because, const Mesh& mesh, const Simplex
 
 }  // namespace
 
-std::optional<Evidence> hull_evidence(const Mesh& mesh, Rule rule, const Witness& witness) {
+std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness) {
   Evidence evidence{rule, {}};
   if (rule == Rule::kHullNotConvex) {
     append_facet(evidence.because, mesh, *witness.face);
@@ -40,7 +40,7 @@ std::optional<Evidence> hull_evidence(const Mesh& mesh, Rule rule, const Witness
   return evidence;
 }
 
-std::optional<Evidence> uncovered_point_evidence(const Mesh& mesh, const ScaledPoints& points,
+std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point) {
   Evidence evidence{Rule::kUnusedPoint, {Integer(point) + 1}};
   const HomogeneousPoint q = barycentre(points, {point});

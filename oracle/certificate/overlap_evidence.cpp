@@ -2,8 +2,8 @@
 
 namespace circumspect::certificate {
 
-std::optional<Evidence> overlap_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule,
-                                         const Witness& witness) {
+std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule, const Witness& witness) {
   if (!witness.point || witness.simplices.size() != 2) return std::nullopt;
   Evidence evidence{rule, {}};
   for (const Simplex& simplex : witness.simplices) {

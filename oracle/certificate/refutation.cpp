@@ -19,7 +19,7 @@ std::optional<Evidence> from_violations(const Verdict& verdict, Rule rule,
 }
 
 // A weighted triangulation need not use all points, but has to cover them.
-std::optional<Evidence> unused_point_evidence(const Mesh& mesh, const Verdict& verdict,
+std::optional<Evidence> unused_point_evidence(const ExactMesh& mesh, const Verdict& verdict,
                                               const ScaledPoints& points) {
   if (verdict.claim() != Claim::kWeightedDelaunay) {
     return simplex_evidence(mesh, points, Rule::kUnusedPoint);
@@ -29,7 +29,7 @@ std::optional<Evidence> unused_point_evidence(const Mesh& mesh, const Verdict& v
   });
 }
 
-std::optional<Evidence> evidence_for(const Mesh& mesh, const Verdict& verdict,
+std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdict,
                                      const ScaledPoints& points, Rule rule) {
   switch (rule) {
     case Rule::kUnknownVertex:
@@ -65,7 +65,7 @@ std::optional<Evidence> evidence_for(const Mesh& mesh, const Verdict& verdict,
 
 }  // namespace
 
-std::optional<Refutation> refutation_of(const Mesh& mesh, const Verdict& verdict,
+std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points) {
   for (const auto& [rule, tally] : verdict.tallies()) {
     auto evidence = evidence_for(mesh, verdict, points, rule);
@@ -77,7 +77,7 @@ std::optional<Refutation> refutation_of(const Mesh& mesh, const Verdict& verdict
   return std::nullopt;
 }
 
-void write(std::ostream& out, const Mesh& mesh, const ScaledPoints& points,
+void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation) {
   Lines lines(out);
   write_first_line(lines, "circumspect-refutation 2", refutation.claim, points.dimension,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "oracle/certificate/scaled_points.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
@@ -23,11 +23,11 @@ struct Refutation {
 // if all that is broken is no part of the claim: simplex.orientation, complex.wrong-neighbor.
 // Requires: the verdict is about the mesh, which fails; its points have dimension 2 or 3, and that is
 // the dimension of their affine hull.
-std::optional<Refutation> refutation_of(const Mesh& mesh, const Verdict& verdict,
+std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points);
 
 // As proofs/CERTIFICATE.md lays it out.
-void write(std::ostream& out, const Mesh& mesh, const ScaledPoints& points,
+void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation);
 
 }  // namespace circumspect::certificate

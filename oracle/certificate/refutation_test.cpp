@@ -9,9 +9,9 @@ namespace circumspect::certificate {
 namespace {
 
 // The rule and the line of evidence, which the acceptor has accepted.
-std::string because(const Mesh& mesh, Claim claim = Claim::kDelaunay,
+std::string because(const ExactMesh& mesh, Claim claim = Claim::kDelaunay,
                     const check::Options& options = {}) {
-  const Verdict verdict = check::judge(claim, mesh, options);
+  const Verdict verdict = check::judge_points(claim, mesh, options);
   REQUIRE(!verdict.holds());
   const auto document = document_of(mesh, verdict);
   REQUIRE(document);
@@ -24,7 +24,7 @@ std::string because(const Mesh& mesh, Claim claim = Claim::kDelaunay,
 const std::vector<Point> kSquare = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
 TEST_CASE("the refutation of a mesh, as it stands in the file") {
-  const Mesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, -5, 9, 9}}, {4, 5, 6, 7}};
+  const ExactMesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, -5, 9, 9}}, {4, 5, 6, 7}};
   const Verdict verdict = check::triangulation(mesh);
   CHECK(text_of(mesh, *document_of(mesh, verdict)) ==
         "circumspect-refutation 2 triangulation 2 triangulation.unknown-vertex\n"
@@ -68,20 +68,20 @@ TEST_CASE("two simplices on one side of a facet have a point in common") {
 }
 
 TEST_CASE("a notch is uncovered") {
-  const Mesh notched{PointSet({{0, 0}, {4, 1}, {8, 0}, {4, 7}}), {{0, 1, 3}, {1, 2, 3}}};
+  const ExactMesh notched{PointSet({{0, 0}, {4, 1}, {8, 0}, {4, 7}}), {{0, 1, 3}, {1, 2, 3}}};
   CHECK(because(notched, Claim::kTriangulation) == "triangulation.hull-not-convex: 1 2 3");
 }
 
 TEST_CASE("where a hull is not closed, three facets of the boundary share a ridge") {
-  const Mesh bow_tie{PointSet({{0, 0}, {-2, 1}, {-2, -1}, {2, 1}, {2, -1}}),
-                     {{0, 1, 2}, {0, 3, 4}}};
+  const ExactMesh bow_tie{PointSet({{0, 0}, {-2, 1}, {-2, -1}, {2, 1}, {2, -1}}),
+                          {{0, 1, 2}, {0, 3, 4}}};
   CHECK(because(bow_tie) == "triangulation.hull-not-closed: 1 2 1 1 2 2");
 }
 
 TEST_CASE("where a vertex hangs in an edge, the hull is not closed, and nothing is covered twice") {
   // A T-junction: the edge from 0 to 1 against those from 0 to 4 and from 4 to 1.
-  const Mesh junction{PointSet({{0, 0}, {4, 0}, {2, 2}, {2, -2}, {2, 0}}),
-                      {{0, 1, 2}, {0, 4, 3}, {4, 1, 3}}};
+  const ExactMesh junction{PointSet({{0, 0}, {4, 0}, {2, 2}, {2, -2}, {2, 0}}),
+                           {{0, 1, 2}, {0, 4, 3}, {4, 1, 3}}};
   CHECK(because(junction) == "triangulation.hull-not-closed: 1 2 1 1 2 1");
 }
 
@@ -91,28 +91,29 @@ TEST_CASE("where all of the hull is covered, it may not be closed all the same")
   const PointSet points({{0, 0}, {2, 0}, {4, 0}, {4, 2}, {4, 4}, {2, 4}, {0, 4}, {0, 2}, {1, 2}});
   std::vector<Simplex> simplices = {{0, 2, 4}, {0, 4, 6}};
   for (Vertex v = 0; v < 8; ++v) simplices.push_back({v, (v + 1) % 8, 8});
-  const Mesh mesh{points, simplices};
+  const ExactMesh mesh{points, simplices};
   CHECK(check::delaunay(mesh).tallies().begin()->first == Rule::kHullNotClosed);
   CHECK(because(mesh).find("triangulation.hull-not-closed: ") == 0);
 }
 
 TEST_CASE("a fan that winds twice covers points twice") {
-  const Mesh fan{PointSet({{0, 0},
-                           {14280, 6877},
-                           {-7858, 9854},
-                           {-4612, -5783},
-                           {3739, -1801},
-                           {1181, 5176},
-                           {-10000, 0},
-                           {3269, -14323}}),
-                 {{0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 1}, {0, 1, 2}, {0, 2, 3}}};
+  const ExactMesh fan{
+      PointSet({{0, 0},
+                {14280, 6877},
+                {-7858, 9854},
+                {-4612, -5783},
+                {3739, -1801},
+                {1181, 5176},
+                {-10000, 0},
+                {3269, -14323}}),
+      {{0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 1}, {0, 1, 2}, {0, 2, 3}}};
   CHECK(because(fan).find("triangulation.covered-twice: 1 4 ") == 0);
 }
 
 TEST_CASE("balls that are not empty") {
   const PointSet kite({{0, 0}, {2, -3}, {4, 0}, {2, 3}});
-  const Mesh tall{kite, {{3, 0, 1}, {1, 2, 3}}};
-  const Mesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}), {{0, 1, 2}, {2, 3, 0}}};
+  const ExactMesh tall{kite, {{3, 0, 1}, {1, 2, 3}}};
+  const ExactMesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}), {{0, 1, 2}, {2, 3, 0}}};
   CHECK(because(tall, Claim::kDelaunay).empty() == false);
   CHECK(because(flat) == "delaunay.facet-not-local: 1 1 2 1");
   CHECK(because(flat, Claim::kDelaunay, {.by = check::By::kDefinition}) ==
@@ -131,20 +132,20 @@ TEST_CASE("weights: points below planes, submerged vertices, points outside") {
   // A point that no simplex covers has to be covered, though not used.
   CHECK(weighted(-100, {{0, 1, 3}}) == "triangulation.unused-point: 3 0");
   CHECK(weighted(0, {}) == "triangulation.unused-point: 1");
-  const Mesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}, {0, 0, 0, 0}),
-                  {{0, 1, 2}, {2, 3, 0}}};
+  const ExactMesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}, {0, 0, 0, 0}),
+                       {{0, 1, 2}, {2, 3, 0}}};
   CHECK(because(flat, Claim::kWeightedDelaunay) == "delaunay.facet-not-local: 1 1 2 1");
 }
 
 TEST_CASE("a fault that is none of the claim has no refutation") {
-  const Mesh turned{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
+  const ExactMesh turned{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
   const Verdict verdict = check::delaunay(turned, {.oriented = true});
   CHECK(!verdict.holds());
   const auto document = document_of(turned, verdict);
   REQUIRE(!document);
   CHECK(document.error().find("simplex.orientation") != std::string::npos);
   // Another fault beside it has one.
-  const Mesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}), {{0, 1, 2}, {0, 3, 2}}};
+  const ExactMesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}), {{0, 1, 2}, {0, 3, 2}}};
   CHECK(because(flat, Claim::kDelaunay, {.oriented = true}) == "delaunay.facet-not-local: 1 1 2 1");
 }
 
@@ -153,7 +154,7 @@ TEST_CASE("a verdict without room for witnesses is refuted all the same") {
   CHECK(because({points, {{0, 1, 2}, {0, 2}}}, Claim::kDelaunay, {.max_violations = 1}) ==
         "simplex.wrong-dimension: 2");
   // The orientation takes the only room.
-  const Mesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}), {{0, 1, 2}, {0, 3, 2}}};
+  const ExactMesh flat{PointSet({{0, 0}, {2, -1}, {4, 0}, {2, 1}}), {{0, 1, 2}, {0, 3, 2}}};
   CHECK(because(flat, Claim::kDelaunay, {.oriented = true, .max_violations = 1}) ==
         "delaunay.facet-not-local: 1 1 2 1");
 }

@@ -12,7 +12,7 @@ Integer number(std::size_t index) { return Integer(static_cast<unsigned long>(in
 Integer position(std::size_t index) { return static_cast<unsigned long>(index); }
 
 // The entry that names no point.
-std::optional<std::size_t> unknown_entry(const Mesh& mesh, const Simplex& simplex) {
+std::optional<std::size_t> unknown_entry(const ExactMesh& mesh, const Simplex& simplex) {
   const auto unknown =
       std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !mesh.points.names(v); });
   if (unknown == simplex.end()) return std::nullopt;
@@ -20,8 +20,8 @@ std::optional<std::size_t> unknown_entry(const Mesh& mesh, const Simplex& simple
 }
 
 // What one simplex shows about a rule.
-std::optional<std::vector<Integer>> fault_of(const Mesh& mesh, Sidedness& sidedness, std::size_t s,
-                                             Rule rule) {
+std::optional<std::vector<Integer>> fault_of(const ExactMesh& mesh, Sidedness& sidedness,
+                                             std::size_t s, Rule rule) {
   const Simplex& simplex = mesh.simplices[s];
   const bool has_right_size = simplex.size() == mesh.points.ambient_dimension() + 1;
   const auto unknown = unknown_entry(mesh, simplex);
@@ -41,7 +41,7 @@ std::optional<std::vector<Integer>> fault_of(const Mesh& mesh, Sidedness& sidedn
   return std::nullopt;
 }
 
-std::optional<std::vector<Integer>> same_vertices(const Mesh& mesh) {
+std::optional<std::vector<Integer>> same_vertices(const ExactMesh& mesh) {
   std::vector<Simplex> ascending;
   for (const Simplex& simplex : mesh.simplices) ascending.push_back(sorted(simplex));
   std::vector<std::size_t> order(ascending.size());
@@ -55,7 +55,7 @@ std::optional<std::vector<Integer>> same_vertices(const Mesh& mesh) {
   return {{number(*twice), number(*(twice + 1))}};
 }
 
-std::optional<std::vector<Integer>> overused_facet(const Mesh& mesh) {
+std::optional<std::vector<Integer>> overused_facet(const ExactMesh& mesh) {
   std::vector<FaceUse> uses = facets(mesh);
   std::optional<std::vector<Integer>> because;
   for_each_face(uses, [&](std::span<const FaceUse> group) {
@@ -69,7 +69,8 @@ std::optional<std::vector<Integer>> overused_facet(const Mesh& mesh) {
   return because;
 }
 
-std::optional<std::vector<Integer>> find(const Mesh& mesh, const ScaledPoints& points, Rule rule) {
+std::optional<std::vector<Integer>> find(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule) {
   switch (rule) {
     case Rule::kDuplicateSimplex:
       return same_vertices(mesh);
@@ -92,7 +93,8 @@ std::optional<std::vector<Integer>> find(const Mesh& mesh, const ScaledPoints& p
 
 }  // namespace
 
-std::optional<Evidence> simplex_evidence(const Mesh& mesh, const ScaledPoints& points, Rule rule) {
+std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule) {
   auto because = find(mesh, points, rule);
   if (!because) return std::nullopt;
   return Evidence{rule, std::move(*because)};

@@ -5,7 +5,7 @@
 namespace circumspect::certificate {
 namespace {
 
-void write_points(Lines& lines, const Mesh& mesh, const Certificate& certificate) {
+void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certificate) {
   lines << "points" << certificate.order.size();
   lines.end_line();
   for (const Vertex v : certificate.order) {
@@ -69,7 +69,7 @@ void write_hull(Lines& lines, const Certificate& certificate) {
 
 }  // namespace
 
-void write(std::ostream& out, const Mesh& mesh, const Certificate& certificate) {
+void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate) {
   Lines lines(out);
   write_first_line(lines, "circumspect-certificate 1", certificate.claim,
                    certificate.points.dimension, certificate.standing);

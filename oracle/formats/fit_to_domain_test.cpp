@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/plain_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -12,7 +13,7 @@ const std::string kVertices =
     "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 5 0 1 0 5 0 1 1 5 0 0 1 5 0 ";
 const std::vector<Simplex> kTwo = {{0, 1, 2}, {0, 2, 3}};
 
-Result<RawMesh> against(std::size_t dimension, const std::string& path) {
+Result<MeshFile> against(std::size_t dimension, const std::string& path) {
   return read_mesh({.mesh = path, .with_faces = true, .domain_dimension = dimension});
 }
 
@@ -27,15 +28,15 @@ TEST_CASE("a constant third coordinate is left out where the domain is in the pl
   for (const std::string& path : {medit, off}) {
     const auto mesh = against(2, path);
     REQUIRE(mesh);
-    CHECK(mesh->points.dimension == 2);
-    CHECK(mesh->points.points == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->mesh.dimension() == 2);
+    CHECK(mesh->mesh.exact_points() == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    CHECK(mesh->mesh.simplices.lists() == kTwo);
     CHECK(mesh->notes == std::vector<std::string>{
                              path + ": the third coordinate, 5 for all points, was left out"});
   }
   const auto alone = read_mesh({.mesh = medit});
   REQUIRE(alone);
-  CHECK(alone->points.dimension == 3);
+  CHECK(alone->mesh.dimension() == 3);
   CHECK(alone->notes.empty());
 }
 
@@ -46,8 +47,8 @@ TEST_CASE("a third coordinate that differs, by an ulp even, stays") {
                                         "0 1 1.0000000000000002\n3 0 1 2\n");
   const auto mesh = against(2, path);
   REQUIRE(mesh);
-  CHECK(mesh->points.dimension == 3);
-  CHECK(mesh->simplices.simplices.size() == 1);
+  CHECK(mesh->mesh.dimension() == 3);
+  CHECK(mesh->mesh.simplices.size() == 1);
   CHECK(mesh->notes.empty());
 }
 
@@ -57,18 +58,38 @@ TEST_CASE("triangles without tetrahedra, and edges without triangles, are taken 
       folder.write("x.mesh", kVertices + "Edges 1 1 2 0 Triangles 2 1 2 3 0 1 3 4 0 End");
   const auto of_triangles = against(3, triangles);
   REQUIRE(of_triangles);
-  CHECK(of_triangles->simplices.simplices.empty());
-  CHECK(of_triangles->faces == std::vector<Simplex>{{0, 1}, {0, 1, 2}, {0, 2, 3}});
+  CHECK(of_triangles->mesh.simplices.empty());
+  CHECK(of_triangles->mesh.faces == std::vector<Simplex>{{0, 1}, {0, 1, 2}, {0, 2, 3}});
   CHECK(of_triangles->notes ==
         std::vector<std::string>{triangles +
                                  ": no tetrahedra; the 2 triangles are judged as dangling ones"});
   const std::string edges = folder.write("y.mesh", kVertices + "Edges 1 1 2 0 End");
-  CHECK(against(3, edges)->faces == std::vector<Simplex>{{0, 1}});
+  CHECK(against(3, edges)->mesh.faces == std::vector<Simplex>{{0, 1}});
   const auto plane = against(2, edges);
   REQUIRE(plane);
-  CHECK(plane->faces == std::vector<Simplex>{{0, 1}});
+  CHECK(plane->mesh.faces == std::vector<Simplex>{{0, 1}});
   CHECK(plane->notes.size() == 2);
   CHECK(plane->notes.back() == edges + ": no triangles; the 1 edge is judged as a dangling one");
+}
+
+TEST_CASE("files of the plain form are fitted as all others are") {
+  const ScratchFolder folder;
+  folder.write("x.node", "4 3\n1 0 0 5\n2 1 0 5\n3 1 1 5\n4 0 1 5\n");
+  const std::string ele = folder.write("x.ele", "2 3\n1 1 2 3\n2 1 3 4\n");
+  for (const std::size_t dimension : {2u, 3u}) {
+    const MeshRequest request{.mesh = ele, .with_faces = true, .domain_dimension = dimension};
+    const auto fast = read_plain_mesh(request);
+    const auto slow = read_mesh_line_by_line(request);
+    REQUIRE(fast);
+    REQUIRE(slow);
+    CHECK(fast->notes == slow->notes);
+    CHECK(fast->notes.size() == 1);
+    CHECK(fast->mesh.dimension() == dimension);
+    CHECK(fast->mesh.exact_points() == slow->mesh.exact_points());
+    CHECK(fast->mesh.simplices.lists() == slow->mesh.simplices.lists());
+    CHECK(fast->mesh.faces == slow->mesh.faces);
+    CHECK(fast->mesh.faces == (dimension == 3 ? kTwo : std::vector<Simplex>{}));
+  }
 }
 
 TEST_CASE(
@@ -80,24 +101,24 @@ TEST_CASE(
                    "Triangles 1 1 2 3 0 Tetrahedra 1 1 2 3 4 0 End");
   const auto mesh = against(3, both);
   REQUIRE(mesh);
-  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
-  CHECK(mesh->faces == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(mesh->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(mesh->mesh.faces == std::vector<Simplex>{{0, 1, 2}});
   CHECK(mesh->notes.empty());
   const std::string mixed = folder.write(
       "x.json",
       "{\"circumspect\": 1, \"dimension\": 3, \"points\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\n"
       "\"simplices\": [[0,1,2],[0,1]], \"faces\": [[1,2]]}");
-  CHECK(against(3, mixed)->simplices.simplices.size() == 2);
-  CHECK(against(3, mixed)->faces == std::vector<Simplex>{{1, 2}});
-  CHECK(read_mesh({.mesh = mixed})->faces.empty());
+  CHECK(against(3, mixed)->mesh.simplices.size() == 2);
+  CHECK(against(3, mixed)->mesh.faces == std::vector<Simplex>{{1, 2}});
+  CHECK(read_mesh({.mesh = mixed})->mesh.faces.empty());
   MeshRequest request{.mesh = folder.write("y.ele", "1 3\n0 0 1 2\n"),
                       .points = mixed,
                       .with_neighbors = true,
                       .with_faces = true,
                       .domain_dimension = 3};
-  CHECK(read_mesh(request)->simplices.simplices.size() == 1);
+  CHECK(read_mesh(request)->mesh.simplices.size() == 1);
   request.with_neighbors = false;
-  CHECK(read_mesh(request)->simplices.simplices.empty());
+  CHECK(read_mesh(request)->mesh.simplices.empty());
 }
 
 }  // namespace circumspect::formats

@@ -38,7 +38,7 @@ std::string message_of(const Row& row) {
     const auto domain = read_domain(kFolder + row.domain(), request.reading);
     if (!domain) return domain.error().to_string();
   }
-  const Result<RawMesh> mesh = read_mesh(request);
+  const Result<MeshFile> mesh = read_mesh(request);
   return mesh ? "" : mesh.error().to_string();
 }
 

@@ -11,9 +11,11 @@
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/medit.hpp"
+#include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/off.hpp"
+#include "oracle/formats/plain_mesh.hpp"
 #include "oracle/formats/qhull.hpp"
 #include "oracle/model/listed_index.hpp"
 
@@ -255,32 +257,29 @@ Result<Source> load_mesh(const MeshRequest& request, const std::string& path) {
 }
 
 // What has more vertices than any simplex of this dimension is none, and not meant as one. Fewer
-// vertices, or differing numbers of them, are the mesh's own fault and left to the checkers.
-Status check_sizes(const RawMesh& mesh) {
-  const SimplexFile& file = mesh.simplices;
-  const std::size_t most = mesh.points.dimension + 1;
+// vertices, or differing numbers of them, are the mesh's own fault and left to the judge.
+Status check_sizes(const SimplexFile& file, std::size_t dimension, const std::string& name) {
+  const std::size_t most = dimension + 1;
   for (std::size_t i = 0; i < file.simplices.size(); ++i) {
     if (file.simplices[i].size() <= most) continue;
     return tl::unexpected(FormatError{
-        mesh.mesh_name, file.lines[i],
+        name, file.lines[i],
         "at most " + std::to_string(most) + " vertices of a simplex in dimension " +
-            std::to_string(mesh.points.dimension),
+            std::to_string(dimension),
         std::to_string(file.simplices[i].size()) +
             " (elements of second order and facets that are no simplices are not judged)"});
   }
   return {};
 }
 
-Status read_neighbors(const std::string& mesh, RawMesh& result) {
-  const std::string path = with_extension(mesh, ".neigh");
-  if (extension(mesh) != ".ele" || !exists(path)) return {};
-  const Result<Source> source = load(path);
+Status read_neighbors(const std::string& path, const ListedSimplices& simplices, Mesh& mesh) {
+  const std::string beside = with_extension(path, ".neigh");
+  if (extension(path) != ".ele" || !exists(beside)) return {};
+  const Result<Source> source = load(beside);
   if (!source) return tl::unexpected(source.error());
-  const SimplexFile& simplices = result.simplices;
-  Result<NeighborFile> file = read_neigh(
-      *source, ListedSimplices{simplices.simplices.size(), simplices.vertices_per_simplex, mesh});
+  Result<NeighborFile> file = read_neigh(*source, simplices);
   if (!file) return tl::unexpected(file.error());
-  result.neighbors = std::move(*file);
+  mesh.neighbors.emplace(Neighbors{std::move(file->neighbors), file->first_index});
   return {};
 }
 
@@ -380,38 +379,58 @@ Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
   return points_of(load(path), path, reading);
 }
 
-Result<RawMesh> read_mesh(const MeshRequest& request) {
-  if (request.mesh == "-" && request.points == "-") {
-    return tl::unexpected(
-        FormatError{"<stdin>", 0, "the mesh or its points on standard input", "both"});
-  }
+Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   const std::string path = file_of_simplices(request.mesh);
-  RawMesh mesh;
+  MeshFile file;
   const Format* format = nullptr;
-  Result<Contents> contents = read_contents(request, path, mesh.mesh_name, format);
+  Result<Contents> contents = read_contents(request, path, file.mesh_name, format);
   if (!contents) return tl::unexpected(contents.error());
   Result<RawPoints> points = points_of_mesh(request, path, *format, *contents);
   if (!points) return tl::unexpected(points.error());
-  mesh.points = std::move(points->points);
-  mesh.weights = std::move(points->weights);
-  mesh.points_name = std::move(points->name);
-  mesh.first_index = mesh.points.first_index;
-  mesh.simplices = std::move(contents->simplices);
-  if (request.domain_dimension == 2) leave_out_constant_coordinate(mesh);
-  if (Status sizes = check_sizes(mesh); !sizes) return tl::unexpected(sizes.error());
-  count_from_zero(mesh.simplices.simplices, mesh.first_index);
+  Mesh& mesh = file.mesh;
+  mesh.coordinates = numbers_of(points->points.points, points->points.dimension);
+  mesh.first_index = points->points.first_index;
+  file.points_name = points->name;
+  if (request.domain_dimension == 2) leave_out_constant_coordinate(file);
+  SimplexFile& simplices = contents->simplices;
+  if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
+    return tl::unexpected(sizes.error());
+  }
+  const ListedSimplices listed{simplices.simplices.size(), simplices.vertices_per_simplex, path};
+  count_from_zero(simplices.simplices, mesh.first_index);
+  mesh.simplices = IndexLists(std::move(simplices.simplices));
   if (request.with_faces) {
     mesh.faces = std::move(contents->faces);
     if (Status read = read_faces(path, mesh.faces); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
   }
   // Neighbours are those of the simplices as the file has them.
-  const bool may_be_faces = request.domain_dimension == mesh.points.dimension;
-  if (may_be_faces && !request.with_neighbors) take_for_faces(mesh);
   if (request.with_neighbors) {
-    if (Status read = read_neighbors(path, mesh); !read) return tl::unexpected(read.error());
+    if (Status read = read_neighbors(path, listed, mesh); !read) {
+      return tl::unexpected(read.error());
+    }
+  } else if (request.domain_dimension == mesh.dimension()) {
+    take_for_faces(file);
   }
-  return mesh;
+  Result<std::vector<Rational>> weights = weights_of(*points, request.weights);
+  if (!weights) return tl::unexpected(weights.error());
+  if (!weights->empty()) mesh.weights = numbers_of(*weights);
+  return file;
+}
+
+Result<MeshFile> read_mesh(MeshRequest request, unsigned threads) {
+  if (request.mesh == "-" && request.points == "-") {
+    return tl::unexpected(
+        FormatError{"<stdin>", 0, "the mesh or its points on standard input", "both"});
+  }
+  load_streams(request);
+  std::optional<MeshFile> plain = read_plain_mesh(request, {threads});
+  Result<MeshFile> file = plain ? std::move(*plain) : read_mesh_line_by_line(request);
+  if (!file) return file;
+  // A face of as many vertices is a simplex of full dimension that somebody lists beside the simplices.
+  std::erase_if(file->mesh.faces,
+                [d = file->mesh.dimension()](const Simplex& face) { return face.size() > d; });
+  return file;
 }
 
 }  // namespace circumspect::formats

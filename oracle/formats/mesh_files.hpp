@@ -7,22 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/formats/neigh.hpp"
-#include "oracle/formats/point_file.hpp"
 #include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
+#include "oracle/formats/weights.hpp"
+#include "oracle/model/mesh.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
-
-struct RawPoints {
-  PointFile points;
-  std::vector<Rational> weights = {};  // empty, or one a point
-  std::string name = {};               // of the file, for messages
-};
 
 // Reads points of any format; "-" is standard input.
 Result<RawPoints> read_points(const std::string& path, NumberReading reading);
@@ -43,7 +37,8 @@ struct MeshRequest {
   // words is read as the domain's dimension wants it; see fit_to_domain.hpp.
   std::optional<std::size_t> domain_dimension = {};
   std::optional<PointFile> own_points = {};  // instead of any file's
-  std::vector<LoadedFile> loaded = {};       // taken for what the files hold; see load_streams
+  Weights weights = Weights::kNone;
+  std::vector<LoadedFile> loaded = {};  // taken for what the files hold; see load_streams
 };
 
 // Reads into `loaded` what can be read but once, pipes and standard input, and the files whose names do
@@ -59,27 +54,27 @@ const Result<Source>* find_loaded(const MeshRequest& request, const std::string&
 std::string_view format_of_points(const std::string& path, const Source* text);
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points);
 
-struct RawMesh {
-  PointFile points;
-  std::vector<Rational> weights = {};
+// A mesh, and where it came from.
+struct MeshFile {
   // Vertices are counted from 0, by taking the index of the first point from each (listed_index.hpp);
-  // one that names no point still names none. No simplex has more vertices than the points have coordinates, plus
-  // one.
-  SimplexFile simplices = {};
-  Vertex first_index = 0;  // the user's index of the first point
-  std::string points_name = {};
+  // one that names no point still names none. No simplex has more vertices than the points have
+  // coordinates, plus one. Faces are, if they were asked for, those of .face and .edge files, of Medit's
+  // and of JSON, without those that have as many vertices as a simplex of full dimension.
+  Mesh mesh = {};
+  std::string points_name = {};  // of the files, for messages
   std::string mesh_name = {};
-  std::optional<NeighborFile> neighbors = {};
-  // Triangles and edges that the mesh lists beside its simplices, if they were asked for: those of
-  // .face and .edge files, of Medit's and of JSON. Vertices are counted from 0 as those of the
-  // simplices.
-  std::vector<Simplex> faces = {};
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there, a line each
 };
 
-// Reads a mesh and its points. Errors: a file that is missing or malformed; elements of second
-// order, faces that are no triangles and facets that are no simplices, none of which can be judged;
-// neighbours of other simplices than these.
-Result<RawMesh> read_mesh(const MeshRequest& request);
+// Reads a mesh and its points: files as programs write them at the speed of memory (plain_mesh.hpp), all
+// others by their own readers, which have the messages. `threads`: 0: as many as the machine has; the
+// answer is the same for any number.
+// Errors: a file that is missing or malformed; elements of second order, faces that are no triangles and
+// facets that are no simplices, none of which can be judged; neighbours of other simplices than these;
+// no weights where they are demanded.
+Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
+
+// The same, all by the readers that have the messages.
+Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
 
 }  // namespace circumspect::formats

@@ -21,13 +21,17 @@ const std::string kJson =
 const std::string kOff = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
 const std::vector<Simplex> kTwo = {{0, 1, 2}, {0, 2, 3}};
 
-Result<RawMesh> mesh_of(const std::string& path) {
+Result<MeshFile> mesh_of(const std::string& path) {
   return read_mesh({path, std::nullopt, NumberReading::kDouble});
 }
-Result<RawMesh> mesh_of(const std::string& path, const std::string& points) {
+Result<MeshFile> mesh_of(const std::string& path, const std::string& points) {
   return read_mesh({path, points, NumberReading::kDouble});
 }
-std::string error_of(const Result<RawMesh>& mesh) {
+Result<MeshFile> weighted(const std::string& path, const std::optional<std::string>& points,
+                          Weights weights) {
+  return read_mesh({.mesh = path, .points = points, .weights = weights});
+}
+std::string error_of(const Result<MeshFile>& mesh) {
   return mesh ? "no error" : mesh.error().to_string();
 }
 
@@ -51,13 +55,12 @@ TEST_CASE("x.1.ele has its points in x.1.node; x.1.node its simplices in x.1.ele
   for (const std::string& asked : {ele, node}) {
     const auto mesh = mesh_of(asked);
     REQUIRE(mesh);
-    CHECK(mesh->points.points.size() == 4);
-    CHECK(mesh->simplices.simplices == kTwo);
-    CHECK(mesh->simplices.first_index == 1);
-    CHECK(mesh->first_index == 1);
+    CHECK(mesh->mesh.points() == 4);
+    CHECK(mesh->mesh.simplices.lists() == kTwo);
+    CHECK(mesh->mesh.first_index == 1);
     CHECK(mesh->mesh_name == ele);
     CHECK(mesh->points_name == node);
-    CHECK(!mesh->neighbors);
+    CHECK(!mesh->mesh.neighbors);
   }
 }
 
@@ -67,10 +70,11 @@ TEST_CASE("neighbours are read where they are wanted and there") {
   const std::string ele = folder.write("x.ele", kTwoFrom1);
   MeshRequest request{ele};
   request.with_neighbors = true;
-  CHECK(!read_mesh(request)->neighbors);
+  CHECK(!read_mesh(request)->mesh.neighbors);
   folder.write("x.neigh", "2 3\n1 -1 2 -1\n2 -1 -1 1\n");
-  REQUIRE(read_mesh(request)->neighbors);
-  CHECK(read_mesh(request)->neighbors->neighbors[0] == std::vector<Vertex>{-1, 2, -1});
+  REQUIRE(read_mesh(request)->mesh.neighbors);
+  CHECK(read_mesh(request)->mesh.neighbors->rows[0] == Simplex{-1, 1, -1});
+  CHECK(read_mesh(request)->mesh.neighbors->as_listed().rows[0] == Simplex{-1, 2, -1});
   folder.write("x.neigh", "2 x\n");
   CHECK(!read_mesh(request));
   CHECK(mesh_of(ele));
@@ -85,11 +89,33 @@ TEST_CASE("points of another file and another base") {
   for (const std::string& points : {qhull, text, json}) {
     const auto mesh = mesh_of(ele, points);
     REQUIRE(mesh);
-    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->mesh.simplices.lists() == kTwo);
     CHECK(mesh->points_name == points);
-    CHECK(mesh->weights.size() == (points == json ? 4 : 0));
+    CHECK(!mesh->mesh.is_weighted());
+    const auto listed = weighted(ele, points, Weights::kListed);
+    CHECK(rows_of(listed->mesh.weights) == (points == json ? 4 : 0));
   }
-  CHECK(mesh_of(json, qhull)->weights.empty());
+  CHECK(!weighted(json, qhull, Weights::kListed)->mesh.is_weighted());
+}
+
+TEST_CASE("weights are listed as such, or where they are demanded the first attributes") {
+  const ScratchFolder folder;
+  const std::string ele = folder.write("x.ele", "1 3\n0 0 1 2\n");
+  const std::string node = folder.write("x.node", "3 2 2\n0 0 0 7 1\n1 1 0 8 1\n2 0 1 0.5 1\n");
+  const std::string bare = folder.write("y.node", "3 2\n0 0 0\n1 1 0\n2 0 1\n");
+  CHECK(!weighted(ele, node, Weights::kNone)->mesh.is_weighted());
+  CHECK(!weighted(ele, node, Weights::kListed)->mesh.is_weighted());
+  const auto demanded = weighted(ele, node, Weights::kDemanded);
+  REQUIRE(demanded);
+  CHECK(rows_of(demanded->mesh.weights) == 3);
+  CHECK(demanded->mesh.weight(2) == Rational(1) / 2);
+  CHECK(error_of(weighted(ele, bare, Weights::kDemanded)) ==
+        bare +
+            ": expected a weight for each point (the first attribute of a .node file, the key "
+            "\"weights\" of JSON), found none");
+  const auto json = folder.write("y.json", kJson);
+  CHECK(weighted(json, {}, Weights::kDemanded)->mesh.weight(3) == 1);
+  CHECK(weighted(ele, folder.write("none.node", "0 2\n"), Weights::kDemanded));
 }
 
 TEST_CASE("an index that names no point still names none") {
@@ -99,10 +125,11 @@ TEST_CASE("an index that names no point still names none") {
       mesh_of(folder.write("x.ele", "3 1\n0 -9223372036854775808\n1 9223372036854775807\n2 4\n"));
   REQUIRE(mesh);
   // The smallest goes round, and comes back from there.
-  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{std::numeric_limits<Vertex>::max() - 4},
-                                                          {std::numeric_limits<Vertex>::max() - 5},
-                                                          {-1}});
-  CHECK(index_of_place(mesh->simplices.simplices[0][0], mesh->first_index) ==
+  CHECK(mesh->mesh.simplices.lists() ==
+        std::vector<Simplex>{{std::numeric_limits<Vertex>::max() - 4},
+                             {std::numeric_limits<Vertex>::max() - 5},
+                             {-1}});
+  CHECK(index_of_place(mesh->mesh.simplices[0][0], mesh->mesh.first_index) ==
         std::numeric_limits<Vertex>::min());
 }
 
@@ -116,11 +143,11 @@ TEST_CASE("json, off and qhull") {
        {qhull, facets, json, off, folder.write("a", kJson), folder.write("b", "\n" + kOff)}) {
     const auto mesh = mesh_of(asked);
     REQUIRE_MESSAGE(mesh.has_value(), error_of(mesh));
-    CHECK(mesh->simplices.simplices == kTwo);
-    CHECK(mesh->points.points.size() == 4);
-    CHECK(mesh->first_index == 0);
+    CHECK(mesh->mesh.simplices.lists() == kTwo);
+    CHECK(mesh->mesh.points() == 4);
+    CHECK(mesh->mesh.first_index == 0);
   }
-  CHECK(mesh_of(json)->weights.size() == 4);
+  CHECK(weighted(json, {}, Weights::kListed)->mesh.weight(3) == 1);
   CHECK(mesh_of(facets)->points_name == qhull);
 }
 
@@ -132,14 +159,14 @@ TEST_CASE("medit: the cells of highest dimension, and the others beside them whe
                                                         "Tetrahedra 1 1 2 3 4 0 End")};
   const auto mesh = read_mesh(request);
   REQUIRE_MESSAGE(mesh.has_value(), error_of(mesh));
-  CHECK(mesh->simplices.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
-  CHECK(mesh->first_index == 1);
-  CHECK(mesh->faces.empty());
+  CHECK(mesh->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(mesh->mesh.first_index == 1);
+  CHECK(mesh->mesh.faces.empty());
   request.with_faces = true;
-  CHECK(read_mesh(request)->faces == std::vector<Simplex>{{0, 1}, {0, 1, 2}, {0, 1, 3}});
+  CHECK(read_mesh(request)->mesh.faces == std::vector<Simplex>{{0, 1}, {0, 1, 2}, {0, 1, 3}});
   const auto surface = mesh_of(folder.write("y", vertices + "Triangles 1 1 2 3 0 End"));
   REQUIRE_MESSAGE(surface.has_value(), error_of(surface));
-  CHECK(surface->simplices.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(surface->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2}});
   const std::string quads = folder.write("z.mesh", vertices + "\nQuadrilaterals 1 1 2 3 4 0 End");
   CHECK(error_of(mesh_of(quads)) ==
         quads + ":2: expected edges, triangles and tetrahedra, found other cells");
@@ -150,14 +177,14 @@ TEST_CASE("triangles and edges beside an .ele are read where they are wanted and
   folder.write("x.node", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
   MeshRequest request{folder.write("x.ele", "1 4\n1 1 2 3 4\n")};
   request.with_faces = true;
-  CHECK(read_mesh(request)->faces.empty());
+  CHECK(read_mesh(request)->mesh.faces.empty());
   folder.write("x.face", "2 1\n1 1 2 3 0 5 -1\n2 1 2 9 0 -1 5\n");
   folder.write("x.edge", "1\n1 4 1\n");
-  CHECK(read_mesh(request)->faces == std::vector<Simplex>{{0, 1, 2}, {0, 1, 8}, {3, 0}});
+  CHECK(read_mesh(request)->mesh.faces == std::vector<Simplex>{{0, 1, 2}, {0, 1, 8}, {3, 0}});
   folder.write("x.edge", "1\n1 4\n");
   CHECK(!read_mesh(request));
   request.with_faces = false;
-  CHECK(read_mesh(request)->faces.empty());
+  CHECK(read_mesh(request)->mesh.faces.empty());
 }
 
 TEST_CASE("files without a telling name are known by what they hold") {
@@ -168,7 +195,7 @@ TEST_CASE("files without a telling name are known by what they hold") {
   CHECK(read_points(folder.write("c.txt", kSquareQhull), reading)->points.points.size() == 4);
   CHECK(read_points(folder.write("d", kSquareFrom1), reading)->points.first_index == 1);
   const std::string points = folder.write("p.node", kSquareFrom1);
-  CHECK(mesh_of(folder.write("e", kTwoFrom1), points)->simplices.simplices == kTwo);
+  CHECK(mesh_of(folder.write("e", kTwoFrom1), points)->mesh.simplices.lists() == kTwo);
   CHECK(mesh_of(folder.write("f", kTwoQhull), points));
 }
 

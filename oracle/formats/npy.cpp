@@ -81,9 +81,9 @@ Status read_values(const RandomAccess& file, std::size_t begin, const std::strin
 }
 
 template <class Value>
-Result<FlatRows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
-                                  const std::string& name, const Shape& shape) {
-  FlatRows<Value> rows(shape.rows, shape.columns);
+Result<Rows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
+                              const std::string& name, const Shape& shape) {
+  Rows<Value> rows(shape.rows, shape.columns);
   if (Status read = read_values(file, header.end, name, rows.values()); !read) {
     return tl::unexpected(read.error());
   }
@@ -91,7 +91,7 @@ Result<FlatRows<Value>> read_rows(const NpyHeader& header, const RandomAccess& f
 }
 
 // All finite, and −0 made 0.
-Status check_coordinates(FlatRows<double>& points, const std::string& name) {
+Status check_coordinates(Rows<double>& points, const std::string& name) {
   const std::span<double> values = points.values();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) {
@@ -113,13 +113,13 @@ Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess&
   if (shape->columns == 0) {
     return fail(name, "simplices of at least 1 vertex", "shape " + header.shape_in_words());
   }
-  Result<FlatRows<Index>> rows = read_rows<Index>(header, file, name, *shape);
+  Result<Rows<Index>> rows = read_rows<Index>(header, file, name, *shape);
   if (!rows) return tl::unexpected(rows.error());
   return NpySimplices(std::move(*rows));
 }
 
 template <class Index>
-SimplexFile as_lists(const FlatRows<Index>& rows) {
+SimplexFile as_lists(const Rows<Index>& rows) {
   SimplexFile file;
   file.vertices_per_simplex = rows.columns();
   file.simplices.reserve(rows.rows());
@@ -132,7 +132,7 @@ SimplexFile as_lists(const FlatRows<Index>& rows) {
 
 }  // namespace
 
-Result<FlatRows<double>> read_flat_npy_points(const RandomAccess& file, const std::string& name) {
+Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   if (header->type != "<f8") return wrong_type(name, kPoints, header->type);
@@ -142,7 +142,7 @@ Result<FlatRows<double>> read_flat_npy_points(const RandomAccess& file, const st
     return fail(name, "points of dimension 1 to " + std::to_string(kLargestDimension),
                 "shape " + header->shape_in_words());
   }
-  Result<FlatRows<double>> points = read_rows<double>(*header, file, name, *shape);
+  Result<Rows<double>> points = read_rows<double>(*header, file, name, *shape);
   if (!points) return points;
   if (Status finite = check_coordinates(*points, name); !finite) {
     return tl::unexpected(finite.error());
@@ -150,7 +150,7 @@ Result<FlatRows<double>> read_flat_npy_points(const RandomAccess& file, const st
   return points;
 }
 
-Result<NpySimplices> read_flat_npy_simplices(const RandomAccess& file, const std::string& name) {
+Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   if (header->type == "<i4") return read_simplices<std::int32_t>(*header, file, name);
@@ -160,7 +160,7 @@ Result<NpySimplices> read_flat_npy_simplices(const RandomAccess& file, const std
 
 Result<PointFile> read_npy_points(const Source& source) {
   const auto points =
-      read_flat_npy_points(RandomAccess(std::string_view(source.text)), source.name);
+      read_rows_of_npy_points(RandomAccess(std::string_view(source.text)), source.name);
   if (!points) return tl::unexpected(points.error());
   PointFile file;
   file.dimension = points->columns();
@@ -174,7 +174,7 @@ Result<PointFile> read_npy_points(const Source& source) {
 
 Result<SimplexFile> read_npy_simplices(const Source& source) {
   const auto simplices =
-      read_flat_npy_simplices(RandomAccess(std::string_view(source.text)), source.name);
+      read_rows_of_npy_simplices(RandomAccess(std::string_view(source.text)), source.name);
   if (!simplices) return tl::unexpected(simplices.error());
   return std::visit([](const auto& rows) { return as_lists(rows); }, *simplices);
 }

@@ -6,24 +6,24 @@
 #include <string>
 #include <variant>
 
-#include "oracle/formats/flat_rows.hpp"
 #include "oracle/formats/npy_header.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
+#include "oracle/model/rows.hpp"
 
 namespace circumspect::formats {
 
 // Either kind of index, as the file has it.
-using NpySimplices = std::variant<FlatRows<std::int32_t>, FlatRows<std::int64_t>>;
+using NpySimplices = std::variant<Rows<std::int32_t>, Rows<std::int64_t>>;
 
 // Points of dimension 1 to kLargestDimension, finite, 0 for −0. Errors: another type, byte order, order
 // or shape, each with what to do about it; more or fewer numbers than the shape says; NaN and
 // infinities. `name` stands for the file in errors.
-Result<FlatRows<double>> read_flat_npy_points(const RandomAccess& file, const std::string& name);
+Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name);
 
 // Simplices of at least one vertex; a vertex may name no point. Errors: the same.
-Result<NpySimplices> read_flat_npy_simplices(const RandomAccess& file, const std::string& name);
+Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name);
 
 // The same as exact numbers and as lists, as the other formats have them.
 Result<PointFile> read_npy_points(const Source& source);

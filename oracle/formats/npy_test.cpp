@@ -42,7 +42,7 @@ TEST_CASE("npy: points of doubles, exactly") {
   CHECK(file->points == std::vector<Point>{{0, exact_value(0.1), exact_value(1e300)},
                                            {0, exact_value(0x1p-1074), -5}});
   const std::string bytes = npy("<f8", "(3, 2)", kSix);
-  const auto flat = read_flat_npy_points(RandomAccess(std::string_view(bytes)), "f");
+  const auto flat = read_rows_of_npy_points(RandomAccess(std::string_view(bytes)), "f");
   REQUIRE(flat);
   CHECK(flat->rows() == 3);
   CHECK(flat->row(1)[0] == 1e300);

@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "oracle/formats/flat_mesh.hpp"
+#include "oracle/formats/plain_mesh.hpp"
 #include "oracle/formats/same_values_test.hpp"
 
 namespace circumspect::formats {
@@ -23,14 +23,11 @@ std::string text_of(const std::filesystem::path& path) {
 
 Answer answer_to_mesh(const std::string& path, const PlainReading& reading) {
   const MeshRequest request{path};
-  const auto flat = read_flat_mesh(request, reading);
-  if (!flat) return Answer::kNone;
-  const auto mesh = read_mesh(request);
-  const bool same =
-      mesh && has_same_rows(flat->points.coordinates, mesh->points.points) &&
-      std::visit(
-          [&mesh](const auto& rows) { return has_same_rows(rows, mesh->simplices.simplices, 0); },
-          flat->simplices);
+  const auto plain = read_plain_mesh(request, reading);
+  if (!plain) return Answer::kNone;
+  const auto listed = read_mesh_line_by_line(request);
+  const bool same = listed && plain->mesh.exact_points() == listed->mesh.exact_points() &&
+                    plain->mesh.simplices.lists() == listed->mesh.simplices.lists();
   return same ? Answer::kSame : Answer::kOther;
 }
 

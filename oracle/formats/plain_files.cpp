@@ -8,7 +8,7 @@
 namespace circumspect::formats {
 namespace {
 
-using Indices = FlatIndices<std::int32_t>;
+using Indices = PlainIndices<std::int32_t>;
 
 struct NodeHeader {
   std::size_t points = 0;
@@ -41,7 +41,7 @@ struct IndexColumns {
   std::size_t attributes = 0;
 };
 
-std::optional<FlatPoints> node(const RandomAccess& file, const PlainReading& reading) {
+std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& reading) {
   const std::optional<PlainHeader> header = read_plain_header(file);
   if (!header) return std::nullopt;
   const std::optional<NodeHeader> node = node_header(*header);
@@ -49,9 +49,9 @@ std::optional<FlatPoints> node(const RandomAccess& file, const PlainReading& rea
   const std::optional<PlainRows> rows =
       plan_rows(file, header->end, node->points, node->columns(), reading.block_size);
   if (!rows) return std::nullopt;
-  FlatPoints points;
-  points.coordinates = FlatRows<double>(node->points, node->dimension);
-  if (node->attributes > 0) points.weights = FlatRows<double>(node->points, 1);
+  PlainPoints points;
+  points.coordinates = Rows<double>(node->points, node->dimension);
+  if (node->attributes > 0) points.weights = Rows<double>(node->points, 1);
   points.first_index = rows->first_index;
   const auto read_row = [&points, &node](PlainTokens& tokens, std::size_t row) {
     for (double& coordinate : points.coordinates.row(row)) {
@@ -80,7 +80,7 @@ std::optional<Indices> indices(const RandomAccess& file, const PlainHeader& head
       plan_rows(file, header.end, header.numbers[0], 1 + columns.indices + columns.attributes,
                 reading.block_size);
   if (!rows) return std::nullopt;
-  Indices result{FlatRows<std::int32_t>(header.numbers[0], columns.indices), rows->first_index};
+  Indices result{Rows<std::int32_t>(header.numbers[0], columns.indices), rows->first_index};
   const auto read_row = [&](PlainTokens& tokens, std::size_t row) {
     for (std::int32_t& index : result.rows.row(row)) {
       std::int64_t value = 0;
@@ -128,7 +128,7 @@ auto or_nothing(const Read& read) -> decltype(read()) {
 
 }  // namespace
 
-std::optional<FlatPoints> read_plain_node(const RandomAccess& file, const PlainReading& reading) {
+std::optional<PlainPoints> read_plain_node(const RandomAccess& file, const PlainReading& reading) {
   return or_nothing([&] { return node(file, reading); });
 }
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "oracle/formats/flat_rows.hpp"
 #include "oracle/formats/plain_rows.hpp"
+#include "oracle/model/rows.hpp"
 
 namespace circumspect::formats {
 
@@ -17,31 +17,31 @@ struct PlainReading {
   std::size_t block_size = kPlainBlock;
 };
 
-struct FlatPoints {
-  FlatRows<double> coordinates = {};  // n × d, finite, without −0
-  FlatRows<double> weights = {};      // n × 1, the first attributes; 0 × 0 if there are none
-  Vertex first_index = 0;             // the user's index of the first point
+struct PlainPoints {
+  Rows<double> coordinates = {};  // n × d, finite, without −0
+  Rows<double> weights = {};      // n × 1, the first attributes; 0 × 0 if there are none
+  Vertex first_index = 0;         // the user's index of the first point
 };
 
 // Rows of indices: the vertices of simplices, or their neighbours.
 template <class Index>
-struct FlatIndices {
-  FlatRows<Index> rows = {};  // m × (d + 1), counted from 0
-  Vertex first_index = 0;     // the user's index of the first simplex
+struct PlainIndices {
+  Rows<Index> rows = {};   // m × (d + 1), counted from 0
+  Vertex first_index = 0;  // the user's index of the first simplex
 };
 
 // As read_node.
-std::optional<FlatPoints> read_plain_node(const RandomAccess& file,
-                                          const PlainReading& reading = {});
+std::optional<PlainPoints> read_plain_node(const RandomAccess& file,
+                                           const PlainReading& reading = {});
 
 // As read_ele, each vertex less `first_point`, the user's index of the first point. Some may name no
 // point.
-std::optional<FlatIndices<std::int32_t>> read_plain_ele(const RandomAccess& file,
-                                                        Vertex first_point,
-                                                        const PlainReading& reading = {});
+std::optional<PlainIndices<std::int32_t>> read_plain_ele(const RandomAccess& file,
+                                                         Vertex first_point,
+                                                         const PlainReading& reading = {});
 
 // As read_neigh, each simplex less the index of the first; −1 stays −1, and none is below.
-std::optional<FlatIndices<std::int32_t>> read_plain_neigh(const RandomAccess& file,
-                                                          const PlainReading& reading = {});
+std::optional<PlainIndices<std::int32_t>> read_plain_neigh(const RandomAccess& file,
+                                                           const PlainReading& reading = {});
 
 }  // namespace circumspect::formats

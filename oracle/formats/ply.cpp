@@ -10,9 +10,9 @@ namespace {
 using Kind = PlyType::Kind;
 
 // Where values come from, line by line or byte by byte.
-class Rows {
+class PlyRows {
  public:
-  virtual ~Rows() = default;
+  virtual ~PlyRows() = default;
   // Goes to a row; an error if the file has ended. `what` names it.
   virtual Status begin_row(const std::string& what) = 0;
   virtual Status end_row() = 0;
@@ -24,7 +24,7 @@ class Rows {
   virtual Status expect_end() = 0;
 };
 
-class TextRows final : public Rows {
+class TextRows final : public PlyRows {
  public:
   TextRows(Lines& lines, NumberReading reading) : lines_(lines), reading_(reading) {}
 
@@ -68,7 +68,7 @@ class TextRows final : public Rows {
   std::size_t column_ = 0;
 };
 
-class BinaryRows final : public Rows {
+class BinaryRows final : public PlyRows {
  public:
   BinaryRows(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(bytes) {}
 
@@ -125,7 +125,7 @@ class BinaryRows final : public Rows {
   std::string what_;
 };
 
-Status skip_property(Rows& rows, const PlyProperty& property) {
+Status skip_property(PlyRows& rows, const PlyProperty& property) {
   if (!property.count) return rows.skip(property.type, 1);
   const Result<std::size_t> count = rows.read_count(*property.count);
   if (!count) return tl::unexpected(count.error());
@@ -134,7 +134,7 @@ Status skip_property(Rows& rows, const PlyProperty& property) {
 
 // Calls `read` for each row with the number of each property; `read` reads it or returns false.
 template <class Read>
-Status for_each_row(Rows& rows, const PlyElement& element, const Read& read) {
+Status for_each_row(PlyRows& rows, const PlyElement& element, const Read& read) {
   const bool is_known = element.name == "vertex" || element.name == "face";
   const std::string noun = is_known ? element.name : "element " + quote(element.name);
   for (std::size_t i = 0; i < element.count; ++i) {
@@ -151,7 +151,7 @@ Status for_each_row(Rows& rows, const PlyElement& element, const Read& read) {
   return {};
 }
 
-Status read_points(Rows& rows, const PlyElement& element, std::vector<Point>& points) {
+Status read_points(PlyRows& rows, const PlyElement& element, std::vector<Point>& points) {
   const std::array<std::size_t, 3> places = {*element.find("x", false), *element.find("y", false),
                                              *element.find("z", false)};
   return for_each_row(rows, element, [&](std::size_t j) -> Result<bool> {
@@ -167,7 +167,7 @@ Status read_points(Rows& rows, const PlyElement& element, std::vector<Point>& po
   });
 }
 
-Status read_faces(Rows& rows, const PlyElement& element, std::size_t place, SimplexFile& faces) {
+Status read_faces(PlyRows& rows, const PlyElement& element, std::size_t place, SimplexFile& faces) {
   const PlyProperty& list = element.properties[place];
   return for_each_row(rows, element, [&](std::size_t j) -> Result<bool> {
     if (j != place) return false;
@@ -216,7 +216,7 @@ Status check_header(const Lines& lines, const PlyHeader& header) {
                     has_points ? "no element face" : "no element vertex");
 }
 
-Result<DomainFile> read_body(Rows& rows, const PlyHeader& header, const std::string& name) {
+Result<DomainFile> read_body(PlyRows& rows, const PlyHeader& header, const std::string& name) {
   PointFile points;
   points.dimension = 3;
   SimplexFile faces;

@@ -15,7 +15,7 @@ namespace circumspect::formats {
 enum class Answer { kNone, kSame, kOther };
 
 template <class Number>
-bool has_same_rows(const FlatRows<Number>& flat, const std::vector<std::vector<Rational>>& rows) {
+bool has_same_rows(const Rows<Number>& flat, const std::vector<std::vector<Rational>>& rows) {
   if (flat.rows() != rows.size()) return false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() < flat.columns()) return false;
@@ -27,7 +27,7 @@ bool has_same_rows(const FlatRows<Number>& flat, const std::vector<std::vector<R
 }
 
 template <class Index>
-bool has_same_rows(const FlatRows<Index>& flat, const std::vector<std::vector<Vertex>>& rows,
+bool has_same_rows(const Rows<Index>& flat, const std::vector<std::vector<Vertex>>& rows,
                    Vertex first_index) {
   if (flat.rows() != rows.size()) return false;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -7,13 +7,14 @@
 #include <random>
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::check {
 
 // `side` points along each axis, two at least; coordinates and weights are doubles. By no more than
 // `steps` / 1024 each coordinate moves: up to 50 keep every simplex as it is oriented.
-inline Mesh shaken_grid(std::size_t dimension, std::size_t side, bool weighted, long steps = 50) {
+inline ExactMesh shaken_grid(std::size_t dimension, std::size_t side, bool weighted,
+                             long steps = 50) {
   std::mt19937 random(7);
   const auto draw = [&random](long most) {
     return static_cast<long>(random() % static_cast<unsigned long>(2 * most + 1)) - most;

@@ -30,12 +30,12 @@ class FacetTable {
     std::size_t simplex;
   };
 
-  FacetTable(const fast::MeshView<kDimension, Index>& mesh, std::span<const std::uint64_t> facets)
+  FacetTable(const fast::MeshView<kDimension, Index>& mesh, std::span<const fast::FacetId> facets)
       : has_facet_(mesh.points(), 0) {
     entries_.reserve(facets.size());
-    for (const std::uint64_t facet : facets) {
-      const std::size_t simplex = facet / kVertices;
-      entries_.push_back({vertices_of(mesh.row(simplex), facet % kVertices), simplex});
+    for (const fast::FacetId facet : facets) {
+      const std::size_t simplex = facet.simplex();
+      entries_.push_back({vertices_of(mesh.row(simplex), facet.place()), simplex});
       for (const Index v : entries_.back().facet) has_facet_[static_cast<std::size_t>(v)] = 1;
     }
     std::sort(entries_.begin(), entries_.end(),
@@ -65,7 +65,7 @@ class FacetTable {
 
 template <std::size_t kDimension, typename Index>
 std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& mesh,
-                                       std::span<const std::uint64_t> facets) {
+                                       std::span<const fast::FacetId> facets) {
   const FacetTable<kDimension, Index> table(mesh, facets);
   std::vector<SharedFacet> shared;
   for (std::size_t s = 0; s < mesh.size(); ++s) {
@@ -85,12 +85,12 @@ std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& 
 }
 
 template std::vector<SharedFacet> shared_facets(const fast::MeshView<2, std::int32_t>&,
-                                                std::span<const std::uint64_t>);
+                                                std::span<const fast::FacetId>);
 template std::vector<SharedFacet> shared_facets(const fast::MeshView<2, std::int64_t>&,
-                                                std::span<const std::uint64_t>);
+                                                std::span<const fast::FacetId>);
 template std::vector<SharedFacet> shared_facets(const fast::MeshView<3, std::int32_t>&,
-                                                std::span<const std::uint64_t>);
+                                                std::span<const fast::FacetId>);
 template std::vector<SharedFacet> shared_facets(const fast::MeshView<3, std::int64_t>&,
-                                                std::span<const std::uint64_t>);
+                                                std::span<const fast::FacetId>);
 
 }  // namespace circumspect::check

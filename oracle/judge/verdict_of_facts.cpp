@@ -22,32 +22,35 @@ class Part {
     }
     std::sort(simplices_.begin(), simplices_.end());
     simplices_.erase(std::unique(simplices_.begin(), simplices_.end()), simplices_.end());
-    Vertex size = 0;
-    for (Vertex& place : place_of_) {
-      if (place != kNone) place = size++;
+    for (std::size_t v = 0; v < place_of_.size(); ++v) {
+      if (place_of_[v] == kNone) continue;
+      place_of_[v] = static_cast<Vertex>(vertices_.size());
+      vertices_.push_back(static_cast<Vertex>(v));
     }
   }
 
-  Mesh mesh(bool weighted, Vertex first_index) const {
+  ExactMesh mesh(bool weighted) const {
     std::vector<Point> points;
     std::vector<Rational> weights;
-    std::vector<Vertex> labels;
-    for (std::size_t v = 0; v < place_of_.size(); ++v) {
-      if (place_of_[v] == kNone) continue;
+    for (const Vertex v : vertices_) {
+      const auto place = static_cast<std::size_t>(v);
       Point& point = points.emplace_back();
       for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        point.push_back(exact_value(whole_.coordinates[v * kDimension + axis]));
+        point.push_back(exact_value(whole_.coordinates[place * kDimension + axis]));
       }
-      if (weighted) weights.push_back(exact_value(whole_.weights[v]));
-      labels.push_back(static_cast<Vertex>(v) + first_index);
+      if (weighted) weights.push_back(exact_value(whole_.weights[place]));
     }
-    Mesh part{PointSet(std::move(points), std::move(weights)), {}, std::move(labels), first_index};
+    ExactMesh part{PointSet(std::move(points), std::move(weights)), {}};
     for (const std::size_t s : simplices_) {
       Simplex& simplex = part.simplices.emplace_back();
       for (const Index v : whole_.row(s)) simplex.push_back(place_of(v));
     }
     return part;
   }
+
+  // Where in the whole they are, ascending.
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const std::vector<std::size_t>& simplices() const { return simplices_; }
 
   // As the part numbers simplices and points.
   std::vector<SharedFacet> facets() const {
@@ -70,40 +73,40 @@ class Part {
   const fast::MeshView<kDimension, Index>& whole_;
   std::vector<SharedFacet> facets_;
   std::vector<std::size_t> simplices_;
-  std::vector<Vertex> place_of_;
+  std::vector<Vertex> vertices_;
+  std::vector<Vertex> place_of_;  // of each point of the whole, in the part
 };
 
 }  // namespace
 
 template <std::size_t kDimension, typename Index>
-FlatVerdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
-                             Vertex first_index, const fast::Facts& facts, const Options& options) {
-  FlatVerdict result{Verdict(claim, Mesh{PointSet({}), {}}, options.max_violations),
-                     Mesh{PointSet({}), {}}};
+Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
+                         const fast::Facts& facts, const Options& options) {
+  Verdict verdict(claim, options.max_violations);
   if (facts.holds()) {
     if (claim != Claim::kTriangulation) {
-      result.verdict.unique = facts.unique;
-      result.verdict.canonical = facts.canonical;
+      verdict.unique = facts.unique;
+      verdict.canonical = facts.canonical;
     }
   } else {
     const Part<kDimension, Index> part(mesh, shared_facets(mesh, facts.not_local));
     const bool weighted = claim == Claim::kWeightedDelaunay && !mesh.weights.empty();
-    result.named = part.mesh(weighted, first_index);
-    result.verdict = not_locally_delaunay(claim, result.named, part.facets(), options);
+    verdict = not_locally_delaunay(claim, part.mesh(weighted), part.facets(), options);
+    verdict.name_in_whole(part.vertices(), part.simplices());
   }
-  result.verdict.points = mesh.points();
-  result.verdict.simplices = mesh.size();
-  result.verdict.dimension = static_cast<int>(kDimension);
-  return result;
+  verdict.points = mesh.points();
+  verdict.simplices = mesh.size();
+  verdict.dimension = static_cast<int>(kDimension);
+  return verdict;
 }
 
-template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<2, std::int32_t>&, Vertex,
-                                      const fast::Facts&, const Options&);
-template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<2, std::int64_t>&, Vertex,
-                                      const fast::Facts&, const Options&);
-template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<3, std::int32_t>&, Vertex,
-                                      const fast::Facts&, const Options&);
-template FlatVerdict verdict_of_facts(Claim, const fast::MeshView<3, std::int64_t>&, Vertex,
-                                      const fast::Facts&, const Options&);
+template Verdict verdict_of_facts(Claim, const fast::MeshView<2, std::int32_t>&, const fast::Facts&,
+                                  const Options&);
+template Verdict verdict_of_facts(Claim, const fast::MeshView<2, std::int64_t>&, const fast::Facts&,
+                                  const Options&);
+template Verdict verdict_of_facts(Claim, const fast::MeshView<3, std::int32_t>&, const fast::Facts&,
+                                  const Options&);
+template Verdict verdict_of_facts(Claim, const fast::MeshView<3, std::int64_t>&, const fast::Facts&,
+                                  const Options&);
 
 }  // namespace circumspect::check

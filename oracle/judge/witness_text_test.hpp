@@ -4,12 +4,12 @@
 #include <sstream>
 #include <string>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
 
-inline void write_simplex(std::ostream& out, const Mesh& mesh, const Simplex& simplex) {
+inline void write_simplex(std::ostream& out, const ExactMesh& mesh, const Simplex& simplex) {
   out << " [";
   for (const Vertex v : simplex) {
     out << ' ' << mesh.label(v);
@@ -24,7 +24,7 @@ inline void write_ball(std::ostream& out, const Ball& ball) {
   out << " / " << ball.squared_radius;
 }
 
-inline void write_witness(std::ostream& out, const Mesh& mesh, const Witness& witness) {
+inline void write_witness(std::ostream& out, const ExactMesh& mesh, const Witness& witness) {
   for (const Simplex& simplex : witness.simplices) write_simplex(out, mesh, simplex);
   if (witness.face) write_simplex(out << " face", mesh, *witness.face);
   write_simplex(out << " vertices", mesh, witness.vertices);
@@ -35,7 +35,7 @@ inline void write_witness(std::ostream& out, const Mesh& mesh, const Witness& wi
   }
 }
 
-inline std::string text_of(const Verdict& verdict, const Mesh& mesh) {
+inline std::string text_of(const Verdict& verdict, const ExactMesh& mesh) {
   std::ostringstream out;
   out << name(verdict.claim()) << ' ' << verdict.points << ' ' << verdict.simplices << ' '
       << verdict.dimension << ' ' << verdict.unique.value_or(false) << verdict.unique.has_value()

@@ -1,22 +1,46 @@
-// What a user hands in: points and a list of simplices that some program made of them.
+// What a user hands in, as it was read: points and a list of simplices that some program made of them, in
+// arrays. exact() makes of it what the exact checkers judge.
 #pragma once
 
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/index_lists.hpp"
 #include "oracle/model/listed_index.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
+#include "oracle/model/rows.hpp"
 
 namespace circumspect {
 
+// Doubles, all finite, where all numbers are; else exact ones.
+using Numbers = std::variant<Rows<double>, Rows<Rational>>;
+
+// Requires: all points have `dimension` coordinates.
+Numbers numbers_of(const std::vector<Point>& points, std::size_t dimension);
+// One a row.
+Numbers numbers_of(const std::vector<Rational>& numbers);
+std::size_t rows_of(const Numbers& numbers);
+std::size_t columns_of(const Numbers& numbers);
+
 // Which simplex is across the facet opposite each vertex, as a program lists it.
-struct Neighbors {
-  // One row a simplex, one entry a vertex: the index of a simplex, counted from first_index, or −1.
-  std::vector<std::vector<Vertex>> rows;
+struct ListedNeighbors {
+  ListedNeighbors() = default;
+  // Counted from 0, −1 for none; `first`: the user's index of the first simplex.
+  ListedNeighbors(IndexLists counted_from_0, Vertex first)
+      : rows(std::move(counted_from_0)), first_index(first) {}
+  // As they are listed: counted from the index of the first simplex, −1 for none.
+  explicit ListedNeighbors(Neighbors listed);
+
+  // Counted from 0, −1 for none. Only where somebody lists the index before the first simplex, which is no
+  // simplex but would then be −1, they are as listed.
+  IndexLists rows = {};
   Vertex first_index = 0;
+  bool are_as_listed = false;
+
+  Neighbors as_listed() const;
 };
 
 // Simplices and faces whose user named some of their vertices by points that were merged into equal ones.
@@ -31,28 +55,43 @@ struct AsListed {
 };
 
 // Simplices name points by their index from 0; an index that names no point stays in place, for the
-// checker to report. `labels` translates back: the user's own index of each point.
+// judge to report. `labels` translates back: the user's own index of each point. It moves, and is not
+// copied.
 struct Mesh {
-  PointSet points;
-  std::vector<Simplex> simplices;
+  Numbers coordinates = {};  // n × d
+  Numbers weights = {};      // n × 1, or none
+  IndexLists simplices = {};
   std::vector<Vertex> labels = {};  // empty: the index itself
-  Vertex first_index = 0;           // the user's index of the first point, and of the first simplex
-  std::optional<Neighbors> neighbors = {};
-  // Triangles and edges that a program lists beside (.face, .edge), each of fewer vertices than a
-  // simplex above. Those that are faces of no simplex with more vertices are the dangling ones; the
-  // others say nothing new. Only claims about a domain look at them.
-  std::vector<Simplex> faces = {};
-  AsListed as_listed = {};  // empty unless points were merged: merged_points.hpp
+  Vertex first_index = 0;           // the user's index of the first point
+  std::optional<ListedNeighbors> neighbors = {};
+  std::vector<Simplex> faces = {};  // as ExactMesh has them
+  AsListed as_listed = {};          // empty unless points were merged: equal_points.hpp
+
+  std::size_t points() const { return rows_of(coordinates); }
+  // How many coordinates a point has.
+  std::size_t dimension() const { return columns_of(coordinates); }
+  bool is_weighted() const { return rows_of(weights) > 0; }
+  bool names(Vertex v) const { return v >= 0 && v < static_cast<Vertex>(points()); }
+
+  // Requires: names(v).
+  Point point(Vertex v) const;
+  Rational weight(Vertex v) const;  // 0 if there are none
+  std::vector<Point> exact_points() const;
 
   // The user's own index of a vertex, whether it names a point or not.
   Vertex label(Vertex v) const {
-    if (!points.names(v) || labels.empty()) return index_of_place(v, first_index);
+    if (!names(v) || labels.empty()) return index_of_place(v, first_index);
     return labels[static_cast<std::size_t>(v)];
   }
-
   // A simplex or a face of the mesh by the user's own indices, as it is listed. `place`: where among the
   // simplices, if several may have these vertices.
   Simplex listed(const Simplex& simplex, std::optional<std::size_t> place = {}) const;
 };
+
+// The same mesh in exact numbers and lists. Requires: no two points are equal (equal_points.hpp).
+ExactMesh exact(const Mesh& mesh);
+
+// The same mesh in arrays.
+Mesh in_rows(const ExactMesh& mesh);
 
 }  // namespace circumspect

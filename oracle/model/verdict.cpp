@@ -1,6 +1,13 @@
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect {
+namespace {
+
+void rename(const std::vector<Vertex>& places, Simplex& vertices) {
+  for (Vertex& v : vertices) v = places[static_cast<std::size_t>(v)];
+}
+
+}  // namespace
 
 std::string_view name(Claim claim) {
   switch (claim) {
@@ -26,7 +33,7 @@ std::string_view name(Claim claim) {
 
 bool is_about_a_domain(Claim claim) { return claim >= Claim::kPlcTriangulation; }
 
-Verdict::Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations)
+Verdict::Verdict(Claim claim, const ExactMesh& mesh, std::size_t max_violations)
     : points(mesh.points.size()),
       simplices(mesh.simplices.size()),
       dimension(mesh.points.dimension()),
@@ -36,6 +43,20 @@ Verdict::Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations)
 void Verdict::add(Rule rule, const Witness& witness, const std::optional<Rational>& margin) {
   if (keeps_more()) violations_.push_back({rule, witness});
   count(rule, margin);
+}
+
+void Verdict::name_in_whole(const std::vector<Vertex>& vertex_of,
+                            const std::vector<std::size_t>& simplex_of) {
+  for (Violation& violation : violations_) {
+    Witness& witness = violation.witness;
+    for (Simplex& simplex : witness.simplices) rename(vertex_of, simplex);
+    for (std::size_t& place : witness.places) place = simplex_of[place];
+    if (witness.face) rename(vertex_of, *witness.face);
+    rename(vertex_of, witness.vertices);
+    if (witness.nearest) {
+      witness.nearest->vertex = vertex_of[static_cast<std::size_t>(witness.nearest->vertex)];
+    }
+  }
 }
 
 void Verdict::count(Rule rule, const std::optional<Rational>& margin) {

@@ -1,12 +1,14 @@
 // The answer to a claim. A fault of the input is not a verdict: it never gets as far as a checker.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/rule.hpp"
 #include "oracle/model/witness.hpp"
 
@@ -58,9 +60,20 @@ struct ExtraVertices {
   std::vector<Vertex> first = {};  // ascending
 };
 
+// How a verdict was found. It is the same verdict whoever finds it.
+struct Course {
+  bool fast = false;              // did the fast engine (oracle/judge/fast) decide?
+  std::string why_not_fast = {};  // if not
+  // Of the fast engine: signs decided by doubles, and by integers.
+  std::uint64_t filtered_signs = 0;
+  std::uint64_t exact_signs = 0;
+};
+
 class Verdict {
  public:
-  Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations);
+  Verdict(Claim claim, std::size_t max_violations)
+      : claim_(claim), max_violations_(max_violations) {}
+  Verdict(Claim claim, const ExactMesh& mesh, std::size_t max_violations);
 
   // Counts a violation, and keeps it if there is room.
   void add(Rule rule, const Witness& witness, const std::optional<Rational>& margin = std::nullopt);
@@ -70,6 +83,10 @@ class Verdict {
   std::size_t max_violations() const { return max_violations_; }
   // Counts a violation without a witness.
   void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
+  // Where a part of a mesh was judged: the witnesses name vertices and simplices as the whole mesh does.
+  // Of each of the part's: its place in the whole, ascending. Requires: all that is named is in the part.
+  void name_in_whole(const std::vector<Vertex>& vertex_of,
+                     const std::vector<std::size_t>& simplex_of);
 
   bool holds() const { return tallies_.empty(); }
   Claim claim() const { return claim_; }
@@ -93,6 +110,8 @@ class Verdict {
   std::size_t points = 0;
   std::size_t simplices = 0;
   int dimension = -1;  // of the affine hull of the points
+
+  Course course = {};
 
  private:
   Claim claim_;

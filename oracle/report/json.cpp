@@ -28,7 +28,7 @@ Json coordinates_of(const Witness& witness, const Mesh& mesh) {
   if (witness.nearest) named.insert(witness.nearest->vertex);
   Json object = Json::object();
   for (const Vertex v : named) {
-    if (mesh.points.names(v)) object[std::to_string(mesh.label(v))] = point(mesh.points[v]);
+    if (mesh.names(v)) object[std::to_string(mesh.label(v))] = point(mesh.point(v));
   }
   return object;
 }
@@ -57,7 +57,7 @@ Json nearest(const NearestVertex& nearest, const Mesh& mesh) {
 Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
   Json first = Json::array();
   for (const Vertex v : extra.first) {
-    first.push_back({{"vertex", mesh.label(v)}, {"point", point(mesh.points[v])}});
+    first.push_back({{"vertex", mesh.label(v)}, {"point", point(mesh.point(v))}});
   }
   return {
       {"count", extra.count}, {"first", first}, {"truncated", extra.first.size() < extra.count}};

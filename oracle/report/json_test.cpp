@@ -11,18 +11,18 @@ namespace {
 
 using check::By;
 
-Mesh kite() {
+ExactMesh kite() {
   return {PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, Rational(-1, 3)}}), {{0, 1, 2}, {3, 1, 0}}, {}, 1};
 }
 
 TEST_CASE("json: a claim that holds") {
-  const Mesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
-  CHECK(verdict(check::delaunay(square), square, "s.ele", By::kLemma).dump() ==
+  const ExactMesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
+  CHECK(verdict(check::delaunay(square), in_rows(square), "s.ele", By::kLemma).dump() ==
         R"({"mesh":"s.ele","claim":"delaunay","by":"lemma","verdict":"holds","points":4,)"
         R"("simplices":2,"dimension":2,"unique":false,"canonical":true,"rules":[],)"
         R"("violations":[]})");
   const Json triangulation =
-      verdict(check::triangulation(square), square, "s.ele", By::kDefinition);
+      verdict(check::triangulation(square), in_rows(square), "s.ele", By::kDefinition);
   CHECK(triangulation["claim"] == "triangulation");
   CHECK(triangulation["by"] == "definition");
   CHECK(!triangulation.contains("unique"));
@@ -30,7 +30,7 @@ TEST_CASE("json: a claim that holds") {
 }
 
 TEST_CASE("json: a claim that fails, word for word") {
-  const Json document = verdict(check::delaunay(kite()), kite(), "k.ele", By::kLemma);
+  const Json document = verdict(check::delaunay(kite()), in_rows(kite()), "k.ele", By::kLemma);
   CHECK(document.dump() ==
         R"({"mesh":"k.ele","claim":"delaunay","by":"lemma","verdict":"fails","points":4,)"
         R"("simplices":2,"dimension":2,"rules":[{"rule":"delaunay.facet-not-local","count":1,)"
@@ -51,8 +51,8 @@ TEST_CASE("json: an orthoball of negative squared radius has no radius") {
 }
 
 TEST_CASE("json: labels after a merge; an index without a point has no coordinates") {
-  Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 9}}, {5, 7, 8}, 5};
-  const Json document = verdict(check::triangulation(mesh), mesh, "m", By::kLemma);
+  ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 9}}, {5, 7, 8}, 5};
+  const Json document = verdict(check::triangulation(mesh), in_rows(mesh), "m", By::kLemma);
   const Json& unknown = document["violations"][0];
   CHECK(unknown["simplices"].dump() == "[[5,7,14]]");
   CHECK(unknown["vertices"].dump() == "[14]");
@@ -107,12 +107,14 @@ void recheck_ball(const Json& violation) {
 }
 
 TEST_CASE("json: that a point lies in a ball is re-checked from the document alone") {
-  const Mesh mesh{PointSet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {1, 1, Rational(-1, 7)}}),
-                  {{0, 1, 2, 3}, {0, 1, 2, 4}},
-                  {},
-                  1};
+  const ExactMesh mesh{
+      PointSet({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {1, 1, Rational(-1, 7)}}),
+      {{0, 1, 2, 3}, {0, 1, 2, 4}},
+      {},
+      1};
   for (const By by : {By::kLemma, By::kDefinition}) {
-    const std::string text = verdict(check::delaunay(mesh, {.by = by}), mesh, "t.ele", by).dump();
+    const std::string text =
+        verdict(check::delaunay(mesh, {.by = by}), in_rows(mesh), "t.ele", by).dump();
     const Json document = Json::parse(text);
     REQUIRE(document["violations"].size() == (by == By::kLemma ? 1U : 2U));
     for (const Json& violation : document["violations"]) recheck_ball(violation);
@@ -120,9 +122,9 @@ TEST_CASE("json: that a point lies in a ball is re-checked from the document alo
 }
 
 TEST_CASE("json: that a point lies in two triangles is re-checked from the document alone") {
-  const Mesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {2, 3}}), {{0, 1, 2}, {0, 1, 3}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {2, 3}}), {{0, 1, 2}, {0, 1, 3}}};
   const Json document =
-      Json::parse(verdict(check::triangulation(mesh), mesh, "o", By::kLemma).dump());
+      Json::parse(verdict(check::triangulation(mesh), in_rows(mesh), "o", By::kLemma).dump());
   REQUIRE(document["violations"].size() == 1);
   const Json& violation = document["violations"][0];
   CHECK(violation["rule"] == "complex.overlap");
@@ -136,9 +138,9 @@ TEST_CASE("json: that a point lies in two triangles is re-checked from the docum
 }
 
 TEST_CASE("json: that a vertex lies beyond a hull facet is re-checked from the document alone") {
-  const Mesh mesh{PointSet({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), {{0, 1, 2}, {0, 2, 3}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), {{0, 1, 2}, {0, 2, 3}}};
   const Json document =
-      Json::parse(verdict(check::triangulation(mesh), mesh, "n", By::kLemma).dump());
+      Json::parse(verdict(check::triangulation(mesh), in_rows(mesh), "n", By::kLemma).dump());
   REQUIRE(document["violations"].size() == 1);
   const Json& violation = document["violations"][0];
   const Point a = place(violation, violation["face"][0]);

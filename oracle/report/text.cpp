@@ -67,7 +67,7 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   }
   for (const Vertex v : witness.vertices) {
     fmt::format_to(to, "  vertex   {}{}\n", mesh.label(v),
-                   mesh.points.names(v) ? " at " + point_text(mesh.points[v]) : std::string());
+                   mesh.names(v) ? " at " + point_text(mesh.point(v)) : std::string());
   }
   if (const std::string cell = cell_text(witness, domain); !cell.empty()) {
     fmt::format_to(to, "  domain  {}\n", cell);
@@ -76,7 +76,7 @@ void describe(const Violation& violation, const Mesh& mesh, const Domain* domain
   if (witness.nearest) {
     const auto& [vertex, squared] = *witness.nearest;
     fmt::format_to(to, "  nearest  vertex {} at {}, squared distance {}, distance ~ {}\n",
-                   mesh.label(vertex), point_text(mesh.points[vertex]), value_text(squared),
+                   mesh.label(vertex), point_text(mesh.point(vertex)), value_text(squared),
                    square_root_to_decimal(squared));
   }
   if (witness.ball) {

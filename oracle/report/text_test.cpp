@@ -10,42 +10,43 @@ namespace circumspect::report {
 namespace {
 
 // A kite cut along its longer diagonal, in a file that counts from 1.
-Mesh kite() {
+ExactMesh kite() {
   return {PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, Rational(-1, 3)}}), {{0, 1, 2}, {3, 1, 0}}, {}, 1};
 }
 
 TEST_CASE("verdict line: what holds, with numbers and facts") {
-  const Mesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
-  CHECK(verdict_line(check::delaunay(square), square, "x.1.ele") ==
+  const ExactMesh square{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
+  CHECK(verdict_line(check::delaunay(square), in_rows(square), "x.1.ele") ==
         "holds: delaunay x.1.ele 4 points 2 triangles not-unique canonical");
-  const Mesh other{square.points, {{0, 1, 3}, {1, 2, 3}}};
-  CHECK(verdict_line(check::delaunay(other), other, "x.1.ele") ==
+  const ExactMesh other{square.points, {{0, 1, 3}, {1, 2, 3}}};
+  CHECK(verdict_line(check::delaunay(other), in_rows(other), "x.1.ele") ==
         "holds: delaunay x.1.ele 4 points 2 triangles not-unique not-canonical");
-  CHECK(verdict_line(check::triangulation(square), square, "a b") ==
+  CHECK(verdict_line(check::triangulation(square), in_rows(square), "a b") ==
         "holds: triangulation a b 4 points 2 triangles");
-  const Mesh none{PointSet({}), {}};
-  CHECK(verdict_line(check::delaunay(none), none, "-") ==
+  const ExactMesh none{PointSet({}), {}};
+  CHECK(verdict_line(check::delaunay(none), in_rows(none), "-") ==
         "holds: delaunay - 0 points 0 simplices unique canonical");
-  const Mesh point{PointSet({{0, 0, 0}}), {{0}}};
-  CHECK(verdict_line(check::delaunay(point), point, "p") ==
+  const ExactMesh point{PointSet({{0, 0, 0}}), {{0}}};
+  CHECK(verdict_line(check::delaunay(point), in_rows(point), "p") ==
         "holds: delaunay p 1 point 1 vertex unique canonical");
 }
 
 TEST_CASE("verdict line: what fails, with the first rule's first witness in the user's indices") {
-  const Mesh mesh = kite();
-  CHECK(verdict_line(check::delaunay(mesh), mesh, "k.ele") ==
+  const ExactMesh mesh = kite();
+  CHECK(verdict_line(check::delaunay(mesh), in_rows(mesh), "k.ele") ==
         "fails: delaunay k.ele delaunay.facet-not-local 1 face 1 2 vertex 4");
-  CHECK(verdict_line(check::delaunay(mesh, {.by = check::By::kDefinition}), mesh, "k.ele") ==
-        "fails: delaunay k.ele delaunay.vertex-in-ball 2 simplex 1 2 3 vertex 4");
-  Mesh broken = kite();
+  CHECK(
+      verdict_line(check::delaunay(mesh, {.by = check::By::kDefinition}), in_rows(mesh), "k.ele") ==
+      "fails: delaunay k.ele delaunay.vertex-in-ball 2 simplex 1 2 3 vertex 4");
+  ExactMesh broken = kite();
   broken.simplices = {{0, 1, 1}, {0, 1, 77}, {0, 3}};
-  CHECK(verdict_line(check::triangulation(broken), broken, "b") ==
+  CHECK(verdict_line(check::triangulation(broken), in_rows(broken), "b") ==
         "fails: triangulation b triangulation.unknown-vertex 1 simplex 1 2 78 vertex 78 also "
         "simplex.wrong-dimension 1 also simplex.repeated-vertex 1 also triangulation.unused-point "
         "1");
   broken.labels = {10, 20, 30, 40};  // after duplicates were merged
   broken.simplices = {{0, 1, 1}};
-  CHECK(verdict_line(check::triangulation(broken), broken, "b") ==
+  CHECK(verdict_line(check::triangulation(broken), in_rows(broken), "b") ==
         "fails: triangulation b simplex.repeated-vertex 1 simplex 10 20 20 vertex 20 also "
         "triangulation.unused-point 2");
 }
@@ -54,18 +55,18 @@ TEST_CASE("verdict line: a rule whose witnesses were all dropped is counted all 
   Verdict verdict(Claim::kTriangulation, kite(), 1);
   verdict.add(Rule::kUnusedPoint, {.vertices = {2}});
   verdict.count(Rule::kOverlap);
-  CHECK(verdict_line(verdict, kite(), "m") ==
+  CHECK(verdict_line(verdict, in_rows(kite()), "m") ==
         "fails: triangulation m complex.overlap 1 also triangulation.unused-point 1");
 }
 
 TEST_CASE("explanation: nothing of a claim that holds") {
-  const Mesh mesh = kite();
-  CHECK(explanation(check::triangulation(mesh), mesh).empty());
+  const ExactMesh mesh = kite();
+  CHECK(explanation(check::triangulation(mesh), in_rows(mesh)).empty());
 }
 
 TEST_CASE("explanation: a facet that is not locally Delaunay, with its ball") {
-  const Mesh mesh = kite();
-  CHECK(explanation(check::delaunay(mesh), mesh) ==
+  const ExactMesh mesh = kite();
+  CHECK(explanation(check::delaunay(mesh), in_rows(mesh)) ==
         "delaunay.facet-not-local: a facet is not locally Delaunay: the apex on one side lies "
         "strictly inside the circumball on the other\n"
         "  simplex  1 2 3\n"
@@ -80,39 +81,40 @@ TEST_CASE("explanation: a facet that is not locally Delaunay, with its ball") {
 
 // The ball orthogonal to points heavier than it is wide has a negative squared radius.
 TEST_CASE("explanation: a ball of heavy points has no radius") {
-  const Mesh light = kite();
-  const Mesh heavy{PointSet(light.points.points(), {100, 100, 100, 100}), light.simplices, {}, 1};
-  const std::string text = explanation(check::weighted_delaunay(heavy), heavy);
+  const ExactMesh light = kite();
+  const ExactMesh heavy{
+      PointSet(light.points.points(), {100, 100, 100, 100}), light.simplices, {}, 1};
+  const std::string text = explanation(check::weighted_delaunay(heavy), in_rows(heavy));
   CHECK(text.find("squared radius -375/4") != std::string::npos);
   CHECK(text.find("radius ~") == std::string::npos);
 }
 
 TEST_CASE("explanation: an overlap, with a common point; an unused point; what was dropped") {
-  const Mesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {3, 3}, {9, 9}, {8, 9}}),
-                  {{0, 1, 2}, {0, 1, 3}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {3, 3}, {9, 9}, {8, 9}}),
+                       {{0, 1, 2}, {0, 1, 3}}};
   const std::string unused = "triangulation.unused-point: a point is a vertex of no simplex\n";
-  CHECK(explanation(check::triangulation(mesh), mesh) ==
+  CHECK(explanation(check::triangulation(mesh), in_rows(mesh)) ==
         unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" + unused +
             "  vertex   5 at (8, 9)\n  point    (8, 9)\n" +
             "complex.overlap: two simplices meet in more than a common face\n"
             "  simplex  0 1 2\n"
             "  simplex  0 1 3\n"
             "  point    (1, 1)\n");
-  CHECK(explanation(check::triangulation(mesh, {.max_violations = 1}), mesh) ==
+  CHECK(explanation(check::triangulation(mesh, {.max_violations = 1}), in_rows(mesh)) ==
         unused + "  vertex   4 at (9, 9)\n  point    (9, 9)\n" +
             "… and 2 more (--max-errors 0 shows all)\n");
 }
 
 TEST_CASE("explanation: an index without a point has no place; the empty face is named") {
-  const Mesh unknown{PointSet({{0}, {1}, {2}}), {{0, 1}, {1, 5}}, {}, 1};
-  CHECK(explanation(check::triangulation(unknown), unknown) ==
+  const ExactMesh unknown{PointSet({{0}, {1}, {2}}), {{0, 1}, {1, 5}}, {}, 1};
+  CHECK(explanation(check::triangulation(unknown), in_rows(unknown)) ==
         "triangulation.unknown-vertex: a simplex has an index that names no point\n"
         "  simplex  2 6\n"
         "  vertex   6\n"
         "triangulation.unused-point: a point is a vertex of no simplex\n"
         "  vertex   3 at (2)\n  point    (2)\n");
-  const Mesh gap{PointSet({{0}, {1}, {2}, {3}}), {{0, 1}, {2, 3}}};
-  CHECK(explanation(check::triangulation(gap), gap) ==
+  const ExactMesh gap{PointSet({{0}, {1}, {2}, {3}}), {{0, 1}, {2, 3}}};
+  CHECK(explanation(check::triangulation(gap), in_rows(gap)) ==
         "triangulation.hull-not-closed: a ridge of the boundary is not shared by exactly two "
         "boundary facets\n"
         "  simplex  0\n"
@@ -125,8 +127,8 @@ TEST_CASE("explanation: an index without a point has no place; the empty face is
 TEST_CASE("explanation: a number too long to read is given by its decimal") {
   Rational long_number(1);
   for (int i = 0; i < 20; ++i) long_number = long_number / 12345 + 1;
-  const Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {long_number, 5}}), {{0, 1, 2}}};
-  const std::string text = explanation(check::triangulation(mesh), mesh);
+  const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {long_number, 5}}), {{0, 1, 2}}};
+  const std::string text = explanation(check::triangulation(mesh), in_rows(mesh));
   CHECK(text.find("  vertex   3 at (~ 1.0000810110174985, 5)") != std::string::npos);
   for (std::size_t line = 0; line < text.size();) {
     const std::size_t end = text.find('\n', line);
@@ -136,24 +138,24 @@ TEST_CASE("explanation: a number too long to read is given by its decimal") {
 }
 
 TEST_CASE("claims about a domain: Steiner points, and cells of the domain by its own indices") {
-  const Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};
   Domain domain{{mesh.points, {{0, 1}}, {}, {}, {}}, {7, 8, 9}};
   Verdict verdict(Claim::kSteinerCdt, mesh, 20);
   verdict.steiner_points = SteinerPoints{2, 0, 1};
-  CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
+  CHECK(verdict_line(verdict, in_rows(mesh), "x.ele", &domain) ==
         "holds: steiner-cdt x.ele 3 points 1 triangle 3 steiner-points 2 on-segments "
         "0 in-polygons 1 in-polyhedra");
   verdict.steiner_points = SteinerPoints{1, 0, 0};
   verdict.dangling = 2;
-  CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
+  CHECK(verdict_line(verdict, in_rows(mesh), "x.ele", &domain) ==
         "holds: steiner-cdt x.ele 3 points 1 triangle 2 dangling 1 steiner-point 1 on-segments "
         "0 in-polygons 0 in-polyhedra");
   verdict.add(Rule::kSegmentMissing, {.face = Simplex{0, 1}, .domain_cell = Simplex{0, 1}});
   verdict.add(Rule::kPolygonNotTiled, {.face = Simplex{0, 1}, .polygon = 2});
-  CHECK(verdict_line(verdict, mesh, "x.ele", &domain) ==
+  CHECK(verdict_line(verdict, in_rows(mesh), "x.ele", &domain) ==
         "fails: steiner-cdt x.ele domain.segment-missing 1 face 0 1 segment 7 8 also "
         "domain.polygon-not-tiled 1");
-  const std::string text = explanation(verdict, mesh, &domain);
+  const std::string text = explanation(verdict, in_rows(mesh), &domain);
   CHECK(text.find("  domain   segment 7 8\n") != std::string::npos);
   CHECK(text.find("  domain   polygon 3\n") != std::string::npos);
 }

@@ -31,12 +31,6 @@ std::string counted_simplices(std::size_t count, int dimension) {
   return fmt::format("{} {}", count, simplices_noun(dimension, count));
 }
 
-std::string labels(const Mesh& mesh, const Simplex& simplex) {
-  Simplex own;
-  for (const Vertex v : simplex) own.push_back(mesh.label(v));
-  return joined(own);
-}
-
 NamedCells named_cells(const Witness& witness, const Mesh& mesh) {
   NamedCells named;
   std::map<Vertex, Vertex> in_face;  // the index of each vertex, by the first simplex that has it

@@ -23,9 +23,6 @@ std::string simplices_noun(int dimension, std::size_t count);
 // "1 tetrahedron", "2 tetrahedra".
 std::string counted_simplices(std::size_t count, int dimension);
 
-// The vertices by the user's own indices: "3 7 9".
-std::string labels(const Mesh& mesh, const Simplex& simplex);
-
 // What a witness names, by the user's own indices.
 struct NamedCells {
   std::vector<Simplex> simplices = {};  // as they are listed
@@ -37,6 +34,14 @@ NamedCells named_cells(const Witness& witness, const Mesh& mesh);
 
 // Indices with blanks between them.
 std::string joined(const Simplex& indices);
+
+// The vertices of a mesh, of either type, by the user's own indices: "3 7 9".
+template <class AnyMesh>
+std::string labels(const AnyMesh& mesh, const Simplex& simplex) {
+  Simplex own;
+  for (const Vertex v : simplex) own.push_back(mesh.label(v));
+  return joined(own);
+}
 
 std::string name(check::By by);
 

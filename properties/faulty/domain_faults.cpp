@@ -20,7 +20,7 @@ namespace circumspect::faulty {
 namespace {
 
 using Input = PiecewiseLinearInput;
-using Result = std::optional<Mesh>;
+using Result = std::optional<ExactMesh>;
 
 // What a program does that takes another domain for the one that it was given.
 Result cdt_of(const Input& input) {
@@ -34,7 +34,7 @@ Result without_constraints(const Input& input) {
       points.dimension() < static_cast<int>(points.ambient_dimension())) {
     return std::nullopt;
   }
-  return Mesh{points, delaunay::bowyer_watson(points).simplices()};
+  return ExactMesh{points, delaunay::bowyer_watson(points).simplices()};
 }
 
 Result without_polygons(Input input) {

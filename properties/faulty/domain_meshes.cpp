@@ -11,8 +11,8 @@
 namespace circumspect::faulty {
 namespace {
 
-Mesh mesh_of(const PointSet& points, const constrained::PlcTriangulation& triangulation) {
-  Mesh mesh{points, triangulation.simplices};
+ExactMesh mesh_of(const PointSet& points, const constrained::PlcTriangulation& triangulation) {
+  ExactMesh mesh{points, triangulation.simplices};
   for (const Simplex& simplex : triangulation.dangling) {
     if (simplex.size() > 1) mesh.faces.push_back(simplex);
   }
@@ -21,7 +21,7 @@ Mesh mesh_of(const PointSet& points, const constrained::PlcTriangulation& triang
 
 }  // namespace
 
-std::optional<Mesh> cdt_mesh(const PiecewiseLinearComplex& complex) {
+std::optional<ExactMesh> cdt_mesh(const PiecewiseLinearComplex& complex) {
   if (complex.ambient_dimension() == 2) {
     return mesh_of(complex.points, constrained::planar_cdt(complex));
   }
@@ -36,8 +36,8 @@ SteinerMesh steiner_mesh(const PiecewiseLinearComplex& complex) {
   return {mesh_of(recovered.complex.points, cdt), std::move(recovered.steiner_points)};
 }
 
-std::optional<Mesh> conforming_mesh(const PiecewiseLinearComplex& complex,
-                                    std::size_t most_steiner_points) {
+std::optional<ExactMesh> conforming_mesh(const PiecewiseLinearComplex& complex,
+                                         std::size_t most_steiner_points) {
   const auto conforming = constrained::conforming_delaunay(complex, most_steiner_points);
   if (!conforming) return std::nullopt;
   return mesh_of(conforming->complex.points, conforming->triangulation);

@@ -9,7 +9,7 @@
 
 #include <circumspect/subject.hpp>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
@@ -19,7 +19,7 @@ enum class Kind { kPredicate, kImplementation, kCorruption, kDomain };
 std::string_view name(Kind kind);
 
 // A program that fills a domain. Nothing, where the input gives it no occasion to run.
-using DomainMesher = std::function<std::optional<Mesh>(const PiecewiseLinearInput&)>;
+using DomainMesher = std::function<std::optional<ExactMesh>(const PiecewiseLinearInput&)>;
 
 struct Fault {
   std::string name;   // lower-case words joined by hyphens

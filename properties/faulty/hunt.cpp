@@ -45,21 +45,21 @@ std::string rule_of(const Verdict& verdict) {
 
 std::string broken_rule(const Fault& fault, const PointsCase& set, check::By by) {
   const PointArray points = generators::array(set, fault.dimensions.front());
-  Mesh mesh{PointSet(set.points, set.weights), {}};
+  ExactMesh mesh{PointSet(set.points, set.weights), {}};
   try {
     const SimplexArray rows = fault.triangulate(points);
     mesh.simplices.assign(rows.begin(), rows.end());
   } catch (const std::exception& error) {
     return std::string("crash: ") + error.what();
   }
-  return rule_of(
-      check::judge(fault.claim, mesh, {.by = by, .oriented = fault.oriented, .max_violations = 1}));
+  return rule_of(check::judge_points(fault.claim, mesh,
+                                     {.by = by, .oriented = fault.oriented, .max_violations = 1}));
 }
 
 std::string broken_rule(const Fault& fault, const ComplexCase& domain, check::By by) {
   const auto complex = validated(domain.input, 1);
   if (!complex) return "";
-  const std::optional<Mesh> mesh = fault.mesh(domain.input);
+  const std::optional<ExactMesh> mesh = fault.mesh(domain.input);
   if (!mesh) return "";
   return rule_of(
       check::judge_domain(fault.claim, *mesh, {*complex}, {.by = by, .max_violations = 1}));

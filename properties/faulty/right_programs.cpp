@@ -13,7 +13,7 @@ Fault of_domains(std::string name, std::string about, Claim claim, DomainMesher 
   return {std::move(name), std::move(about), Kind::kDomain, claim, {}, std::move(mesh)};
 }
 
-std::optional<Mesh> conforming(const PiecewiseLinearInput& input) {
+std::optional<ExactMesh> conforming(const PiecewiseLinearInput& input) {
   return conforming_mesh(assemble(input), 100);
 }
 
@@ -39,7 +39,7 @@ std::vector<Fault> right_programs() {
       of_domains("reference-conforming", "a conforming Delaunay triangulation within 100 points",
                  Claim::kConformingDelaunay, conforming),
       of_domains("reference-steiner-cdt", "a Steiner CDT", Claim::kSteinerCdt,
-                 [](const PiecewiseLinearInput& input) -> std::optional<Mesh> {
+                 [](const PiecewiseLinearInput& input) -> std::optional<ExactMesh> {
                    return steiner_mesh(assemble(input)).mesh;
                  }),
   };

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::properties {
 
@@ -30,7 +30,7 @@ struct ArrayMesh {
 
 // The points are doubles, and all simplices have d + 1 vertices, or there is none.
 ArrayMesh array_mesh(const PointSet& points, const std::vector<Simplex>& simplices);
-// Equal points stay apart, which no Mesh has: not for checkers, unless they are merged first.
+// Equal points stay apart, which no ExactMesh has: not for checkers, unless they are merged first.
 std::vector<Simplex> simplices_of(const ArrayMesh& mesh);
 
 // Lists the right neighbours: of facets that two simplices share, by their indices.

@@ -7,7 +7,7 @@
 
 #include <rapidcheck.h>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::properties {
 

@@ -37,7 +37,7 @@ inline bool append(const std::vector<Vertex>& row, std::vector<std::int64_t>& in
 }
 
 // None if some number is no double, or a row has not d + 1 entries.
-inline std::optional<MeshInArrays> arrays_of(const Mesh& mesh) {
+inline std::optional<MeshInArrays> arrays_of(const ExactMesh& mesh) {
   MeshInArrays arrays{.dimension = mesh.points.ambient_dimension()};
   bool fits = arrays.dimension > 0;
   for (const Point& point : mesh.points.points()) {
@@ -60,7 +60,7 @@ inline std::optional<MeshInArrays> arrays_of(const Mesh& mesh) {
 }
 
 // The mesh without indices of the user's own, which arrays do not have.
-inline Mesh without_labels(Mesh mesh) {
+inline ExactMesh without_labels(ExactMesh mesh) {
   mesh.labels.clear();
   mesh.first_index = 0;
   if (mesh.neighbors) {
@@ -73,11 +73,12 @@ inline Mesh without_labels(Mesh mesh) {
 }
 
 // In what the judgement of the arrays differs from that of oracle/judge/points; empty if in nothing.
-inline std::string difference_from_slow(Claim claim, const Mesh& labelled,
+inline std::string difference_from_slow(Claim claim, const ExactMesh& labelled,
                                         const MeshJudgement& judgement) {
-  const Mesh mesh = without_labels(labelled);
-  const Verdict verdict = check::judge(claim, mesh);
-  const std::string explanation = verdict.holds() ? "" : report::explanation(verdict, mesh);
+  const ExactMesh mesh = without_labels(labelled);
+  const Verdict verdict = check::judge_points(claim, mesh);
+  const std::string explanation =
+      verdict.holds() ? "" : report::explanation(verdict, in_rows(mesh));
   if (judgement.holds != verdict.holds()) return "holds";
   if (judgement.report != explanation) return "report";
   if (judgement.unique != verdict.unique) return "unique";

@@ -1,13 +1,11 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include "oracle/judge/judge.hpp"
+
 #include <stdexcept>
 
 #include <circumspect/judgement.hpp>
 
 #include "oracle/judge/arrays/claim_named.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
-#include "oracle/judge/points/check.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect {
@@ -22,8 +20,8 @@ Claim arrays::claim_named(const std::string& claim) {
 
 Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices) {
   const Claim known = arrays::claim_named(claim);
-  const Mesh mesh = arrays::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
-  const Verdict verdict = check::judge(known, mesh);
+  Mesh mesh = arrays::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
+  const Verdict verdict = check::judge_merged(known, mesh, nullptr, {.threads = 1});
   if (verdict.holds()) return {true, "", ""};
   const Rule rule = verdict.violations().front().rule;
   return {false, std::string(identifier(rule)), report::explanation(verdict, mesh)};

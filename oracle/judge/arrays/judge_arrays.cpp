@@ -6,10 +6,8 @@
 #include <circumspect/check.hpp>
 
 #include "oracle/judge/arrays/claim_named.hpp"
-#include "oracle/judge/arrays/mesh_of.hpp"
-#include "oracle/judge/fast/judge.hpp"
-#include "oracle/judge/points/check.hpp"
-#include "oracle/judge/verdict_of_facts.hpp"
+#include "oracle/judge/fast/finite.hpp"
+#include "oracle/judge/judge.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect {
@@ -35,86 +33,43 @@ void require_lengths(const MeshArrays<Index>& mesh) {
           mesh.neighbors.size());
 }
 
-fast::Question question_of(Claim claim) {
-  if (claim == Claim::kTriangulation) return fast::Question::kTriangulation;
-  return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
+// On the memory of the arrays.
+template <typename Index>
+Mesh mesh_of(const MeshArrays<Index>& arrays, bool weighted) {
+  const std::size_t vertices = arrays.dimension + 1;
+  Mesh mesh;
+  mesh.coordinates = Rows<double>::of(arrays.coordinates, arrays.dimension);
+  if (weighted && !arrays.weights.empty()) mesh.weights = Rows<double>::of(arrays.weights, 1);
+  mesh.simplices = Rows<Index>::of(arrays.simplices, vertices);
+  if (!arrays.neighbors.empty()) {
+    mesh.neighbors.emplace(Rows<Index>::of(arrays.neighbors, vertices), 0);
+  }
+  return mesh;
 }
 
-MeshJudgement judgement_of(const Verdict& verdict, const Mesh& mesh) {
+template <typename Index>
+MeshJudgement judged(const std::string& claim, const MeshArrays<Index>& arrays,
+                     const JudgeOptions& options) {
+  const Claim known = arrays::claim_named(claim);
+  require_lengths(arrays);
+  const unsigned threads =
+      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  if (!fast::are_finite(arrays.coordinates, threads) ||
+      !fast::are_finite(arrays.weights, threads)) {
+    throw std::invalid_argument("expected finite coordinates and weights, found another");
+  }
+  Mesh mesh = mesh_of(arrays, known == Claim::kWeightedDelaunay);
+  const Verdict verdict = check::judge_merged(known, mesh, nullptr, {.threads = threads});
   MeshJudgement judgement;
   judgement.holds = verdict.holds();
   judgement.unique = verdict.unique;
   judgement.canonical = verdict.canonical;
+  const Course& course = verdict.course;
+  judgement.counts = {course.fast, course.why_not_fast, course.filtered_signs, course.exact_signs};
   if (!verdict.holds()) {
     judgement.rule = identifier(verdict.violations().front().rule);
     judgement.report = report::explanation(verdict, mesh);
   }
-  return judgement;
-}
-
-// What the fast judge knows, or why it knows nothing.
-template <std::size_t kDimension, typename Index>
-MeshJudgement judged_fast(Claim claim, const MeshArrays<Index>& mesh, unsigned threads) {
-  const fast::MeshView<kDimension, Index> view{mesh.coordinates, mesh.weights, mesh.simplices,
-                                               mesh.neighbors};
-  const auto facts = fast::judge(view, question_of(claim), threads);
-  if (!facts) {
-    MeshJudgement unknown;
-    unknown.counts.why_not_fast = description(facts.error());
-    return unknown;
-  }
-  const check::FlatVerdict found = check::verdict_of_facts(claim, view, 0, *facts, {});
-  MeshJudgement judgement = judgement_of(found.verdict, found.named);
-  judgement.counts = {true, "", facts->stages.filtered, facts->stages.exact()};
-  return judgement;
-}
-
-template <typename Index>
-std::vector<std::vector<std::int64_t>> rows_of(std::span<const Index> array, std::size_t width) {
-  std::vector<std::vector<std::int64_t>> rows;
-  rows.reserve(array.size() / width);
-  for (std::size_t begin = 0; begin < array.size(); begin += width) {
-    const auto row = array.subspan(begin, width);
-    rows.emplace_back(row.begin(), row.end());
-  }
-  return rows;
-}
-
-template <typename Index>
-MeshJudgement judged_slowly(Claim claim, const MeshArrays<Index>& arrays) {
-  const PointArray points{arrays.dimension,
-                          {arrays.coordinates.begin(), arrays.coordinates.end()},
-                          {arrays.weights.begin(), arrays.weights.end()}};
-  Mesh mesh = arrays::mesh_of(points, rows_of(arrays.simplices, arrays.dimension + 1),
-                              claim == Claim::kWeightedDelaunay);
-  if (!arrays.neighbors.empty()) {
-    mesh.neighbors = Neighbors{{}, 0};
-    for (const std::vector<std::int64_t>& row : rows_of(arrays.neighbors, arrays.dimension + 1)) {
-      mesh.neighbors->rows.emplace_back(row.begin(), row.end());
-    }
-  }
-  return judgement_of(check::judge(claim, mesh), mesh);
-}
-
-template <typename Index>
-MeshJudgement judged(const std::string& claim, const MeshArrays<Index>& mesh,
-                     const JudgeOptions& options) {
-  const Claim known = arrays::claim_named(claim);
-  require_lengths(mesh);
-  const unsigned threads =
-      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  MeshJudgement judgement;
-  if (mesh.dimension == 2) {
-    judgement = judged_fast<2>(known, mesh, threads);
-  } else if (mesh.dimension == 3) {
-    judgement = judged_fast<3>(known, mesh, threads);
-  } else {
-    judgement.counts.why_not_fast = "a dimension other than 2 and 3";
-  }
-  if (judgement.counts.fast) return judgement;
-  const std::string why_not_fast = judgement.counts.why_not_fast;
-  judgement = judged_slowly(known, mesh);
-  judgement.counts.why_not_fast = why_not_fast;
   return judgement;
 }
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
-#include "oracle/model/merged_points.hpp"
+#include "oracle/model/equal_points.hpp"
 
 namespace circumspect::arrays {
 namespace {
@@ -28,28 +29,24 @@ void require_sound(const PointArray& points) {
   }
 }
 
-Point exact_point(const PointArray& points, std::size_t i) {
-  Point point;
-  for (std::size_t axis = 0; axis < points.dimension; ++axis) {
-    point.push_back(exact_value(points.point(i)[axis]));
-  }
-  return point;
-}
-
 }  // namespace
 
 Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted) {
   require_sound(points);
-  std::vector<Point> listed;
-  std::vector<Rational> weights;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    listed.push_back(exact_point(points, i));
-    if (weighted && !points.weights.empty()) weights.push_back(exact_value(points.weights[i]));
-  }
+  Mesh mesh;
+  mesh.coordinates = Rows<double>::of(points.coordinates, points.dimension);
+  if (weighted && !points.weights.empty()) mesh.weights = Rows<double>::of(points.weights, 1);
   std::vector<Simplex> rows;
+  rows.reserve(simplices.size());
   for (const std::vector<std::int64_t>& row : simplices) rows.emplace_back(row.begin(), row.end());
-  const std::vector<Duplicate> repeated = duplicates(listed);
-  return mesh_of_merged(std::move(listed), std::move(weights), repeated, 0, std::move(rows));
+  mesh.simplices = IndexLists(std::move(rows));
+  return mesh;
+}
+
+ExactMesh exact_mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted) {
+  Mesh mesh = mesh_of(points, simplices, weighted);
+  merge_equal_points(mesh);
+  return exact(mesh);
 }
 
 }  // namespace circumspect::arrays

@@ -1,4 +1,4 @@
-// From arrays to what the checkers judge.
+// From arrays to a mesh that can be judged.
 #pragma once
 
 #include <circumspect/subject.hpp>
@@ -7,11 +7,15 @@
 
 namespace circumspect::arrays {
 
-// The mesh with every number exact. Of equal points the first one stands for all (where weights count,
-// that with the largest weight, below which the others are submerged), and simplices that name another
-// of them name it; labels are the places in the array. Throws std::invalid_argument: coordinates that
-// are no multiple of the dimension or not finite; weights that are not as many as the points, or not
-// finite.
+// The mesh of these points, on the memory of their array, which has to outlive it, with weights if they are
+// to count; labels are the places in the array. Throws std::invalid_argument: coordinates that are no
+// multiple of the dimension or not finite; weights that are not as many as the points, or not finite.
 Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted = false);
+Mesh mesh_of(PointArray&& points, const SimplexArray& simplices, bool weighted = false) = delete;
+
+// The same in exact numbers. Of equal points the first one stands for all (where weights count, that with
+// the largest weight, below which the others are submerged), and simplices that name another of them name it.
+ExactMesh exact_mesh_of(const PointArray& points, const SimplexArray& simplices,
+                        bool weighted = false);
 
 }  // namespace circumspect::arrays

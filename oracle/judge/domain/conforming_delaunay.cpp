@@ -13,14 +13,14 @@
 namespace circumspect::check {
 namespace {
 
-void judge_shared_facet(const Mesh& mesh, std::span<const FacetUse> group, Verdict& verdict) {
+void judge_shared_facet(const ExactMesh& mesh, std::span<const FacetUse> group, Verdict& verdict) {
   const Simplex& simplex = mesh.simplices[group[0].simplex];
   const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
   if (in_ball(mesh.points.configuration(), simplex, apex) <= 0) return;
   add_in_ball(mesh, Rule::kFacetNotLocal, simplex, group[0].facet, apex, verdict);
 }
 
-void judge_ball_at_boundary(const Mesh& mesh, const VertexIndex& index, const FacetUse& use,
+void judge_ball_at_boundary(const ExactMesh& mesh, const VertexIndex& index, const FacetUse& use,
                             Verdict& verdict) {
   const Simplex& simplex = mesh.simplices[use.simplex];
   for (const Vertex v : index.near(circumball(mesh.points, simplex))) {
@@ -29,7 +29,7 @@ void judge_ball_at_boundary(const Mesh& mesh, const VertexIndex& index, const Fa
   }
 }
 
-void judge_dangling(const Mesh& mesh, const Simplex& simplex, const VerticesNear& near,
+void judge_dangling(const ExactMesh& mesh, const Simplex& simplex, const VerticesNear& near,
                     Verdict& verdict) {
   const std::vector<Vertex> against = vertices_in_every_circumball(mesh.points, simplex, near);
   if (against.empty()) return;
@@ -82,7 +82,7 @@ void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece
   }
 }
 
-void judge_delaunay_by_definition(const Mesh& mesh, Verdict& verdict) {
+void judge_delaunay_by_definition(const ExactMesh& mesh, Verdict& verdict) {
   Ambiguity ambiguity;
   judge_balls_empty(mesh, verdict, ambiguity);
   const auto all = [&](const Ball&) { return all_vertices(mesh.points); };

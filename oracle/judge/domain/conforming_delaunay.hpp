@@ -15,6 +15,6 @@ void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece
                              Verdict& verdict);
 
 // Every simplex, listed ones included, against every vertex.
-void judge_delaunay_by_definition(const Mesh& mesh, Verdict& verdict);
+void judge_delaunay_by_definition(const ExactMesh& mesh, Verdict& verdict);
 
 }  // namespace circumspect::check

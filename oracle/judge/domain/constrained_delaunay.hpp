@@ -18,7 +18,7 @@ void judge_constrained_delaunay_by_lemma(const MeshedDomain& in,
 // dangling triangle only what is in its plane is visible, and all its circumballs cut that in its
 // circumdisk. cdt.visible-vertex-in-ball, cdt.dangling-not-delaunay.
 // `complex` has the vertices of the mesh.
-void judge_constrained_delaunay_by_definition(const Mesh& mesh,
+void judge_constrained_delaunay_by_definition(const ExactMesh& mesh,
                                               const PiecewiseLinearComplex& complex,
                                               Verdict& verdict);
 

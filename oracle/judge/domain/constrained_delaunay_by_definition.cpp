@@ -11,7 +11,7 @@ namespace circumspect::check {
 namespace {
 
 // The triangles of polygons that no simplex has for a facet.
-std::set<Simplex> dangling_triangles(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
+std::set<Simplex> dangling_triangles(const ExactMesh& mesh, const PiecewiseLinearComplex& complex) {
   std::set<Simplex> dangling;
   for (const Polygon& polygon : complex.polygons) {
     dangling.insert(polygon.triangles.begin(), polygon.triangles.end());
@@ -22,7 +22,7 @@ std::set<Simplex> dangling_triangles(const Mesh& mesh, const PiecewiseLinearComp
 
 }  // namespace
 
-void judge_constrained_delaunay_by_definition(const Mesh& mesh,
+void judge_constrained_delaunay_by_definition(const ExactMesh& mesh,
                                               const PiecewiseLinearComplex& complex,
                                               Verdict& verdict) {
   const Configuration& points = mesh.points.configuration();

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "oracle/judge/domain/constrained_delaunay.hpp"
+#include "oracle/judge/domain/facets_of_interest.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/points/ball_witness.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
@@ -25,7 +26,7 @@ struct Ties {
 
   // All ties of simplices. Those in walls do not count.
   template <class Counts>
-  void see_known(const KnownVolume& known, std::size_t dimension, const Counts& counts) {
+  void see_known(const fast::SimplexFacts& known, std::size_t dimension, const Counts& counts) {
     any = std::any_of(known.ties.begin(), known.ties.end(), counts);
     in_plane = any && dimension == 2;
     canonical = std::none_of(known.not_canonical.begin(), known.not_canonical.end(), counts);
@@ -42,11 +43,11 @@ struct Ties {
 void judge_facets(const MeshedDomain& in, const std::vector<WallPiece>& pieces, Ties& ties,
                   Verdict& verdict) {
   if (in.known != nullptr) {
-    const auto is_off_walls = [&](std::uint64_t facet) {
-      return !is_piece(pieces, KnownVolume::vertices(in.mesh, facet));
+    const auto is_off_walls = [&](fast::FacetId facet) {
+      return !is_piece(pieces, vertices_of(in.mesh, facet));
     };
     ties.see_known(*in.known, in.complex.ambient_dimension(), is_off_walls);
-    const std::vector<std::uint64_t>& not_local = in.known->not_local;
+    const std::vector<fast::FacetId>& not_local = in.known->not_local;
     if (std::none_of(not_local.begin(), not_local.end(), is_off_walls)) return;
   }
   const Configuration& points = in.mesh.points.configuration();

@@ -7,7 +7,7 @@
 namespace circumspect::check {
 namespace {
 
-std::set<Rule> by_definition(Claim claim, const Mesh& mesh, const Domain& domain) {
+std::set<Rule> by_definition(Claim claim, const ExactMesh& mesh, const Domain& domain) {
   return broken(claim, mesh, domain, By::kDefinition);
 }
 
@@ -25,7 +25,7 @@ PiecewiseLinearInput crowded_segment(bool in_space) {
 
 TEST_CASE("cdt.facet-not-local: three tetrahedra around a segment (Figure 4.15)") {
   const PiecewiseLinearInput input = generators::encircled_segment();
-  const Mesh mesh{PointSet(input.points), {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
+  const ExactMesh mesh{PointSet(input.points), {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
   const Domain domain = domain_of(input);
   CHECK(broken(Claim::kPlcTriangulation, mesh, domain).empty());
   CHECK(broken(Claim::kCdt, mesh, domain) == std::set{Rule::kConstrainedFacetNotLocal});
@@ -39,7 +39,7 @@ TEST_CASE("cdt.dangling-not-delaunay: the wrong diagonal of a kite in space") {
   PiecewiseLinearInput kite;
   kite.points = {{0, 0, 1}, {3, 1, 1}, {6, 0, 1}, {3, -1, 1}, {3, 0, 9}};
   kite.polygons = {{{{0, 1, 2, 3}}, {}}};
-  Mesh mesh{PointSet(kite.points), {}};
+  ExactMesh mesh{PointSet(kite.points), {}};
   mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   const Domain domain = domain_of(kite);
   CHECK(broken(Claim::kPlcTriangulation, mesh, domain).empty());
@@ -85,7 +85,7 @@ TEST_CASE("a polygon hides a vertex: a CDT that is not Delaunay, in both words f
       input.polygons.push_back({{line}, {}});
     }
   }
-  const Mesh mesh{PointSet(input.points), {{0, 1, 2, 3}, {4, 5, 6, 7}}};
+  const ExactMesh mesh{PointSet(input.points), {{0, 1, 2, 3}, {4, 5, 6, 7}}};
   const Domain domain = domain_of(input);
   for (const By by : {By::kLemma, By::kDefinition}) {
     CHECK(broken(Claim::kCdt, mesh, domain, by).empty());
@@ -96,7 +96,7 @@ TEST_CASE("a polygon hides a vertex: a CDT that is not Delaunay, in both words f
 TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
   for (const bool in_space : {false, true}) {
     const PiecewiseLinearInput input = crowded_segment(in_space);
-    Mesh mesh{PointSet(input.points), {}};
+    ExactMesh mesh{PointSet(input.points), {}};
     mesh.faces = {{0, 1}};
     for (const By by : {By::kLemma, By::kDefinition}) {
       CHECK(broken(Claim::kCdt, mesh, domain_of(input), by).empty());
@@ -109,7 +109,7 @@ TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
     // Without one of them there is room for a ball.
     PiecewiseLinearInput fewer = input;
     fewer.points.pop_back();
-    Mesh rest{PointSet(fewer.points), {}};
+    ExactMesh rest{PointSet(fewer.points), {}};
     rest.faces = {{0, 1}};
     CHECK(broken(Claim::kConformingDelaunay, rest, domain_of(fewer)).empty());
     CHECK(by_definition(Claim::kConformingDelaunay, rest, domain_of(fewer)).empty());
@@ -117,7 +117,7 @@ TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
   PiecewiseLinearInput triangle;
   triangle.points = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {3, 3, 1}, {3, 3, -1}};
   triangle.polygons = {{{{0, 1, 2}}, {}}};
-  Mesh mesh{PointSet(triangle.points), {}};
+  ExactMesh mesh{PointSet(triangle.points), {}};
   mesh.faces = {{0, 1, 2}};
   for (const By by : {By::kLemma, By::kDefinition}) {
     CHECK(broken(Claim::kConformingDelaunay, mesh, domain_of(triangle), by) ==
@@ -126,7 +126,7 @@ TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
 }
 
 TEST_CASE("conforming Delaunay: a grid is, and polygons are not exempt") {
-  const Mesh mesh = grid({0, 1, 3}, {0, 2, 3}, {0, 3}, every_cell);
+  const ExactMesh mesh = grid({0, 1, 3}, {0, 2, 3}, {0, 3}, every_cell);
   const Domain domain = domain_of(generators::box(0, 3));
   CHECK(broken(Claim::kConformingDelaunay, mesh, domain).empty());
   CHECK(by_definition(Claim::kConformingDelaunay, mesh, domain).empty());
@@ -136,7 +136,7 @@ TEST_CASE("conforming Delaunay: a grid is, and polygons are not exempt") {
     for (const Vertex apex : {3, 4}) bipyramid.polygons.push_back({{{i, (i + 1) % 3, apex}}, {}});
   }
   bipyramid.polygons.push_back({{{0, 1, 2}}, {}});
-  const Mesh flat{PointSet(bipyramid.points), {{0, 1, 2, 3}, {0, 1, 2, 4}}};
+  const ExactMesh flat{PointSet(bipyramid.points), {{0, 1, 2, 3}, {0, 1, 2, 4}}};
   CHECK(broken(Claim::kCdt, flat, domain_of(bipyramid)).empty());
   CHECK(by_definition(Claim::kCdt, flat, domain_of(bipyramid)).empty());
   CHECK(broken(Claim::kConformingDelaunay, flat, domain_of(bipyramid))

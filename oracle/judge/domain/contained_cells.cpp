@@ -26,7 +26,7 @@ bool is_coplanar(const PointSet& points, const Simplex& plane, const Simplex& tr
 }
 
 // Has the triangle as much in common with the polygon as with itself?
-bool lies_in_polygon(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+bool lies_in_polygon(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                      const VertexPlaces& places, const Polygon& polygon, const Simplex& triangle) {
   if (polygon.triangles.empty()) return false;
   if (!is_coplanar(mesh.points, in_mesh(places, polygon.triangles.front()), triangle)) return false;
@@ -50,14 +50,14 @@ void insert_faces(const Simplex& simplex, std::size_t size, std::set<Simplex>& f
   } while (next_subset(subset, simplex.size()));
 }
 
-std::set<Simplex> faces_of_size(const Mesh& mesh, std::size_t size) {
+std::set<Simplex> faces_of_size(const ExactMesh& mesh, std::size_t size) {
   std::set<Simplex> faces;
   for (const Simplex& simplex : mesh.simplices) insert_faces(simplex, size, faces);
   for (const Simplex& face : mesh.faces) insert_faces(face, size, faces);
   return faces;
 }
 
-ContainedCells contained_cells(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+ContainedCells contained_cells(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                                const VertexPlaces& places) {
   ContainedCells cells;
   const std::set<Simplex> edges = faces_of_size(mesh, 2);
@@ -83,7 +83,8 @@ ContainedCells contained_cells(const Mesh& mesh, const PiecewiseLinearComplex& c
   return cells;
 }
 
-PiecewiseLinearComplex augmented_complex(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+PiecewiseLinearComplex augmented_complex(const ExactMesh& mesh,
+                                         const PiecewiseLinearComplex& complex,
                                          const VertexPlaces& places, const ContainedCells& cells) {
   PiecewiseLinearComplex augmented{mesh.points, {}, {}, complex.hole_seeds, complex.kind};
   for (const auto& edges : cells.edges_by_segment) {

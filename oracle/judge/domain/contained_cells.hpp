@@ -14,16 +14,17 @@ struct ContainedCells {
 };
 
 // Requires: the mesh has every vertex of the domain.
-ContainedCells contained_cells(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+ContainedCells contained_cells(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                                const VertexPlaces& places);
 
 // The domain with the vertices of the mesh, numbered as in the mesh, each segment and polygon cut
 // into what it contains.
-PiecewiseLinearComplex augmented_complex(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+PiecewiseLinearComplex augmented_complex(const ExactMesh& mesh,
+                                         const PiecewiseLinearComplex& complex,
                                          const VertexPlaces& places, const ContainedCells& cells);
 
 // All faces of `size` vertices of the simplices and the listed faces of a mesh.
-std::set<Simplex> faces_of_size(const Mesh& mesh, std::size_t size);
+std::set<Simplex> faces_of_size(const ExactMesh& mesh, std::size_t size);
 
 // Adds all faces of `size` vertices of one simplex.
 void insert_faces(const Simplex& simplex, std::size_t size, std::set<Simplex>& faces);

@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/domain/exact_volume_test.hpp"
+#include "oracle/judge/domain/exact_facts_test.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/domain/verdict_text_test.hpp"
 
@@ -18,14 +18,14 @@ namespace circumspect::check {
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
 
 // The verdict by lemma: the same word for word whether anything is known of the simplices or not.
-inline Verdict verdict_by_lemma(Claim claim, const Mesh& mesh, const Domain& domain) {
+inline Verdict verdict_by_lemma(Claim claim, const ExactMesh& mesh, const Domain& domain) {
   const Verdict verdict = judge_domain(claim, mesh, domain);
-  const std::optional<KnownVolume> known = exact_volume(claim, mesh, domain);
+  const std::optional<fast::SimplexFacts> known = exact_facts(claim, mesh, domain);
   if (known) CHECK(text_of(judge_domain(claim, mesh, domain, {}, &*known)) == text_of(verdict));
   return verdict;
 }
 
-inline std::set<Rule> broken(Claim claim, const Mesh& mesh, const Domain& domain,
+inline std::set<Rule> broken(Claim claim, const ExactMesh& mesh, const Domain& domain,
                              By by = By::kLemma) {
   std::set<Rule> rules;
   const Verdict verdict = by == By::kLemma ? verdict_by_lemma(claim, mesh, domain)
@@ -34,7 +34,7 @@ inline std::set<Rule> broken(Claim claim, const Mesh& mesh, const Domain& domain
   return rules;
 }
 
-inline bool holds(Claim claim, const Mesh& mesh, const Domain& domain, By by) {
+inline bool holds(Claim claim, const ExactMesh& mesh, const Domain& domain, By by) {
   return judge_domain(claim, mesh, domain, {.by = by}).holds();
 }
 
@@ -48,8 +48,8 @@ inline const std::vector<Simplex> kCubeInSix = {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 
 // tetrahedra, or with one z two triangles in the plane. Only those whose least corner (by its three
 // places) is kept; and only the points that these have.
 using KeepCell = std::function<bool(std::size_t i, std::size_t j, std::size_t k)>;
-inline Mesh grid(const std::vector<int>& xs, const std::vector<int>& ys, const std::vector<int>& zs,
-                 const KeepCell& keep) {
+inline ExactMesh grid(const std::vector<int>& xs, const std::vector<int>& ys,
+                      const std::vector<int>& zs, const KeepCell& keep) {
   const bool flat = zs.size() == 1;
   std::map<Point, Vertex> number;
   std::vector<Point> points;
@@ -85,8 +85,8 @@ inline bool every_cell(std::size_t, std::size_t, std::size_t) { return true; }
 
 // The grid of eight unit cubes without a tetrahedron at its centre, (1, 1, 1), that has no facet in a
 // face of the whole; one of its facets has no vertex off these.
-inline Mesh eight_cubes_with_a_gap() {
-  Mesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+inline ExactMesh eight_cubes_with_a_gap() {
+  ExactMesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
   const std::vector<Point> gap = {{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {2, 1, 1}};
   std::erase_if(mesh.simplices,
                 [&](const Simplex& simplex) { return coordinates(mesh.points, simplex) == gap; });

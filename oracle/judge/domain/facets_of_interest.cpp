@@ -6,8 +6,9 @@ namespace circumspect::check {
 namespace {
 
 // The points of the mesh that are in walls, or vertices of facets that are of interest for themselves.
-std::vector<bool> vertices_of_interest(const Mesh& mesh, const PiecewiseLinearComplex& complex,
-                                       const VertexPlaces& places, const KnownVolume& known) {
+std::vector<bool> vertices_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
+                                       const VertexPlaces& places,
+                                       const fast::SimplexFacts& known) {
   std::vector<bool> of_interest(mesh.points.size(), false);
   const auto add = [&](const Simplex& vertices) {
     for (const Vertex v : vertices) of_interest[VertexPlaces::place(v)] = true;
@@ -25,15 +26,20 @@ std::vector<bool> vertices_of_interest(const Mesh& mesh, const PiecewiseLinearCo
   for (const Simplex& face : mesh.faces) {
     if (face.size() == complex.ambient_dimension()) add(face);
   }
-  for (const std::uint64_t facet : known.boundary) add(KnownVolume::vertices(mesh, facet));
-  for (const std::uint64_t facet : known.not_local) add(KnownVolume::vertices(mesh, facet));
+  for (const fast::FacetId facet : known.boundary) add(vertices_of(mesh, facet));
+  for (const fast::FacetId facet : known.not_local) add(vertices_of(mesh, facet));
   return of_interest;
 }
 
 }  // namespace
 
-std::vector<FacetUse> uses_of_interest(const Mesh& mesh, const PiecewiseLinearComplex& complex,
-                                       const VertexPlaces& places, const KnownVolume& known) {
+Simplex vertices_of(const ExactMesh& mesh, fast::FacetId facet) {
+  return sorted(facet_opposite(mesh.simplices[facet.simplex()], facet.place()));
+}
+
+std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
+                                       const VertexPlaces& places,
+                                       const fast::SimplexFacts& known) {
   const std::vector<bool> of_interest = vertices_of_interest(mesh, complex, places, known);
   std::vector<FacetUse> uses;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {

@@ -20,8 +20,8 @@ bool is_about_balls(Claim claim) {
   return is_constrained(claim) || claim == Claim::kConformingDelaunay;
 }
 
-Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain, const Options& options,
-                     const KnownVolume* known) {
+Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
+                     const Options& options, const fast::SimplexFacts* known) {
   assert(is_about_a_domain(claim) && !mesh.points.is_weighted());
   Verdict verdict(claim, mesh, options.max_violations);
   const bool steiner = allows_steiner_points(claim);

@@ -1,10 +1,10 @@
 // Judging a mesh of a domain: the claims of Section 4.5 and the two ways to judge each.
 #pragma once
 
-#include "oracle/judge/domain/known_volume.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -19,11 +19,11 @@ namespace circumspect::check {
 // The lemmas are linear but for sorting and for searches in space; docs/theory/domains.md
 // proves that they suffice.
 // `known`: what is known of the mesh's simplices, if anything; the verdict is the same with and
-// without. oracle/judge/judge_domain_quickly.hpp finds it out.
+// without. oracle/judge/judge.hpp finds it out.
 // Requires: a claim about a domain; a valid domain (see validity.hpp) in the plane or in space; a
 // mesh without weights that has no points, or points of the domain's dimension.
-Verdict judge_domain(Claim claim, const Mesh& mesh, const Domain& domain,
-                     const Options& options = {}, const KnownVolume* known = nullptr);
+Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
+                     const Options& options = {}, const fast::SimplexFacts* known = nullptr);
 
 // Does the claim say anything of balls?
 bool is_about_balls(Claim claim);

@@ -20,7 +20,7 @@ bool is_flat(const Configuration& points, const Simplex& face) {
   return true;
 }
 
-bool judge_face(const Mesh& mesh, const Simplex& face, std::size_t ambient_dimension,
+bool judge_face(const ExactMesh& mesh, const Simplex& face, std::size_t ambient_dimension,
                 Verdict& verdict) {
   const auto unknown =
       std::find_if(face.begin(), face.end(), [&](Vertex v) { return !mesh.points.names(v); });
@@ -151,7 +151,7 @@ std::vector<Simplex> edges_of_nothing(const MeshedDomain& in, const std::vector<
   return strays;
 }
 
-bool judge_listed_faces(const Mesh& mesh, std::size_t ambient_dimension, Verdict& verdict) {
+bool judge_listed_faces(const ExactMesh& mesh, std::size_t ambient_dimension, Verdict& verdict) {
   bool sound = true;
   for (const Simplex& face : mesh.faces) {
     sound &= judge_face(mesh, face, ambient_dimension, verdict);

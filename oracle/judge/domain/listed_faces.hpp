@@ -8,7 +8,7 @@ namespace circumspect::check {
 
 // triangulation.unknown-vertex, simplex.wrong-dimension (triangles and edges in space, edges in the
 // plane), simplex.repeated-vertex, simplex.degenerate. True if all can be worked with.
-bool judge_listed_faces(const Mesh& mesh, std::size_t ambient_dimension, Verdict& verdict);
+bool judge_listed_faces(const ExactMesh& mesh, std::size_t ambient_dimension, Verdict& verdict);
 
 // Every listed face must be a face of a simplex, a piece of a wall, an edge of such a piece or a link
 // of a segment; others are domain.outside where there is no domain, else complex.overlap: where

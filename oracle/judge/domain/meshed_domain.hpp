@@ -4,22 +4,22 @@
 #include <array>
 #include <vector>
 
-#include "oracle/judge/domain/known_volume.hpp"
 #include "oracle/judge/domain/segment_chains.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/complex/facets.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
 
 struct MeshedDomain {
-  const Mesh& mesh;
+  const ExactMesh& mesh;
   const PiecewiseLinearComplex& complex;
   const Regions& regions;
   const std::vector<FacetUse>&
-      uses;                  // of the mesh's simplices: of all, or where there is something
-  const KnownVolume* known;  // known of them, of those in facets_of_interest.hpp
+      uses;                         // of the mesh's simplices: of all, or where there is something
+  const fast::SimplexFacts* known;  // known of them, of those in facets_of_interest.hpp
   const VertexPlaces& places;
   const SegmentChains& chains;
   VertexSearch& search;

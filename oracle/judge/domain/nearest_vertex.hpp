@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/witness.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 
@@ -16,7 +16,7 @@ class VertexSearch {
  public:
   // Among the vertices of simplices and listed faces: `used` says of each point whether it is one.
   // The index is made with the first question. Both must outlive the search.
-  VertexSearch(const Mesh& mesh, const std::vector<bool>& used) : mesh_(mesh), used_(used) {}
+  VertexSearch(const ExactMesh& mesh, const std::vector<bool>& used) : mesh_(mesh), used_(used) {}
 
   // The nearest to a point, ties to the lower index; distance 0 if it is a vertex. Nothing if there is
   // no vertex, or too much has been looked at: see kMostLookedAt.
@@ -35,7 +35,7 @@ class VertexSearch {
   // this many exact distances a search gives up rather than keep the verdict waiting.
   static constexpr std::size_t kMostLookedAt = 4'000'000;
 
-  const Mesh& mesh_;
+  const ExactMesh& mesh_;
   const std::vector<bool>& used_;
   std::unique_ptr<const BoxIndex> index_;
   std::vector<Vertex> indexed_;

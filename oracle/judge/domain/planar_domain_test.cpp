@@ -7,13 +7,13 @@
 namespace circumspect::check {
 namespace {
 
-std::set<Rule> rules(const Mesh& mesh, const Domain& domain,
+std::set<Rule> rules(const ExactMesh& mesh, const Domain& domain,
                      Claim claim = Claim::kSteinerTriangulation) {
   CHECK(!holds(claim, mesh, domain, By::kDefinition));
   return broken(claim, mesh, domain);
 }
 
-void check_holds(Claim claim, const Mesh& mesh, const Domain& domain) {
+void check_holds(Claim claim, const ExactMesh& mesh, const Domain& domain) {
   CHECK(broken(claim, mesh, domain, By::kLemma) == std::set<Rule>{});
   CHECK(broken(claim, mesh, domain, By::kDefinition) == std::set<Rule>{});
 }
@@ -23,7 +23,7 @@ PiecewiseLinearInput square(int low, int high) { return cuboid({low, low}, {high
 TEST_CASE("a square, with Steiner points and without") {
   const Domain domain = domain_of(square(0, 2));
   check_holds(Claim::kCdt, {PointSet(square(0, 2).points), {{0, 1, 2}, {0, 2, 3}}}, domain);
-  const Mesh fine = grid({0, 1, 2}, {0, 1, 2}, {0}, every_cell);
+  const ExactMesh fine = grid({0, 1, 2}, {0, 1, 2}, {0}, every_cell);
   check_holds(Claim::kSteinerCdt, fine, domain);
   check_holds(Claim::kConformingDelaunay, fine, domain);
   CHECK(rules(fine, domain, Claim::kCdt) == std::set{Rule::kSteinerForbidden});
@@ -45,8 +45,8 @@ TEST_CASE("a square, with Steiner points and without") {
 
 TEST_CASE("a hole is left empty, and nothing else is") {
   const auto around = [](std::size_t i, std::size_t j, std::size_t) { return i != 1 || j != 1; };
-  const Mesh hollow = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0}, around);
-  const Mesh full = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0}, every_cell);
+  const ExactMesh hollow = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0}, around);
+  const ExactMesh full = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0}, every_cell);
   PiecewiseLinearInput input = generators::both(square(0, 4), square(1, 3));
   check_holds(Claim::kSteinerCdt, full, domain_of(input));
   CHECK(rules(hollow, domain_of(input)) == std::set{Rule::kUncovered});
@@ -61,21 +61,22 @@ TEST_CASE("domain.vertex-in-edge: the two sides of an inner segment split it dif
   input.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {0, 5}, {1, 4}};
   std::vector<Point> points = input.points;
   points.push_back({2, 1});
-  const Mesh junction{PointSet(points), {{0, 1, 6}, {0, 6, 5}, {5, 6, 4}, {1, 2, 4}, {2, 3, 4}}};
+  const ExactMesh junction{PointSet(points),
+                           {{0, 1, 6}, {0, 6, 5}, {5, 6, 4}, {1, 2, 4}, {2, 3, 4}}};
   CHECK(rules(junction, domain_of(input)) == std::set{Rule::kVertexInEdge});
-  const Mesh split{PointSet(points),
-                   {{0, 1, 6}, {0, 6, 5}, {5, 6, 4}, {1, 2, 6}, {2, 4, 6}, {2, 3, 4}}};
+  const ExactMesh split{PointSet(points),
+                        {{0, 1, 6}, {0, 6, 5}, {5, 6, 4}, {1, 2, 6}, {2, 4, 6}, {2, 3, 4}}};
   check_holds(Claim::kSteinerTriangulation, split, domain_of(input));
 }
 
 TEST_CASE("domain.segment-missing, domain.vertex-missing") {
   PiecewiseLinearInput input = square(0, 2);
   input.segments.push_back({1, 3});
-  const Mesh other{PointSet(input.points), {{0, 1, 2}, {0, 2, 3}}};
+  const ExactMesh other{PointSet(input.points), {{0, 1, 2}, {0, 2, 3}}};
   CHECK(rules(other, domain_of(input)) == std::set{Rule::kSegmentMissing});
   PiecewiseLinearInput with_centre = square(0, 4);
   with_centre.points.push_back({2, 1});
-  const Mesh over{PointSet(with_centre.points), {{0, 1, 2}, {0, 2, 3}}};
+  const ExactMesh over{PointSet(with_centre.points), {{0, 1, 2}, {0, 2, 3}}};
   CHECK(rules(over, domain_of(with_centre)) == std::set{Rule::kDomainVertexMissing});
 }
 
@@ -83,7 +84,7 @@ TEST_CASE("dangling edges and lone vertices") {
   PiecewiseLinearInput input = square(0, 2);
   input.points.insert(input.points.end(), {{5, 0}, {7, 7}});
   input.segments.push_back({1, 4});
-  Mesh mesh{PointSet(input.points), {{0, 1, 2}, {0, 2, 3}}};
+  ExactMesh mesh{PointSet(input.points), {{0, 1, 2}, {0, 2, 3}}};
   CHECK(rules(mesh, domain_of(input)) == std::set{Rule::kSegmentMissing});
   mesh.faces = {{4, 1}, {0, 2}};
   check_holds(Claim::kCdt, mesh, domain_of(input));
@@ -92,7 +93,7 @@ TEST_CASE("dangling edges and lone vertices") {
 }
 
 TEST_CASE("domain.uncovered where the boundary is listed but not filled") {
-  Mesh mesh{PointSet(square(0, 2).points), {{0, 1, 2}}};
+  ExactMesh mesh{PointSet(square(0, 2).points), {{0, 1, 2}}};
   mesh.faces = {{2, 3}, {0, 3}};
   CHECK(rules(mesh, domain_of(square(0, 2))) == std::set{Rule::kUncovered});
 }
@@ -102,7 +103,7 @@ TEST_CASE("complex.overlap: a vertex hangs in an edge of the triangle beyond") {
   std::vector<Point> points = square(0, 4).points;
   points.push_back({2, 2});
   const Domain domain = domain_of(square(0, 4));
-  const Mesh hanging{PointSet(points), {{0, 1, 2}, {0, 4, 3}, {2, 3, 4}}};
+  const ExactMesh hanging{PointSet(points), {{0, 1, 2}, {0, 4, 3}, {2, 3, 4}}};
   CHECK(rules(hanging, domain) == std::set{Rule::kOverlap});
   CHECK(broken(Claim::kSteinerTriangulation, hanging, domain, By::kDefinition) ==
         std::set{Rule::kOverlap});
@@ -114,7 +115,7 @@ TEST_CASE("complex.overlap: a vertex hangs in an edge of the triangle beyond") {
   CHECK(witness.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 4, 3}});
   CHECK(witness.point == Point{2, 2});
   // What is not filled is told as well: half of the edge, the other half missing beyond it.
-  Mesh open{PointSet(points), {{0, 1, 2}, {0, 4, 3}}};
+  ExactMesh open{PointSet(points), {{0, 1, 2}, {0, 4, 3}}};
   open.faces = {{2, 3}};
   CHECK(rules(open, domain) == std::set{Rule::kOverlap, Rule::kUncovered});
   const Verdict bare = judge_domain(Claim::kSteinerTriangulation, open, domain);
@@ -122,7 +123,7 @@ TEST_CASE("complex.overlap: a vertex hangs in an edge of the triangle beyond") {
   CHECK(bare.tallies().at(Rule::kUncovered).count == 3);  // 2 3, 3 4 and half of 0 2
   // A triangle on the same side of the edge fills nothing beyond it.
   points.push_back({3, 1});
-  Mesh folded{PointSet(points), {{0, 1, 2}, {0, 4, 5}}};
+  ExactMesh folded{PointSet(points), {{0, 1, 2}, {0, 4, 5}}};
   folded.faces = {{2, 3}, {0, 3}};
   const Verdict same_side = judge_domain(Claim::kSteinerTriangulation, folded, domain);
   CHECK(same_side.tallies().at(Rule::kOverlap).count == 1);
@@ -133,8 +134,8 @@ TEST_CASE("the vertex nearest to what is missing, exactly") {
   const Rational tiny = Rational(1) / 1024;
   std::vector<Point> points = square(0, 2).points;
   points[2] = {2, 2 + tiny};
-  const Mesh off{PointSet(points), {{0, 1, 2}, {0, 2, 3}}};
-  const auto first = [](const Mesh& mesh, const Domain& domain, By by) {
+  const ExactMesh off{PointSet(points), {{0, 1, 2}, {0, 2, 3}}};
+  const auto first = [](const ExactMesh& mesh, const Domain& domain, By by) {
     return judge_domain(Claim::kSteinerTriangulation, mesh, domain, {.by = by}).violations().at(0);
   };
   for (const By by : {By::kLemma, By::kDefinition}) {
@@ -149,7 +150,7 @@ TEST_CASE("the vertex nearest to what is missing, exactly") {
   input.segments.push_back({0, 2});
   std::vector<Point> rounded = square(0, 2).points;
   rounded.push_back({1 + tiny, 1});
-  const Mesh fan{PointSet(rounded), {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 3, 4}}};
+  const ExactMesh fan{PointSet(rounded), {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 3, 4}}};
   for (const By by : {By::kLemma, By::kDefinition}) {
     const Violation violation = first(fan, domain_of(input), by);
     CHECK(violation.rule == Rule::kSegmentMissing);
@@ -175,7 +176,7 @@ TEST_CASE("cdt.facet-not-local in the plane, and an edge that is exempt") {
   PiecewiseLinearInput kite;
   kite.points = {{0, 0}, {3, 1}, {6, 0}, {3, -1}};
   kite.segments = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
-  const Mesh lengthwise{PointSet(kite.points), {{0, 1, 2}, {0, 2, 3}}};
+  const ExactMesh lengthwise{PointSet(kite.points), {{0, 1, 2}, {0, 2, 3}}};
   CHECK(broken(Claim::kCdt, lengthwise, domain_of(kite)) ==
         std::set{Rule::kConstrainedFacetNotLocal});
   CHECK(broken(Claim::kCdt, lengthwise, domain_of(kite), By::kDefinition) ==

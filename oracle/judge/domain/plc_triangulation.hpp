@@ -15,8 +15,8 @@ using OfTriangulation =
 
 // Conditions 0–7 of docs/theory/domains.md, near-linear; without those that are known to hold, if
 // `known` is anything.
-void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
-                                      const Options& options, const KnownVolume* known,
+void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domain,
+                                      const Options& options, const fast::SimplexFacts* known,
                                       bool steiner_points_allowed, const OfTriangulation& then,
                                       Verdict& verdict);
 
@@ -25,18 +25,18 @@ void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
 // `augmented` is the domain with every vertex of the mesh for a vertex, its polygons cut as the mesh
 // cuts them, all numbered as in the mesh.
 using OfAugmented = std::function<void(const PiecewiseLinearComplex& augmented)>;
-void judge_plc_triangulation_by_definition(const Mesh& mesh, const Domain& domain,
+void judge_plc_triangulation_by_definition(const ExactMesh& mesh, const Domain& domain,
                                            const Options& options, bool steiner_points_allowed,
                                            const OfAugmented& then, Verdict& verdict);
 
 // Each simplex and listed face by itself. True if they can be worked with.
-bool judge_simplices_in_space(const Mesh& mesh, std::size_t ambient_dimension, bool oriented,
+bool judge_simplices_in_space(const ExactMesh& mesh, std::size_t ambient_dimension, bool oriented,
                               Verdict& verdict);
 
 // Has nothing been found but Steiner points, and orders of vertices or neighbours?
 bool is_triangulation_so_far(const Verdict& verdict);
 
 // The witnesses that nothing of the mesh belongs to an empty domain.
-void judge_against_empty_domain(const Mesh& mesh, Verdict& verdict);
+void judge_against_empty_domain(const ExactMesh& mesh, Verdict& verdict);
 
 }  // namespace circumspect::check

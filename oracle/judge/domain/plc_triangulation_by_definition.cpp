@@ -12,7 +12,7 @@ namespace circumspect::check {
 namespace {
 
 // The simplices, the listed faces, and the vertices of the domain that none of them has.
-std::vector<Simplex> listed_simplices(const Mesh& mesh, const VertexPlaces& places) {
+std::vector<Simplex> listed_simplices(const ExactMesh& mesh, const VertexPlaces& places) {
   std::vector<Simplex> listed = mesh.simplices;
   std::vector<Simplex> faces;
   for (const Simplex& face : mesh.faces) faces.push_back(sorted(face));
@@ -26,7 +26,7 @@ std::vector<Simplex> listed_simplices(const Mesh& mesh, const VertexPlaces& plac
 }
 
 // "A simplicial complex."
-bool judge_pairs(const Mesh& mesh, const VertexPlaces& places, Verdict& verdict) {
+bool judge_pairs(const ExactMesh& mesh, const VertexPlaces& places, Verdict& verdict) {
   const std::vector<Simplex> listed = listed_simplices(mesh, places);
   bool proper = true;
   for (std::size_t a = 0; a < listed.size(); ++a) {
@@ -47,7 +47,7 @@ std::size_t axis_of(const PointSet& points, const Simplex& segment) {
 }
 
 // "Every linear cell is a union of simplices", of segments and polygons.
-void judge_cells(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+void judge_cells(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                  const ContainedCells& cells, VertexSearch& search, Verdict& verdict) {
   for (std::size_t s = 0; s < complex.segments.size(); ++s) {
     const Axes axes = {axis_of(complex.points, complex.segments[s])};
@@ -72,8 +72,8 @@ void judge_cells(const Mesh& mesh, const PiecewiseLinearComplex& complex,
 }
 
 // "|T| = |P|", of the inside. By now no simplex of full dimension crosses a wall.
-void judge_inside(const Mesh& mesh, const PiecewiseLinearComplex& complex, const Regions& regions,
-                  Verdict& verdict) {
+void judge_inside(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
+                  const Regions& regions, Verdict& verdict) {
   const bool is_hull = complex.kind == DomainKind::kHull;
   for (const Simplex& simplex : mesh.simplices) {
     std::vector<Point> samples = {barycentre(coordinates(mesh.points, simplex))};
@@ -100,7 +100,7 @@ void judge_inside(const Mesh& mesh, const PiecewiseLinearComplex& complex, const
 }
 
 // Listed triangles and edges that are faces of nothing larger that is listed.
-std::size_t count_dangling(const Mesh& mesh) {
+std::size_t count_dangling(const ExactMesh& mesh) {
   std::set<Simplex> larger;
   for (const Simplex& simplex : mesh.simplices) {
     for (const std::size_t size : {std::size_t{2}, std::size_t{3}}) {
@@ -118,8 +118,8 @@ std::size_t count_dangling(const Mesh& mesh) {
 
 // "|T| = |P|", of the rest: what is listed in lower dimensions is a face of a simplex or lies in a
 // segment or polygon.
-void judge_faces(const Mesh& mesh, const ContainedCells& cells, Verdict& verdict) {
-  const Mesh without_faces{mesh.points, mesh.simplices};
+void judge_faces(const ExactMesh& mesh, const ContainedCells& cells, Verdict& verdict) {
+  const ExactMesh without_faces{mesh.points, mesh.simplices};
   std::set<Simplex> allowed = faces_of_size(without_faces, 2);
   const std::set<Simplex> triangles = faces_of_size(without_faces, 3);
   allowed.insert(triangles.begin(), triangles.end());
@@ -136,7 +136,7 @@ void judge_faces(const Mesh& mesh, const ContainedCells& cells, Verdict& verdict
 
 }  // namespace
 
-void judge_plc_triangulation_by_definition(const Mesh& mesh, const Domain& domain,
+void judge_plc_triangulation_by_definition(const ExactMesh& mesh, const Domain& domain,
                                            const Options& options, bool steiner_points_allowed,
                                            const OfAugmented& then, Verdict& verdict) {
   const PiecewiseLinearComplex& complex = domain.complex;

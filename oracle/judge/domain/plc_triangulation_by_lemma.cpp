@@ -39,7 +39,7 @@ void judge_cells(const MeshedDomain& in, const OfTriangulation& then, Verdict& v
 
 }  // namespace
 
-bool judge_simplices_in_space(const Mesh& mesh, std::size_t ambient_dimension, bool oriented,
+bool judge_simplices_in_space(const ExactMesh& mesh, std::size_t ambient_dimension, bool oriented,
                               Verdict& verdict) {
   const bool faces_are_sound = judge_listed_faces(mesh, ambient_dimension, verdict);
   if (mesh.points.dimension() == static_cast<int>(ambient_dimension)) {
@@ -59,7 +59,7 @@ bool is_triangulation_so_far(const Verdict& verdict) {
   });
 }
 
-void judge_against_empty_domain(const Mesh& mesh, Verdict& verdict) {
+void judge_against_empty_domain(const ExactMesh& mesh, Verdict& verdict) {
   for (const Simplex& simplex : mesh.simplices) {
     verdict.add(Rule::kOutside, {.simplices = {simplex}});
   }
@@ -67,8 +67,8 @@ void judge_against_empty_domain(const Mesh& mesh, Verdict& verdict) {
   judge_vertex_set(mesh, verdict);
 }
 
-void judge_plc_triangulation_by_lemma(const Mesh& mesh, const Domain& domain,
-                                      const Options& options, const KnownVolume* known,
+void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domain,
+                                      const Options& options, const fast::SimplexFacts* known,
                                       bool steiner_points_allowed, const OfTriangulation& then,
                                       Verdict& verdict) {
   const PiecewiseLinearComplex& complex = domain.complex;

@@ -12,18 +12,18 @@ using generators::both;
 using generators::box;
 
 Domain cube() { return domain_of(box(0, 2)); }
-Mesh cube_mesh(const std::vector<Simplex>& simplices) {
+ExactMesh cube_mesh(const std::vector<Simplex>& simplices) {
   return {PointSet(box(0, 2).points), simplices};
 }
 
 // The rules broken by lemma, where by definition the claim fails too.
-std::set<Rule> rules(const Mesh& mesh, const Domain& domain,
+std::set<Rule> rules(const ExactMesh& mesh, const Domain& domain,
                      Claim claim = Claim::kSteinerTriangulation) {
   CHECK(!holds(claim, mesh, domain, By::kDefinition));
   return broken(claim, mesh, domain);
 }
 
-void check_holds(Claim claim, const Mesh& mesh, const Domain& domain) {
+void check_holds(Claim claim, const ExactMesh& mesh, const Domain& domain) {
   CHECK(broken(claim, mesh, domain, By::kLemma) == std::set<Rule>{});
   CHECK(broken(claim, mesh, domain, By::kDefinition) == std::set<Rule>{});
 }
@@ -59,8 +59,8 @@ PiecewiseLinearInput cube_with_flag() {
   input.polygons.push_back({{{1, 8, 9, 3}}, {}});
   return input;
 }
-Mesh flag_mesh(const std::vector<Simplex>& faces) {
-  Mesh mesh{PointSet(cube_with_flag().points), kCubeInFive};
+ExactMesh flag_mesh(const std::vector<Simplex>& faces) {
+  ExactMesh mesh{PointSet(cube_with_flag().points), kCubeInFive};
   mesh.faces = faces;
   return mesh;
 }
@@ -78,7 +78,7 @@ TEST_CASE("a cube in five and in six tetrahedra, however numbered") {
 }
 
 TEST_CASE("Steiner points are counted by the cell that they lie in, and forbidden by two claims") {
-  const Mesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  const ExactMesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
   check_holds(Claim::kSteinerTriangulation, mesh, cube());
   const Verdict verdict = judge_domain(Claim::kSteinerTriangulation, mesh, cube());
   REQUIRE(verdict.steiner_points.has_value());
@@ -94,8 +94,8 @@ TEST_CASE("a hole is left empty, and nothing else is") {
   const auto around = [](std::size_t i, std::size_t j, std::size_t k) {
     return i != 1 || j != 1 || k != 1;
   };
-  const Mesh hollow = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0, 1, 3, 4}, around);
-  const Mesh full = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0, 1, 3, 4}, every_cell);
+  const ExactMesh hollow = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0, 1, 3, 4}, around);
+  const ExactMesh full = grid({0, 1, 3, 4}, {0, 1, 3, 4}, {0, 1, 3, 4}, every_cell);
   PiecewiseLinearInput input = both(box(0, 4), box(1, 3));
   CHECK(broken(Claim::kSteinerTriangulation, full, domain_of(input)).empty());
   CHECK(broken(Claim::kSteinerTriangulation, hollow, domain_of(input)) ==
@@ -111,15 +111,15 @@ TEST_CASE("a hole is left empty, and nothing else is") {
 }
 
 TEST_CASE("domain.vertex-missing: no point, or one that no simplex around it has") {
-  Mesh fewer{PointSet({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}}), {{0, 1, 2, 3}}};
+  ExactMesh fewer{PointSet({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}}), {{0, 1, 2, 3}}};
   CHECK(rules(fewer, cube()) == std::set{Rule::kDomainVertexMissing});
   PiecewiseLinearInput with_centre = box(0, 2);
   with_centre.points.push_back({1, 1, 1});
-  const Mesh passing_over{PointSet(with_centre.points), kCubeInFive};
+  const ExactMesh passing_over{PointSet(with_centre.points), kCubeInFive};
   CHECK(rules(passing_over, domain_of(with_centre)) == std::set{Rule::kDomainVertexMissing});
   PiecewiseLinearInput in_face = box(0, 2);
   in_face.points.push_back({1, Rational(1, 2), 0});
-  const Mesh over_face{PointSet(in_face.points), kCubeInFive};
+  const ExactMesh over_face{PointSet(in_face.points), kCubeInFive};
   CHECK(rules(over_face, domain_of(in_face)) == std::set{Rule::kDomainVertexMissing});
   const Verdict verdict = judge_domain(Claim::kPlcTriangulation, over_face, domain_of(in_face));
   REQUIRE(!verdict.holds());
@@ -138,7 +138,7 @@ TEST_CASE(
   PiecewiseLinearInput input = box(0, 2);
   input.segments = {{0, 7}};
   check_holds(Claim::kPlcTriangulation, cube_mesh(kCubeInSix), domain_of(input));
-  Mesh five = cube_mesh(kCubeInFive);
+  ExactMesh five = cube_mesh(kCubeInFive);
   CHECK(rules(five, domain_of(input)) == std::set{Rule::kSegmentMissing});
   five.faces = {{0, 7}};
   CHECK(rules(five, domain_of(input)) == std::set{Rule::kSegmentMissing});
@@ -181,7 +181,7 @@ TEST_CASE("domain.polygon-not-tiled: each side of the square between two cubes h
   CHECK(rules({points, {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}}, domain_of(pyramids)) ==
         std::set{Rule::kPolygonNotTiled});
   // Listing the triangle does not help.
-  Mesh listed{points, {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
+  ExactMesh listed{points, {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
   listed.faces = {{0, 1, 2}};
   CHECK(rules(listed, domain_of(pyramids)) == std::set{Rule::kUncovered});
 }
@@ -189,10 +189,10 @@ TEST_CASE("domain.polygon-not-tiled: each side of the square between two cubes h
 TEST_CASE("domain.uncovered: a corner is missing; domain.outside: there is one too many") {
   std::vector<Simplex> four = kCubeInFive;
   four.pop_back();
-  Mesh notched = cube_mesh(four);
+  ExactMesh notched = cube_mesh(four);
   notched.faces = {{3, 5, 7}, {3, 6, 7}, {5, 6, 7}};
   CHECK(rules(notched, cube()) == std::set{Rule::kUncovered});
-  Mesh nothing = cube_mesh({});
+  ExactMesh nothing = cube_mesh({});
   nothing.faces = {{0, 1, 3}, {0, 3, 2}, {4, 5, 6}, {5, 6, 7}, {0, 1, 5}, {0, 5, 4},
                    {2, 3, 6}, {3, 6, 7}, {0, 2, 6}, {0, 6, 4}, {1, 3, 5}, {3, 5, 7}};
   CHECK(rules(nothing, cube()) == std::set{Rule::kUncovered});
@@ -207,14 +207,14 @@ TEST_CASE("complex.overlap: a vertex hangs in a triangle inside a cube") {
   // The middle tetrahedron of five is divided in its face 3 5 6, the one beyond is not.
   std::vector<Point> points = box(0, 2).points;
   points.push_back({Rational(4) / 3, Rational(4) / 3, Rational(4) / 3});
-  const Mesh mesh{PointSet(points),
-                  {{0, 3, 5, 8},
-                   {0, 5, 6, 8},
-                   {0, 3, 6, 8},
-                   {0, 1, 3, 5},
-                   {0, 2, 3, 6},
-                   {0, 4, 5, 6},
-                   {3, 5, 6, 7}}};
+  const ExactMesh mesh{PointSet(points),
+                       {{0, 3, 5, 8},
+                        {0, 5, 6, 8},
+                        {0, 3, 6, 8},
+                        {0, 1, 3, 5},
+                        {0, 2, 3, 6},
+                        {0, 4, 5, 6},
+                        {3, 5, 6, 7}}};
   CHECK(rules(mesh, cube()) == std::set{Rule::kOverlap});
   const Verdict verdict = judge_domain(Claim::kSteinerTriangulation, mesh, cube());
   REQUIRE(verdict.violations().size() == 1);
@@ -261,14 +261,14 @@ TEST_CASE("domain.vertex-in-edge: two boxes along one edge, one of which splits 
 }
 
 TEST_CASE("listed faces that belong to nothing") {
-  Mesh mesh = cube_mesh(kCubeInFive);
+  ExactMesh mesh = cube_mesh(kCubeInFive);
   mesh.faces = {{0, 3, 7}};
   CHECK(rules(mesh, cube()) == std::set{Rule::kOverlap});
   mesh.faces = {{0, 7}};
   CHECK(rules(mesh, cube()) == std::set{Rule::kOverlap});
   mesh.faces = {{0, 3, 5}, {3, 7}};
   check_holds(Claim::kPlcTriangulation, mesh, cube());
-  Mesh outside = flag_mesh({{1, 8, 9}, {3, 1, 9}, {7, 9}});
+  ExactMesh outside = flag_mesh({{1, 8, 9}, {3, 1, 9}, {7, 9}});
   CHECK(rules(outside, domain_of(cube_with_flag())) == std::set{Rule::kOutside});
   mesh.faces = {{0, 9}};
   CHECK(broken(Claim::kPlcTriangulation, mesh, cube()) == std::set{Rule::kUnknownVertex});
@@ -279,7 +279,7 @@ TEST_CASE("listed faces that belong to nothing") {
 }
 
 TEST_CASE("a stray listed face: what it meets is named, with a point of both") {
-  Mesh mesh = cube_mesh(kCubeInFive);
+  ExactMesh mesh = cube_mesh(kCubeInFive);
   for (const Simplex& stray : {Simplex{0, 3, 7}, Simplex{0, 7}}) {
     mesh.faces = {stray};
     const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, cube());
@@ -291,7 +291,7 @@ TEST_CASE("a stray listed face: what it meets is named, with a point of both") {
     CHECK(witness.point == improper_intersection(mesh.points, stray, {0, 3, 5, 6}));
   }
   // In the plane of a square that dangles alone there is nothing but its triangles to meet.
-  Mesh flag = flag_mesh({{1, 8, 9}, {3, 1, 9}, {1, 3, 8}});
+  ExactMesh flag = flag_mesh({{1, 8, 9}, {3, 1, 9}, {1, 3, 8}});
   const Verdict verdict = judge_domain(Claim::kPlcTriangulation, flag, domain_of(cube_with_flag()));
   REQUIRE(verdict.violations().size() == 1);
   const Witness& witness = verdict.violations()[0].witness;
@@ -302,22 +302,22 @@ TEST_CASE("a stray listed face: what it meets is named, with a point of both") {
 }
 
 TEST_CASE("what dangles is counted: triangles and edges that are faces of nothing larger") {
-  const auto dangling = [](const Mesh& mesh, const Domain& domain, By by) {
+  const auto dangling = [](const ExactMesh& mesh, const Domain& domain, By by) {
     const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, domain, {.by = by});
     CHECK(verdict.holds());
     return verdict.dangling;
   };
   for (const By by : {By::kLemma, By::kDefinition}) {
-    Mesh mesh = cube_mesh(kCubeInFive);
+    ExactMesh mesh = cube_mesh(kCubeInFive);
     mesh.faces = {{0, 3, 5}, {0, 1, 3}, {3, 7}};
     CHECK(dangling(mesh, cube(), by) == 0);
     // Listed twice is listed once; the edge 8 9 belongs to a triangle.
-    const Mesh flag = flag_mesh({{1, 8, 9}, {3, 1, 9}, {9, 1, 8}, {8, 9}});
+    const ExactMesh flag = flag_mesh({{1, 8, 9}, {3, 1, 9}, {9, 1, 8}, {8, 9}});
     CHECK(dangling(flag, domain_of(cube_with_flag()), by) == 2);
     PiecewiseLinearInput antenna = box(0, 2);
     antenna.points.push_back({4, 0, 0});
     antenna.segments = {{1, 8}};
-    Mesh with_edge{PointSet(antenna.points), kCubeInFive};
+    ExactMesh with_edge{PointSet(antenna.points), kCubeInFive};
     with_edge.faces = {{8, 1}, {1, 3}, {1, 8}};
     CHECK(dangling(with_edge, domain_of(antenna), by) == 1);
   }
@@ -332,13 +332,13 @@ TEST_CASE(
   border.polygons.clear();
   border.segments = {{0, 1}};
   border.kind = DomainKind::kHull;
-  Mesh mesh{PointSet(points), kCubeInFive};
+  ExactMesh mesh{PointSet(points), kCubeInFive};
   mesh.faces = {{0, 8}, {1, 8}};
   CHECK(rules(mesh, domain_of(border)) == std::set{Rule::kVertexInEdge});
   PiecewiseLinearInput inner = border;
   inner.segments = {{0, 7}};
   points.back() = {1, 1, 1};
-  Mesh diagonal{PointSet(points), kCubeInSix};
+  ExactMesh diagonal{PointSet(points), kCubeInSix};
   diagonal.faces = {{0, 8}, {7, 8}};
   CHECK(rules(diagonal, domain_of(inner)) == std::set{Rule::kVertexInEdge});
 }
@@ -354,7 +354,7 @@ TEST_CASE("the kind hull: what is convex is covered, whatever the polygons are")
   std::vector<Simplex> five = kCubeInSix;
   five.erase(five.begin() + 4);
   CHECK(rules(cube_mesh(five), domain) == std::set{Rule::kHullNotConvex});
-  Mesh nothing = cube_mesh({});
+  ExactMesh nothing = cube_mesh({});
   nothing.faces = {{0, 7}, {0, 1, 3}, {0, 2, 3}};
   CHECK(broken(Claim::kPlcTriangulation, nothing, domain).contains(Rule::kDomainVertexMissing));
   // A Steiner point may lie on the hull, not beyond it.
@@ -364,7 +364,7 @@ TEST_CASE("the kind hull: what is convex is covered, whatever the polygons are")
   with_tip.push_back({1, 3, 7, 8});
   with_tip.push_back({1, 5, 7, 8});
   CHECK(rules({PointSet(points), with_tip}, domain) == std::set{Rule::kOutside});
-  const Mesh fine = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  const ExactMesh fine = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
   CHECK(broken(Claim::kSteinerTriangulation, fine, domain).empty());
 }
 
@@ -372,7 +372,7 @@ TEST_CASE("a domain that is flat has triangles only, and one without points has 
   PiecewiseLinearInput square;
   square.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   square.polygons = {{{{0, 1, 2, 3}}, {}}};
-  Mesh mesh{PointSet(square.points), {}};
+  ExactMesh mesh{PointSet(square.points), {}};
   mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   check_holds(Claim::kCdt, mesh, domain_of(square));
   mesh.faces.pop_back();

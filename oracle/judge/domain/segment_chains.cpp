@@ -5,7 +5,7 @@
 
 namespace circumspect::check {
 
-SegmentChains::SegmentChains(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+SegmentChains::SegmentChains(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                              const VertexPlaces& places)
     : complex_(complex),
       places_(places),

@@ -14,7 +14,7 @@ namespace circumspect::check {
 class SegmentChains {
  public:
   // Requires: places are complete, Steiner points located.
-  SegmentChains(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+  SegmentChains(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                 const VertexPlaces& places);
 
   std::size_t size() const { return chains_.size(); }

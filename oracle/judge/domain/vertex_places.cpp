@@ -58,7 +58,7 @@ Triangles triangles_of(const PiecewiseLinearComplex& complex, const std::vector<
 
 }  // namespace
 
-VertexPlaces match_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex) {
+VertexPlaces match_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex& complex) {
   VertexPlaces places;
   const std::size_t size = mesh.points.size();
   places.in_mesh.assign(complex.points.size(), kNoVertex);
@@ -109,7 +109,7 @@ bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t
   return true;
 }
 
-void locate_steiner_points(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.points.size());
@@ -157,7 +157,7 @@ SteinerPoints count_steiner_points(const VertexPlaces& places) {
   return count;
 }
 
-bool judge_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+bool judge_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                     const VertexPlaces& places, bool steiner_points_allowed, VertexSearch& search,
                     Verdict& verdict) {
   bool complete = true;

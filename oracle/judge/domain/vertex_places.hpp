@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracle/judge/domain/nearest_vertex.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
@@ -31,11 +31,11 @@ struct VertexPlaces {
 };
 
 // Matches the vertices. Requires: simplices and faces name points.
-VertexPlaces match_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex);
+VertexPlaces match_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex& complex);
 
 // Finds the segments and polygons of the Steiner points.
 // Requires: the mesh has every vertex of the domain.
-void locate_steiner_points(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places);
 
 SteinerPoints count_steiner_points(const VertexPlaces& places);
@@ -43,7 +43,7 @@ SteinerPoints count_steiner_points(const VertexPlaces& places);
 // domain.vertex-missing, triangulation.unused-point and, if the claim allows no Steiner points,
 // domain.steiner-forbidden; and which the Steiner points are. True if every vertex of the domain is a
 // point of the mesh. The search is for what is nearest to one that is not.
-bool judge_vertices(const Mesh& mesh, const PiecewiseLinearComplex& complex,
+bool judge_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                     const VertexPlaces& places, bool steiner_points_allowed, VertexSearch& search,
                     Verdict& verdict);
 

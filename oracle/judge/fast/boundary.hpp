@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_id.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/orientations.hpp"
 #include "oracle/judge/fast/row_predicates.hpp"
@@ -35,7 +36,7 @@ class Boundary {
   // Facets without a link, each as simplex · (d + 1) + place of the vertex opposite: is the sample
   // point strictly on their inner sides, and does the boundary make no reflex angle at their
   // ridges? Of the two facets at a ridge one asks.
-  std::optional<Undecided> judge(std::span<const std::uint64_t> facets, Stages& stages) const {
+  std::optional<Undecided> judge(std::span<const FacetId> facets, Stages& stages) const {
     constexpr std::size_t kFacets = 64;
     std::optional<Undecided> found;
     for (std::size_t first = 0; first < facets.size() && !found; first += kFacets) {
@@ -50,18 +51,18 @@ class Boundary {
   // A turn around a ridge of a boundary facet through the mesh, from link to link, away from that
   // facet.
   struct Turn {
-    std::uint64_t facet;  // where it began
+    FacetId facet;        // where it began
     std::size_t simplex;  // where it is
     Index leaves;         // the vertex opposite the facet through which it goes on
     Index ridge;          // the vertices of the ridge, xor
     Index far = 0;        // at its end: the vertex off the ridge of the other boundary facet
   };
 
-  std::optional<Undecided> judge_some(std::span<const std::uint64_t> facets, Stages& stages) const {
+  std::optional<Undecided> judge_some(std::span<const FacetId> facets, Stages& stages) const {
     std::vector<Turn> turns;
     turns.reserve(facets.size() * kDimension);
-    for (const std::uint64_t facet : facets) {
-      const std::size_t s = facet / kVertices, apex = facet % kVertices;
+    for (const FacetId facet : facets) {
+      const std::size_t s = facet.simplex(), apex = facet.place();
       if (orientation_with(row_of(s), apex, sample_, stages) * orientations_.of(s) <= 0) {
         return Undecided::kBeyondHullFacet;
       }
@@ -69,7 +70,7 @@ class Boundary {
     }
     finish(turns);
     for (const Turn& turn : turns) {
-      const std::size_t s = turn.facet / kVertices, apex = turn.facet % kVertices;
+      const std::size_t s = turn.facet.simplex(), apex = turn.facet.place();
       if (turn.far == mesh_.row(s)[apex]) continue;  // both facets are of this simplex
       const Site<kDimension> far = mesh_.template site<false>(turn.far);
       if (orientation_with<kDimension>(row_of(s), apex, far, stages, lattice_) *
@@ -91,13 +92,13 @@ class Boundary {
 
   // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the other
   // backwards. Forwards: from the lesser vertex to the greater; in the plane, towards the vertex.
-  void list_turns(std::uint64_t facet, std::vector<Turn>& turns) const {
-    const std::size_t s = facet / kVertices;
+  void list_turns(FacetId facet, std::vector<Turn>& turns) const {
+    const std::size_t s = facet.simplex();
     const auto row = mesh_.row(s);
     const bool positive = orientations_.of(s) > 0;
     // The apex, `off`, and the ridge's vertices are an even permutation of the row; in the plane
     // every other time.
-    const auto& places = kFacetPlaces<kVertices>[facet % kVertices];
+    const auto& places = kFacetPlaces<kVertices>[facet.place()];
     for (std::size_t k = 0; k < kDimension; ++k) {
       const Index off = row[places[k]];
       if constexpr (kDimension == 2) {

@@ -49,7 +49,7 @@ class Judge {
     std::vector<Swept> parts(chunks_of(mesh_.size(), kChunk));
     in_chunks(mesh_.size(), kChunk, threads_,
               [&](std::size_t chunk, std::size_t first, std::size_t last) {
-                const std::vector<std::uint64_t> facets =
+                const std::vector<FacetId> facets =
                     sweep.boundary().template facets<kVertices>(links_, first, last);
                 parts[chunk].undecided = boundary.judge(facets, parts[chunk].stages);
               });

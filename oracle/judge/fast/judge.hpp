@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <tl/expected.hpp>
 
+#include "oracle/judge/fast/facet_id.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/site.hpp"
 #include "oracle/judge/fast/undecided.hpp"
@@ -21,10 +21,9 @@ struct Facts {
   bool unique = true;
   bool canonical = true;
   bool oriented = true;  // all simplices alike
-  // All facets that are not locally Delaunay, where that was asked: as simplex · (d + 1) + place of the
-  // vertex opposite, of the simplex that comes first of the two; ascending. The answer is yes iff there
+  // All facets that are not locally Delaunay, where that was asked, ascending. The answer is yes iff there
   // are none.
-  std::vector<std::uint64_t> not_local = {};
+  std::vector<FacetId> not_local = {};
   Stages stages = {};  // what decided the signs
 
   bool holds() const { return not_local.empty(); }

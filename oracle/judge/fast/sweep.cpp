@@ -232,7 +232,7 @@ class BlockSweep {
       }
       side *= own;
       if (side < 0) continue;
-      const std::uint64_t name = (rows.first + facet.lane) * kVertices + facet.place;
+      const FacetId name(rows.first + facet.lane, facet.place);
       if (side > 0) {
         swept_.not_local.push_back(name);
       } else {
@@ -241,7 +241,7 @@ class BlockSweep {
     }
   }
 
-  void look_at_tie(const Facet& facet, std::uint64_t name, int own) {
+  void look_at_tie(const Facet& facet, FacetId name, int own) {
     swept_.unique = false;
     if (task_.ties) swept_.ties.push_back(name);
     if (!swept_.canonical && !task_.ties) return;
@@ -281,7 +281,7 @@ void Swept::append(const Swept& later) {
   up += later.up;
   down += later.down;
   stages = sum(stages, later.stages);
-  const auto append_to = [](std::vector<std::uint64_t>& facets, const auto& more) {
+  const auto append_to = [](std::vector<FacetId>& facets, const auto& more) {
     facets.insert(facets.end(), more.begin(), more.end());
   };
   append_to(not_local, later.not_local);

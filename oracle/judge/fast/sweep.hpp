@@ -8,6 +8,7 @@
 
 #include "oracle/judge/fast/block.hpp"
 #include "oracle/judge/fast/boundary_simplices.hpp"
+#include "oracle/judge/fast/facet_id.hpp"
 #include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/orientations.hpp"
@@ -46,12 +47,10 @@ struct Swept {
   bool canonical = true;   // every facet is locally Delaunay under the canonical perturbation
   std::uint64_t up = 0;    // links to a later simplex, each verified from both ends
   std::uint64_t down = 0;  // links to an earlier one: all verified iff there are as many in all
-  // Facets, each as simplex · (d + 1) + place of the apex, in ascending order; of those of two
-  // simplices, as the one that comes first has them.
-  std::vector<std::uint64_t> not_local = {};  // the other apex is strictly inside the ball
-  std::vector<std::uint64_t> ties = {};       // it is on the sphere; listed if asked for
-  std::vector<std::uint64_t> not_canonical =
-      {};  // those of them that the perturbation makes not local
+  // Facets of two simplices, in ascending order.
+  std::vector<FacetId> not_local = {};      // the other apex is strictly inside the ball
+  std::vector<FacetId> ties = {};           // it is on the sphere; listed if asked for
+  std::vector<FacetId> not_canonical = {};  // those of them that the perturbation makes not local
   Stages stages = {};
 
   bool goes_on() const { return !undecided && !mixed; }

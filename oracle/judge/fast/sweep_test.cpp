@@ -49,7 +49,7 @@ Swept swept(const MeshView<kDimension, std::int32_t>& mesh, Lattice lattice,
 
 // Facets of two simplices whose far apexes are inside, on the ball: by exact signs.
 struct Facets {
-  std::vector<std::uint64_t> not_local, ties;
+  std::vector<FacetId> not_local, ties;
 };
 template <std::size_t kDimension>
 Facets facets_of(const MeshView<kDimension, std::int32_t>& mesh) {
@@ -66,7 +66,8 @@ Facets facets_of(const MeshView<kDimension, std::int32_t>& mesh) {
     }
     const int side = own * exact_ball_sign(row_of<kDimension>(mesh, f / kVertices),
                                            mesh.template site<false>(apex), false, stages);
-    if (side >= 0) (side > 0 ? facets.not_local : facets.ties).push_back(f);
+    if (side >= 0)
+      (side > 0 ? facets.not_local : facets.ties).emplace_back(f / kVertices, f % kVertices);
   }
   return facets;
 }

@@ -1,7 +1,7 @@
 // What empty balls say about other Delaunay triangulations of the same points.
 #pragma once
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/predicates/perturbation.hpp"
 

@@ -4,7 +4,7 @@
 
 namespace circumspect::check {
 
-void add_in_ball(const Mesh& mesh, Rule rule, const Simplex& simplex,
+void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
   const Ball ball = circumball(mesh.points, simplex);
   const Rational depth = -power(mesh.points, ball, q);

@@ -12,7 +12,8 @@ Simplex with_apex(Simplex facet, Vertex apex) {
 
 }  // namespace
 
-std::vector<BoundaryFacet> boundary_facets(const Mesh& mesh, const std::vector<FacetUse>& uses) {
+std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
+                                           const std::vector<FacetUse>& uses) {
   std::vector<BoundaryFacet> boundary;
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
     if (group.size() != 1) return;
@@ -27,7 +28,7 @@ int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q) {
          orientation(points, with_apex(facet.facet, facet.apex));
 }
 
-Witness beyond(const Mesh& mesh, const BoundaryFacet& facet, Vertex q) {
+Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
   Witness witness{
       .simplices = {mesh.simplices[facet.simplex]}, .face = facet.facet, .vertices = {q}};
   const Configuration& points = mesh.points.configuration();

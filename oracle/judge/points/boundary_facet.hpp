@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/witness.hpp"
 #include "reference/kernel/complex/facets.hpp"
 
@@ -16,13 +16,14 @@ struct BoundaryFacet {
 };
 
 // All of them, in order of their vertices.
-std::vector<BoundaryFacet> boundary_facets(const Mesh& mesh, const std::vector<FacetUse>& uses);
+std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
+                                           const std::vector<FacetUse>& uses);
 
 // On which side of the facet is q? 1: on the inner side, strictly; 0: in its hyperplane; −1:
 // strictly beyond. `points` is the mesh's configuration or one with further points.
 int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q);
 
 // The witness that q lies strictly beyond a facet: the two determinants of opposite signs.
-Witness beyond(const Mesh& mesh, const BoundaryFacet& facet, Vertex q);
+Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 
 }  // namespace circumspect::check

@@ -19,7 +19,7 @@ using FacetUses = std::vector<FacetUse>;
 // Whether the simplices are a complex that covers a convex set, if every one of them can be worked
 // with. Returns the uses of the facets if these have their meaning, so that whether they are locally
 // Delaunay can be asked.
-std::optional<FacetUses> judge_complex(const Mesh& mesh, const Options& options,
+std::optional<FacetUses> judge_complex(const ExactMesh& mesh, const Options& options,
                                        bool simplices_are_sound, Verdict& verdict) {
   if (!simplices_are_sound) return std::nullopt;
   FacetUses uses = facet_uses(mesh.simplices);
@@ -31,15 +31,15 @@ std::optional<FacetUses> judge_complex(const Mesh& mesh, const Options& options,
 }
 
 // The simplices one by one, then the vertex set, then how they fit together.
-std::optional<FacetUses> judge_triangulation(const Mesh& mesh, const Options& options,
+std::optional<FacetUses> judge_triangulation(const ExactMesh& mesh, const Options& options,
                                              Verdict& verdict) {
   const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
   judge_vertex_set(mesh, verdict);
   return judge_complex(mesh, options, simplices_are_sound, verdict);
 }
 
-void judge_balls(const Mesh& mesh, const FacetUses& uses, const Options& options, Verdict& verdict,
-                 Ambiguity& ambiguity) {
+void judge_balls(const ExactMesh& mesh, const FacetUses& uses, const Options& options,
+                 Verdict& verdict, Ambiguity& ambiguity) {
   if (options.by == By::kLemma) {
     judge_facets_locally_delaunay(mesh, uses, verdict, ambiguity);
   } else {
@@ -49,13 +49,13 @@ void judge_balls(const Mesh& mesh, const FacetUses& uses, const Options& options
 
 }  // namespace
 
-Verdict triangulation(const Mesh& mesh, const Options& options) {
+Verdict triangulation(const ExactMesh& mesh, const Options& options) {
   Verdict verdict(Claim::kTriangulation, mesh, options.max_violations);
   judge_triangulation(mesh, options, verdict);
   return verdict;
 }
 
-Verdict delaunay(const Mesh& mesh, const Options& options) {
+Verdict delaunay(const ExactMesh& mesh, const Options& options) {
   assert(!mesh.points.is_weighted());
   Verdict verdict(Claim::kDelaunay, mesh, options.max_violations);
   const auto uses = judge_triangulation(mesh, options, verdict);
@@ -66,7 +66,7 @@ Verdict delaunay(const Mesh& mesh, const Options& options) {
   return verdict;
 }
 
-Verdict weighted_delaunay(const Mesh& mesh, const Options& options) {
+Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options) {
   Verdict verdict(Claim::kWeightedDelaunay, mesh, options.max_violations);
   const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
   // A mesh without simplices leaves every point uncovered; otherwise not all points are vertices.
@@ -84,7 +84,7 @@ Verdict weighted_delaunay(const Mesh& mesh, const Options& options) {
   return verdict;
 }
 
-Verdict judge(Claim claim, const Mesh& mesh, const Options& options) {
+Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options) {
   switch (claim) {
     case Claim::kTriangulation:
       return triangulation(mesh, options);
@@ -99,7 +99,7 @@ Verdict judge(Claim claim, const Mesh& mesh, const Options& options) {
   return weighted_delaunay(mesh, options);
 }
 
-Verdict not_locally_delaunay(Claim claim, const Mesh& mesh, std::vector<SharedFacet> facets,
+Verdict not_locally_delaunay(Claim claim, const ExactMesh& mesh, std::vector<SharedFacet> facets,
                              const Options& options) {
   assert(claim == Claim::kDelaunay || claim == Claim::kWeightedDelaunay);
   assert(!facets.empty());

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracle/judge/points/delaunay.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
@@ -17,31 +17,34 @@ struct Options {
   By by = By::kLemma;
   bool oriented = false;            // demand one consistent orientation
   std::size_t max_violations = 20;  // witnesses kept; 0: all
+  // Of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine has. The answer
+  // is the same for any number.
+  unsigned threads = 0;
 };
 
 // Is the mesh a triangulation of its points? Book: Definition 2.1, Section 4.1: a simplicial complex
 // whose vertices are the points and whose union is their convex hull. Weights play no part.
-Verdict triangulation(const Mesh& mesh, const Options& options = {});
+Verdict triangulation(const ExactMesh& mesh, const Options& options = {});
 
 // Is it a Delaunay triangulation of its points? Book: Definition 4.1, Lemma 4.1.
 // Requires: the points carry no weights.
-Verdict delaunay(const Mesh& mesh, const Options& options = {});
+Verdict delaunay(const ExactMesh& mesh, const Options& options = {});
 
 // Is it a weighted Delaunay triangulation: a triangulation of some of the points, whose union is the
 // convex hull of all, such that no lifted point lies strictly below the witness plane of a simplex?
 // Points on the lower hull that are not extreme may be vertices or not. Book: Section 5.2. Where all
 // weights are equal, it is the claim `delaunay`.
-Verdict weighted_delaunay(const Mesh& mesh, const Options& options = {});
+Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options = {});
 
 // Requires: not a claim about a domain (see domain/judge_domain.hpp).
-Verdict judge(Claim claim, const Mesh& mesh, const Options& options = {});
+Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options = {});
 
 // The verdict that one of the two claims about balls does not hold, where somebody else has found that the
-// mesh is a triangulation of its points, and which facets are not locally Delaunay: what judge() says, of
-// these facets alone, in whatever order they come. `mesh` may be a part of that mesh, if the simplices of
+// mesh is a triangulation of its points, and which facets are not locally Delaunay: what judge_points() says,
+// of these facets alone, in whatever order they come. `mesh` may be a part of that mesh, if the simplices of
 // the facets are in it, and the numbering of points and simplices is in the same order. Throws
 // std::logic_error if one of the facets is locally Delaunay. Requires: at least one facet, each once.
-Verdict not_locally_delaunay(Claim claim, const Mesh& mesh, std::vector<SharedFacet> facets,
+Verdict not_locally_delaunay(Claim claim, const ExactMesh& mesh, std::vector<SharedFacet> facets,
                              const Options& options = {});
 
 }  // namespace circumspect::check

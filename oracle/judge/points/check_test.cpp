@@ -8,14 +8,14 @@
 namespace circumspect::check {
 namespace {
 
-void check_both_ways(const Mesh& mesh, bool holds) {
+void check_both_ways(const ExactMesh& mesh, bool holds) {
   for (const By by : {By::kLemma, By::kDefinition}) {
     CHECK(triangulation(mesh, {.by = by}).holds() == holds);
     CHECK(delaunay(mesh, {.by = by}).holds() == holds);
   }
 }
 
-Rule only_rule(const Mesh& mesh) {
+Rule only_rule(const ExactMesh& mesh) {
   const Verdict verdict = delaunay(mesh);
   REQUIRE(verdict.tallies().size() == 1);
   return verdict.tallies().begin()->first;
@@ -78,7 +78,8 @@ TEST_CASE("a plane in space and a space in four dimensions: all happens in the a
 }
 
 TEST_CASE("witnesses are kept up to a maximum, and counted beyond it") {
-  const Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {5, 5}, {6, 5}, {5, 6}, {9, 9}}), {{0, 1, 2}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {5, 5}, {6, 5}, {5, 6}, {9, 9}}),
+                       {{0, 1, 2}}};
   for (const By by : {By::kLemma, By::kDefinition}) {
     CHECK(triangulation(mesh, {.by = by, .max_violations = 1}).violations().size() == 1);
     CHECK(triangulation(mesh, {.by = by, .max_violations = 3}).violations().size() == 3);
@@ -113,7 +114,7 @@ TEST_CASE("a verdict counts what it drops, with the worst margin of all") {
 }
 
 TEST_CASE("neighbours: the true ones pass, each false one is named with what it should be") {
-  Mesh mesh{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
+  ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {{0, 1, 2}, {0, 2, 3}}};
   mesh.neighbors = Neighbors{{{-1, 1, -1}, {-1, -1, 0}}};
   check_both_ways(mesh, true);
   mesh.neighbors = Neighbors{{{-1, 6, -1}, {-1, -1, 5}}, 5};

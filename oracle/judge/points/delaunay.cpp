@@ -25,7 +25,7 @@ std::optional<Vertex> submerged_vertex(const PointSet& points, const Simplex& si
   return only;
 }
 
-void add_facet(const Mesh& mesh, const SharedFacet& shared, Verdict& verdict) {
+void add_facet(const ExactMesh& mesh, const SharedFacet& shared, Verdict& verdict) {
   const Simplex& simplex = mesh.simplices[shared.simplex];
   const Vertex apex = shared.apex;
   const auto submerged = submerged_vertex(mesh.points, simplex, apex);
@@ -46,14 +46,15 @@ void add_facet(const Mesh& mesh, const SharedFacet& shared, Verdict& verdict) {
 
 }  // namespace
 
-int judge_facet_locally_delaunay(const Mesh& mesh, const SharedFacet& shared, Verdict& verdict) {
+int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& shared,
+                                 Verdict& verdict) {
   const Simplex& simplex = mesh.simplices[shared.simplex];
   const int side = in_ball(mesh.points.configuration(), simplex, shared.apex);
   if (side > 0) add_facet(mesh, shared, verdict);
   return side;
 }
 
-void judge_facets_locally_delaunay(const Mesh& mesh, const std::vector<FacetUse>& uses,
+void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity) {
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
     if (group.size() != 2) return;
@@ -64,7 +65,7 @@ void judge_facets_locally_delaunay(const Mesh& mesh, const std::vector<FacetUse>
   });
 }
 
-void judge_balls_empty(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity) {
+void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambiguity) {
   const Rule rule = mesh.points.is_weighted() ? Rule::kPointBelowPlane : Rule::kVertexInBall;
   for (const Simplex& simplex : mesh.simplices) {
     for (Vertex q = 0; mesh.points.names(q); ++q) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracle/judge/points/ambiguity.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/complex/facets.hpp"
 
@@ -21,7 +21,8 @@ struct SharedFacet {
 
 // Is the facet locally Delaunay? If not, it is a violation: see judge_facets_locally_delaunay, which asks
 // this of all facets. Returns the side of the ball of the simplex on which the apex lies: 1: inside.
-int judge_facet_locally_delaunay(const Mesh& mesh, const SharedFacet& shared, Verdict& verdict);
+int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& shared,
+                                 Verdict& verdict);
 
 // The others require sound simplices whose facets lie in one or two of them, two being on opposite sides.
 
@@ -30,11 +31,11 @@ int judge_facet_locally_delaunay(const Mesh& mesh, const SharedFacet& shared, Ve
 // not breaks delaunay.facet-not-local, or weighted.vertex-submerged if the two simplices show that
 // a vertex of it lies strictly above the lower hull.
 // `uses` are those of the mesh.
-void judge_facets_locally_delaunay(const Mesh& mesh, const std::vector<FacetUse>& uses,
+void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity);
 
 // Definition 4.1: no open circumball of a simplex contains a point of S (delaunay.vertex-in-ball);
 // weighted: no lifted point of S lies strictly below a witness plane (weighted.point-below-plane).
-void judge_balls_empty(const Mesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
+void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
 
 }  // namespace circumspect::check

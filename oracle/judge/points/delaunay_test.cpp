@@ -14,11 +14,11 @@ namespace {
 // A kite cut along its longer diagonal. The balls of both triangles hold the other's apex.
 //   {0, 1, 2}: centre (0, −3/2), r² = 25/4; vertex 3 at squared distance 1.
 //   {0, 1, 3}: centre (0, 15/4), r² = 289/16; vertex 2 at squared distance 121/16.
-Mesh kite() {
+ExactMesh kite() {
   return {PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, Rational(-1, 2)}}), {{0, 1, 2}, {3, 1, 0}}};
 }
 
-void check_facts(const Mesh& mesh, bool unique, bool canonical) {
+void check_facts(const ExactMesh& mesh, bool unique, bool canonical) {
   for (const By by : {By::kLemma, By::kDefinition}) {
     const Verdict verdict = delaunay(mesh, {.by = by});
     CHECK(verdict.holds());
@@ -73,7 +73,7 @@ TEST_CASE("vertex in ball: the same by definition, once for each ball, and the w
 }
 
 TEST_CASE("vertex in ball: the worst margin is the worst, whichever comes first") {
-  Mesh mesh = kite();
+  ExactMesh mesh = kite();
   std::swap(mesh.simplices[0], mesh.simplices[1]);
   CHECK(delaunay(mesh, {.by = By::kDefinition}).tallies().at(Rule::kVertexInBall).worst_margin ==
         Rational(21, 25));
@@ -83,7 +83,7 @@ TEST_CASE("vertex in ball: the worst margin is the worst, whichever comes first"
 
 TEST_CASE("a point on the sphere is not in the open ball, and one a hair inside is") {
   const auto square_with = [](const Rational& x) {
-    return Mesh{PointSet({{0, 0}, {1, 0}, {x, 1}, {0, 1}}), {{0, 1, 3}, {1, 2, 3}}};
+    return ExactMesh{PointSet({{0, 0}, {1, 0}, {x, 1}, {0, 1}}), {{0, 1, 3}, {1, 2, 3}}};
   };
   CHECK(delaunay(square_with(1)).holds());
   const Rational hair = exact_value(0x1p-52);
@@ -126,7 +126,7 @@ TEST_CASE("facts: canonical means every cell, not the last one looked at") {
   check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 4}, {2, 4, 5}}}, false, false);
 }
 
-// Against judge() on large meshes: flat/judge_flat_test.cpp.
+// Against judge_points() on large meshes: oracle/judge/judge_test.cpp.
 TEST_CASE("facets that somebody found not to be locally Delaunay are asked again, in their order") {
   // The kite twice, and what is between.
   const PointSet points({{-2, 0},
@@ -137,7 +137,7 @@ TEST_CASE("facets that somebody found not to be locally Delaunay are asked again
                          {2, 10},
                          {0, 9},
                          {0, Rational(21, 2)}});
-  const Mesh mesh{
+  const ExactMesh mesh{
       points,
       {{4, 5, 6}, {0, 1, 2}, {3, 1, 0}, {0, 2, 4}, {2, 4, 6}, {2, 5, 6}, {1, 2, 5}, {4, 5, 7}}};
   const SharedFacet below{{0, 1}, 1, 3};

@@ -29,14 +29,14 @@ std::vector<Vertex> matched(const PointSet& points, const std::map<WeightedPoint
 
 }  // namespace
 
-Cells cells_of(const Mesh& mesh) {
+Cells cells_of(const ExactMesh& mesh) {
   Cells cells;
   for (const Simplex& simplex : mesh.simplices) cells.add(simplex);
   add_dangling(cells, mesh.faces, mesh.points.size());
   return cells;
 }
 
-Difference difference(const Mesh& a, const Mesh& b) {
+Difference difference(const ExactMesh& a, const ExactMesh& b) {
   Difference result;
   const auto in_b = matched(a.points, places(b.points), result.points_only_in_a);
   matched(b.points, places(a.points), result.points_only_in_b);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracle/judge/points/cells.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::check {
 
@@ -25,10 +25,10 @@ struct Difference {
 };
 
 // The cells that are compared: the simplices, and the faces beside them that dangle.
-Cells cells_of(const Mesh& mesh);
+Cells cells_of(const ExactMesh& mesh);
 
 // Compares the simplices, and of the faces that a mesh lists beside them those that dangle: the others
 // say nothing new.
-Difference difference(const Mesh& a, const Mesh& b);
+Difference difference(const ExactMesh& a, const ExactMesh& b);
 
 }  // namespace circumspect::check

@@ -4,7 +4,7 @@ namespace circumspect::check {
 namespace {
 
 // `across` is the place of the true neighbour in the list of simplices, or −1.
-void judge_link(const Mesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
+void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
   const Vertex first_index = mesh.neighbors->first_index;
   const Vertex expected = across < 0 ? -1 : across + first_index;
   const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
@@ -20,7 +20,7 @@ void judge_link(const Mesh& mesh, const FacetUse& use, Vertex across, Verdict& v
 
 }  // namespace
 
-void judge_neighbors(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
     const bool shared = group.size() == 2;
     for (std::size_t i = 0; i < group.size(); ++i) {

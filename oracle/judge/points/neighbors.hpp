@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/complex/facets.hpp"
 
@@ -12,6 +12,6 @@ namespace circumspect::check {
 // complex.wrong-neighbor: entry i of a simplex must be the simplex across the facet opposite its
 // vertex i, or none on the boundary. Requires: the mesh lists neighbours; simplices are sound and
 // facets lie in one or two of them. `uses` are those of the mesh.
-void judge_neighbors(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -15,7 +15,8 @@ Vertex repeated_vertex(const Simplex& simplex) {
 }
 
 // The first rule that one simplex breaks by itself, or none. Sets its orientation.
-bool judge_simplex(const Mesh& mesh, std::size_t place, int& orientation_of_it, Verdict& verdict) {
+bool judge_simplex(const ExactMesh& mesh, std::size_t place, int& orientation_of_it,
+                   Verdict& verdict) {
   const PointSet& points = mesh.points;
   const Simplex& simplex = mesh.simplices[place];
   const auto unknown =
@@ -50,7 +51,7 @@ bool judge_simplex(const Mesh& mesh, std::size_t place, int& orientation_of_it, 
   return true;
 }
 
-bool judge_duplicates(const Mesh& mesh, Verdict& verdict) {
+bool judge_duplicates(const ExactMesh& mesh, Verdict& verdict) {
   std::vector<Simplex> ascending;
   ascending.reserve(mesh.simplices.size());
   for (const Simplex& simplex : mesh.simplices) ascending.push_back(sorted(simplex));
@@ -69,7 +70,8 @@ bool judge_duplicates(const Mesh& mesh, Verdict& verdict) {
   return distinct;
 }
 
-void judge_orientations(const Mesh& mesh, const std::vector<int>& orientations, Verdict& verdict) {
+void judge_orientations(const ExactMesh& mesh, const std::vector<int>& orientations,
+                        Verdict& verdict) {
   for (std::size_t s = 1; s < orientations.size(); ++s) {
     if (orientations[s] == orientations[0]) continue;
     verdict.add(Rule::kOrientation, {.simplices = {mesh.simplices[0], mesh.simplices[s]},
@@ -80,7 +82,7 @@ void judge_orientations(const Mesh& mesh, const std::vector<int>& orientations, 
 
 }  // namespace
 
-bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict) {
+bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict) {
   bool sound = true;
   std::vector<int> orientations(mesh.simplices.size(), 0);
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
@@ -91,7 +93,7 @@ bool judge_simplices(const Mesh& mesh, bool oriented, Verdict& verdict) {
   return sound;
 }
 
-std::vector<Vertex> unused_points(const Mesh& mesh) {
+std::vector<Vertex> unused_points(const ExactMesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   for (const Simplex& simplex : mesh.simplices) {
     for (const Vertex v : simplex) {
@@ -105,7 +107,7 @@ std::vector<Vertex> unused_points(const Mesh& mesh) {
   return unused;
 }
 
-void judge_vertex_set(const Mesh& mesh, Verdict& verdict) {
+void judge_vertex_set(const ExactMesh& mesh, Verdict& verdict) {
   for (const Vertex v : unused_points(mesh)) {
     verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
   }

@@ -14,7 +14,7 @@ namespace {
 const std::vector<Point> kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 // The rules that a mesh breaks as a Delaunay triangulation.
-std::set<Rule> broken(const Mesh& mesh, By by, bool oriented = false) {
+std::set<Rule> broken(const ExactMesh& mesh, By by, bool oriented = false) {
   std::set<Rule> rules;
   const Verdict verdict = delaunay(mesh, {.by = by, .oriented = oriented});
   for (const auto& [rule, tally] : verdict.tallies()) {
@@ -24,7 +24,7 @@ std::set<Rule> broken(const Mesh& mesh, By by, bool oriented = false) {
 }
 
 // The only violation of a mesh, after a look that it is the only one both ways.
-Violation only(Rule rule, const Mesh& mesh, bool oriented = false) {
+Violation only(Rule rule, const ExactMesh& mesh, bool oriented = false) {
   CHECK(broken(mesh, By::kLemma, oriented) == std::set{rule});
   CHECK(broken(mesh, By::kDefinition, oriented) == std::set{rule});
   const Verdict verdict = delaunay(mesh, {.oriented = oriented});
@@ -39,7 +39,7 @@ Violation only(Rule rule, const Mesh& mesh, bool oriented = false) {
 
 TEST_CASE("unknown vertex: an index beyond the last point, and a negative one") {
   for (const Vertex v : {Vertex{4}, Vertex{-1}, Vertex{1'000'000'000'000}}) {
-    const Mesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {0, v, 3}}};
+    const ExactMesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {0, v, 3}}};
     const Witness witness = only(Rule::kUnknownVertex, mesh).witness;
     CHECK(witness.simplices == std::vector<Simplex>{{0, v, 3}});
     CHECK(witness.vertices == std::vector<Vertex>{v});
@@ -61,7 +61,7 @@ TEST_CASE("wrong dimension: an edge among triangles, and tetrahedra of a plane")
 }
 
 TEST_CASE("repeated vertex: named, even where the simplex would be flat anyhow") {
-  const Mesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {3, 1, 3}}};
+  const ExactMesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {3, 1, 3}}};
   const Witness witness = only(Rule::kRepeatedVertex, mesh).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{3, 1, 3}});
   CHECK(witness.vertices == std::vector<Vertex>{3});
@@ -69,7 +69,7 @@ TEST_CASE("repeated vertex: named, even where the simplex would be flat anyhow")
 
 TEST_CASE("degenerate: a flat triangle that fills nothing, between good ones") {
   const PointSet points({{0, 0}, {1, 0}, {2, 0}, {1, 1}});
-  const Mesh mesh{points, {{0, 1, 3}, {1, 2, 3}, {2, 0, 1}}};
+  const ExactMesh mesh{points, {{0, 1, 3}, {1, 2, 3}, {2, 0, 1}}};
   const Witness witness = only(Rule::kDegenerateSimplex, mesh).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{2, 0, 1}});
   REQUIRE(witness.values.size() == 1);
@@ -79,13 +79,13 @@ TEST_CASE("degenerate: a flat triangle that fills nothing, between good ones") {
 
 TEST_CASE("degenerate: exactly flat, not nearly") {
   const Rational tiny = exact_value(0x1p-1000);
-  const Mesh mesh{PointSet({{0, 0}, {1, tiny}, {2, 0}}), {{0, 1, 2}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {1, tiny}, {2, 0}}), {{0, 1, 2}}};
   CHECK(broken(mesh, By::kLemma).empty());
   CHECK(broken(mesh, By::kDefinition).empty());
 }
 
 TEST_CASE("orientation: matters only if asked for; the first simplex gives the example") {
-  const Mesh mixed{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
+  const ExactMesh mixed{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
   CHECK(broken(mixed, By::kLemma).empty());
   CHECK(broken(mixed, By::kDefinition).empty());
   const Witness witness = only(Rule::kOrientation, mixed, true).witness;
@@ -101,10 +101,10 @@ TEST_CASE("orientation: matters only if asked for; the first simplex gives the e
 }
 
 TEST_CASE("duplicate simplex: the same vertices in another order, each repetition once") {
-  const Mesh twice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
+  const ExactMesh twice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
   const Witness witness = only(Rule::kDuplicateSimplex, twice).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{0, 1, 2}, {2, 1, 0}});
-  const Mesh thrice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {1, 0, 2}}};
+  const ExactMesh thrice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {1, 0, 2}}};
   CHECK(delaunay(thrice).tallies().at(Rule::kDuplicateSimplex).count == 2);
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("unused point: inside, on an edge of the hull, outside") {
        std::vector<Point>{{Rational(1, 3), Rational(2, 3)}, {Rational(1, 2), 0}}) {
     std::vector<Point> points = kSquare;
     points.push_back(more);
-    const Mesh mesh{PointSet(points), triangles};
+    const ExactMesh mesh{PointSet(points), triangles};
     const Verdict verdict = triangulation(mesh);
     REQUIRE(verdict.violations().size() == 1);
     CHECK(verdict.violations()[0].rule == Rule::kUnusedPoint);
@@ -123,13 +123,13 @@ TEST_CASE("unused point: inside, on an edge of the hull, outside") {
     CHECK(triangulation(mesh, {.by = By::kDefinition}).tallies().size() == 1);
   }
   // By lemma nothing else is wrong with a point outside; by definition it lies beyond the hull.
-  const Mesh outside{PointSet({{0, 0}, {4, 0}, {0, 4}, {9, 9}}), {{0, 1, 2}}};
+  const ExactMesh outside{PointSet({{0, 0}, {4, 0}, {0, 4}, {9, 9}}), {{0, 1, 2}}};
   CHECK(broken(outside, By::kLemma) == std::set{Rule::kUnusedPoint});
   CHECK(broken(outside, By::kDefinition) == std::set{Rule::kUnusedPoint, Rule::kHullNotConvex});
 }
 
 TEST_CASE("simplices that cannot be worked with are all reported, and keep the rest unjudged") {
-  const Mesh mesh{PointSet(kSquare), {{0, 1}, {0, 1, 1}, {0, 1, 9}, {0, 1, 2}, {0, 1, 3}}};
+  const ExactMesh mesh{PointSet(kSquare), {{0, 1}, {0, 1, 1}, {0, 1, 9}, {0, 1, 2}, {0, 1, 3}}};
   const std::set expected = {Rule::kWrongDimension, Rule::kRepeatedVertex, Rule::kUnknownVertex};
   CHECK(broken(mesh, By::kLemma) == expected);  // and not the overlap of the last two
   CHECK(broken(mesh, By::kDefinition) == expected);

@@ -14,7 +14,7 @@ namespace {
 // A mesh as the search for points wants it.
 class Located {
  public:
-  Located(const Mesh& mesh, const std::vector<FacetUse>& uses)
+  Located(const ExactMesh& mesh, const std::vector<FacetUse>& uses)
       : mesh_(mesh),
         row_size_(mesh.simplices.front().size()),
         across_(mesh.simplices.size() * row_size_, kNoSimplex) {
@@ -45,7 +45,7 @@ class Located {
   }
 
  private:
-  const Mesh& mesh_;
+  const ExactMesh& mesh_;
   std::size_t row_size_;
   std::vector<std::size_t> across_;  // the facet opposite each vertex of each simplex
   std::vector<int> own_;             // the orientation of each simplex
@@ -53,7 +53,7 @@ class Located {
 
 }  // namespace
 
-std::uint64_t judge_submerged_points(const Mesh& mesh, const std::vector<FacetUse>& uses,
+std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity) {
   const std::vector<Vertex> unused = unused_points(mesh);
   if (unused.empty() || mesh.simplices.empty()) return 0;

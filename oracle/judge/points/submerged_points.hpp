@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracle/judge/points/ambiguity.hpp"
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/complex/facets.hpp"
 
@@ -17,7 +17,7 @@ namespace circumspect::check {
 // that simplex (else weighted.point-below-plane). Returns how many orientations it took to find the
 // simplices (reference/kernel/exact/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
 // and `uses` are those of its facets.
-std::uint64_t judge_submerged_points(const Mesh& mesh, const std::vector<FacetUse>& uses,
+std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity);
 
 }  // namespace circumspect::check

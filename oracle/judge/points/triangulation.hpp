@@ -2,7 +2,7 @@
 // Book: Definition 2.1 and Section 4.1.
 #pragma once
 
-#include "oracle/model/mesh.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/complex/facets.hpp"
 
@@ -12,13 +12,15 @@ namespace circumspect::check {
 // or two simplices, two being on opposite sides of it.
 
 // Condition 1 of docs/theory/points.md alone. `uses` are those of the mesh.
-bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                          Verdict& verdict);
 
 // Conditions 1–3 of docs/theory/points.md: linear but for sorting. `uses` are those of the mesh.
-bool judge_complex_by_lemma(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                            Verdict& verdict);
 
 // Every two simplices meet in a common face or not at all; and a facet of only one simplex has no
 // point beyond it, so that the union is the whole hull.
-bool judge_complex_by_definition(const Mesh& mesh, Verdict& verdict);
+bool judge_complex_by_definition(const ExactMesh& mesh, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -9,7 +9,7 @@ namespace {
 
 // "A simplicial complex": any two simplices meet in a common face or not at all. Their faces then do
 // so too, since a face's point has one carrier in either simplex.
-bool judge_pairs(const Mesh& mesh, Verdict& verdict) {
+bool judge_pairs(const ExactMesh& mesh, Verdict& verdict) {
   bool proper = true;
   for (std::size_t a = 0; a < mesh.simplices.size(); ++a) {
     for (std::size_t b = a + 1; b < mesh.simplices.size(); ++b) {
@@ -28,7 +28,7 @@ bool judge_pairs(const Mesh& mesh, Verdict& verdict) {
 // conv S to an uncovered one leaves the union through the relative interior of a facet that only
 // one simplex has, towards the interior of conv S; so some point of S lies beyond that facet. And
 // nothing outside conv S is covered, because all vertices are points of S.
-void judge_union(const Mesh& mesh, Verdict& verdict) {
+void judge_union(const ExactMesh& mesh, Verdict& verdict) {
   const Configuration& points = mesh.points.configuration();
   for (const BoundaryFacet& facet : boundary_facets(mesh, facet_uses(mesh.simplices))) {
     for (Vertex q = 0; mesh.points.names(q); ++q) {
@@ -41,7 +41,7 @@ void judge_union(const Mesh& mesh, Verdict& verdict) {
 
 }  // namespace
 
-bool judge_complex_by_definition(const Mesh& mesh, Verdict& verdict) {
+bool judge_complex_by_definition(const ExactMesh& mesh, Verdict& verdict) {
   if (!judge_pairs(mesh, verdict)) return false;
   judge_union(mesh, verdict);
   return true;

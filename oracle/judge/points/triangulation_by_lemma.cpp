@@ -12,14 +12,14 @@ namespace circumspect::check {
 namespace {
 
 // The witness that two simplices overlap: a point of both off their common face.
-Witness overlap(const Mesh& mesh, std::size_t a, std::size_t b) {
+Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
   const Simplex& first = mesh.simplices[a];
   const Simplex& second = mesh.simplices[b];
   return {.simplices = {first, second}, .point = improper_intersection(mesh.points, first, second)};
 }
 
 // Is the vertex of `b` opposite a shared facet on the same side of it as that of `a`?
-bool on_same_side(const Mesh& mesh, const FacetUse& a, const FacetUse& b) {
+bool on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& b) {
   const Configuration& points = mesh.points.configuration();
   const BoundaryFacet facet{a.facet, mesh.simplices[a.simplex][a.opposite], a.simplex};
   return side_of(points, facet, mesh.simplices[b.simplex][b.opposite]) > 0;
@@ -35,7 +35,7 @@ struct Hinge {
 };
 
 // Coplanar facets: are the far vertices on the same side of the ridge, within the plane?
-bool is_folded(const Mesh& mesh, const Hinge& hinge) {
+bool is_folded(const ExactMesh& mesh, const Hinge& hinge) {
   const Configuration& points = mesh.points.configuration();
   const std::vector<std::size_t> axes = axes_of(points, hinge.first.facet);
   Simplex with_far = hinge.ridge;
@@ -45,7 +45,7 @@ bool is_folded(const Mesh& mesh, const Hinge& hinge) {
   return side == orientation(points, axes, with_far);
 }
 
-bool judge_hinge(const Mesh& mesh, const Hinge& hinge, Verdict& verdict) {
+bool judge_hinge(const ExactMesh& mesh, const Hinge& hinge, Verdict& verdict) {
   const Configuration& points = mesh.points.configuration();
   const int second_side = side_of(points, hinge.first, hinge.second_far);
   if (second_side < 0) {
@@ -65,7 +65,8 @@ bool judge_hinge(const Mesh& mesh, const Hinge& hinge, Verdict& verdict) {
 
 // Condition 2: each boundary ridge lies in exactly two boundary facets, and these do not make a
 // reflex or folded angle.
-bool judge_ridges(const Mesh& mesh, const std::vector<BoundaryFacet>& boundary, Verdict& verdict) {
+bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
+                  Verdict& verdict) {
   std::vector<Simplex> facets;
   facets.reserve(boundary.size());
   for (const BoundaryFacet& facet : boundary) facets.push_back(facet.facet);
@@ -90,7 +91,8 @@ bool judge_ridges(const Mesh& mesh, const std::vector<BoundaryFacet>& boundary, 
 // A vertex of the sample's simplex that lies strictly beyond the facet. There is one whenever the
 // sample point does not lie strictly on the inner side: it is the mean of the vertices, and a sound
 // simplex does not lie in a hyperplane.
-Vertex vertex_beyond(const Mesh& mesh, const BoundaryFacet& facet, const Simplex& sample_simplex) {
+Vertex vertex_beyond(const ExactMesh& mesh, const BoundaryFacet& facet,
+                     const Simplex& sample_simplex) {
   return *std::find_if(sample_simplex.begin(), sample_simplex.end(), [&](Vertex v) {
     return side_of(mesh.points.configuration(), facet, v) < 0;
   });
@@ -108,7 +110,7 @@ bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) 
 
 // Condition 3: the barycentre of the first simplex lies strictly on the inner side of every
 // boundary facet and in no other closed simplex.
-void judge_sample_point(const Mesh& mesh, const std::vector<BoundaryFacet>& boundary,
+void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                         Verdict& verdict) {
   const Simplex& first = mesh.simplices.front();
   const Point sample = barycentre(coordinates(mesh.points, first));
@@ -131,7 +133,8 @@ void judge_sample_point(const Mesh& mesh, const std::vector<BoundaryFacet>& boun
 
 }  // namespace
 
-bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                          Verdict& verdict) {
   bool matched = true;
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
     if (group.size() > 2) {
@@ -147,7 +150,8 @@ bool judge_facet_matching(const Mesh& mesh, const std::vector<FacetUse>& uses, V
   return matched;
 }
 
-bool judge_complex_by_lemma(const Mesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                            Verdict& verdict) {
   if (mesh.simplices.empty()) return true;
   if (!judge_facet_matching(mesh, uses, verdict)) return false;
   const std::vector<BoundaryFacet> boundary = boundary_facets(mesh, uses);

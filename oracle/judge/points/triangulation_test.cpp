@@ -11,7 +11,7 @@
 namespace circumspect::check {
 namespace {
 
-std::set<Rule> broken(const Mesh& mesh, By by) {
+std::set<Rule> broken(const ExactMesh& mesh, By by) {
   std::set<Rule> rules;
   const Verdict verdict = triangulation(mesh, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
@@ -19,7 +19,7 @@ std::set<Rule> broken(const Mesh& mesh, By by) {
 }
 
 // All violations of a mesh that breaks one rule by lemma, and some rule by definition.
-std::vector<Violation> only(Rule rule, const Mesh& mesh) {
+std::vector<Violation> only(Rule rule, const ExactMesh& mesh) {
   CHECK(broken(mesh, By::kLemma) == std::set{rule});
   CHECK(!broken(mesh, By::kDefinition).empty());
   const Verdict verdict = triangulation(mesh);
@@ -31,7 +31,7 @@ std::vector<Violation> only(Rule rule, const Mesh& mesh) {
 
 // Is the point in the closed simplex? The same question as in the checker, asked of barycentric
 // coordinates by Cramer's rule.
-bool covers(const Mesh& mesh, const Simplex& simplex, const Point& point) {
+bool covers(const ExactMesh& mesh, const Simplex& simplex, const Point& point) {
   std::vector<Point> with_point = mesh.points.points();
   with_point.push_back(point);
   const Configuration points(with_point);
@@ -45,7 +45,7 @@ bool covers(const Mesh& mesh, const Simplex& simplex, const Point& point) {
 }
 
 // What every witness of a vertex beyond a facet shows: two determinants of opposite signs.
-void check_beyond(const Mesh& mesh, const Witness& witness) {
+void check_beyond(const ExactMesh& mesh, const Witness& witness) {
   REQUIRE(witness.simplices.size() == 1);
   REQUIRE(witness.face.has_value());
   REQUIRE(witness.vertices.size() == 1);
@@ -66,8 +66,8 @@ void check_beyond(const Mesh& mesh, const Witness& witness) {
 }
 
 TEST_CASE("facet overused: three triangles on one edge") {
-  const Mesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {1, -1}, {0, -2}}),
-                  {{0, 1, 2}, {1, 0, 3}, {0, 4, 1}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {0, 1}, {1, -1}, {0, -2}}),
+                       {{0, 1, 2}, {1, 0, 3}, {0, 4, 1}}};
   const auto violations = only(Rule::kFacetOverused, mesh);
   REQUIRE(violations.size() == 1);
   CHECK(violations[0].witness.face == Simplex{0, 1});
@@ -76,7 +76,7 @@ TEST_CASE("facet overused: three triangles on one edge") {
 }
 
 TEST_CASE("overlap: two triangles on the same side of an edge") {
-  const Mesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {2, 2}}), {{0, 1, 2}, {0, 1, 3}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 2}, {2, 2}}), {{0, 1, 2}, {0, 1, 3}}};
   const auto violations = only(Rule::kOverlap, mesh);
   REQUIRE(violations.size() == 1);
   const Witness& witness = violations[0].witness;
@@ -89,8 +89,8 @@ TEST_CASE("overlap: two triangles on the same side of an edge") {
 
 TEST_CASE("overlap: a boundary folded onto itself, with one edge along another") {
   // All around the origin from (2, 0) counterclockwise to (1, 0), which lies on the first edge.
-  const Mesh mesh{PointSet({{0, 0}, {2, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}}),
-                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}}),
+                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
   const auto violations = only(Rule::kOverlap, mesh);
   REQUIRE(violations.size() == 1);
   CHECK(std::set<Simplex>(violations[0].witness.simplices.begin(),
@@ -100,19 +100,20 @@ TEST_CASE("overlap: a boundary folded onto itself, with one edge along another")
 }
 
 TEST_CASE("hull not closed: a gap on a line, a vertex and an edge where four facets meet") {
-  const Mesh gap{PointSet({{0}, {1}, {2}, {3}}), {{0, 1}, {2, 3}}};
+  const ExactMesh gap{PointSet({{0}, {1}, {2}, {3}}), {{0, 1}, {2, 3}}};
   const auto on_line = only(Rule::kHullNotClosed, gap);
   REQUIRE(on_line.size() == 1);
   CHECK(on_line[0].witness.face == Simplex{});
   CHECK(on_line[0].witness.simplices == std::vector<Simplex>{{0}, {1}, {2}, {3}});
-  const Mesh bow_tie{PointSet({{0, 0}, {2, 1}, {2, -1}, {-2, 1}, {-2, -1}}),
-                     {{0, 1, 2}, {0, 3, 4}}};
+  const ExactMesh bow_tie{PointSet({{0, 0}, {2, 1}, {2, -1}, {-2, 1}, {-2, -1}}),
+                          {{0, 1, 2}, {0, 3, 4}}};
   const auto pinched = only(Rule::kHullNotClosed, bow_tie);
   REQUIRE(pinched.size() == 1);
   CHECK(pinched[0].witness.face == Simplex{0});
   CHECK(pinched[0].witness.simplices == std::vector<Simplex>{{0, 1}, {0, 2}, {0, 3}, {0, 4}});
-  const Mesh edge{PointSet({{0, 0, 0}, {0, 0, 2}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}, {-1, -1, 1}}),
-                  {{0, 1, 2, 3}, {0, 1, 4, 5}}};
+  const ExactMesh edge{
+      PointSet({{0, 0, 0}, {0, 0, 2}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}, {-1, -1, 1}}),
+      {{0, 1, 2, 3}, {0, 1, 4, 5}}};
   const auto edges = only(Rule::kHullNotClosed, edge);
   REQUIRE(edges.size() == 1);
   CHECK(edges[0].witness.face == Simplex{0, 1});
@@ -120,7 +121,7 @@ TEST_CASE("hull not closed: a gap on a line, a vertex and an edge where four fac
 }
 
 TEST_CASE("hull not convex: a notch, met at the reflex vertex") {
-  const Mesh mesh{PointSet({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), {{0, 1, 2}, {0, 2, 3}}};
+  const ExactMesh mesh{PointSet({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), {{0, 1, 2}, {0, 2, 3}}};
   const auto violations = only(Rule::kHullNotConvex, mesh);
   REQUIRE(violations.size() == 1);
   check_beyond(mesh, violations[0].witness);
@@ -129,14 +130,14 @@ TEST_CASE("hull not convex: a notch, met at the reflex vertex") {
 }
 
 TEST_CASE("hull not convex: two pieces, each convex, apart and touching in a point of space") {
-  const Mesh apart{PointSet({{0, 0}, {1, 0}, {0, 1}, {5, 5}, {6, 5}, {5, 6}}),
-                   {{0, 1, 2}, {3, 4, 5}}};
+  const ExactMesh apart{PointSet({{0, 0}, {1, 0}, {0, 1}, {5, 5}, {6, 5}, {5, 6}}),
+                        {{0, 1, 2}, {3, 4, 5}}};
   for (const Violation& violation : only(Rule::kHullNotConvex, apart)) {
     check_beyond(apart, violation.witness);
     CHECK(violation.witness.simplices[0] == Simplex{3, 4, 5});
     CHECK(violation.witness.vertices[0] < 3);
   }
-  const Mesh touching{
+  const ExactMesh touching{
       PointSet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}),
       {{0, 1, 2, 3}, {0, 4, 5, 6}}};
   for (const Violation& violation : only(Rule::kHullNotConvex, touching)) {
@@ -146,8 +147,8 @@ TEST_CASE("hull not convex: two pieces, each convex, apart and touching in a poi
 
 // The sample point lies exactly in the hyperplane of a boundary facet of another piece.
 TEST_CASE("hull not convex: the sample point in the plane of a facet is not on its inner side") {
-  const Mesh mesh{PointSet({{0, -1}, {3, -1}, {0, 2}, {4, 0}, {6, 0}, {5, 3}}),
-                  {{0, 1, 2}, {3, 4, 5}}};
+  const ExactMesh mesh{PointSet({{0, -1}, {3, -1}, {0, 2}, {4, 0}, {6, 0}, {5, 3}}),
+                       {{0, 1, 2}, {3, 4, 5}}};
   REQUIRE(barycentre(coordinates(mesh.points, {0, 1, 2})) == Point{1, 0});
   bool on_line = false;
   for (const Violation& violation : only(Rule::kHullNotConvex, mesh)) {
@@ -167,7 +168,7 @@ TEST_CASE("covered twice: a fan that winds twice, every edge of it locally Delau
   points.insert(points.end(), kRing.begin(), kRing.end());
   std::vector<Simplex> fan;
   for (Vertex i = 2; i < 9; ++i) fan.push_back({0, 1 + i % 7, 1 + (i + 1) % 7});
-  const Mesh mesh{PointSet(points), fan};
+  const ExactMesh mesh{PointSet(points), fan};
   const auto violations = only(Rule::kCoveredTwice, mesh);
   for (const Violation& violation : violations) {
     REQUIRE(violation.witness.simplices.size() == 2);
@@ -184,7 +185,7 @@ TEST_CASE("covered twice: a fan that winds twice, every edge of it locally Delau
   CHECK(verdict.tallies().contains(Rule::kCoveredTwice));
   // Whichever triangle comes first, something stops it.
   for (std::size_t first = 0; first < fan.size(); ++first) {
-    Mesh rotated = mesh;
+    ExactMesh rotated = mesh;
     std::swap(rotated.simplices[0], rotated.simplices[first]);
     CHECK(!triangulation(rotated).holds());
   }
@@ -216,23 +217,23 @@ TEST_CASE("covered twice: the same in space, a cone over the fan and a double co
 }
 
 TEST_CASE("covered twice: a small triangle within a large one, also where it touches the sample") {
-  const Mesh nested{PointSet({{0, 0}, {9, 0}, {0, 9}, {2, 2}, {5, 2}, {2, 5}}),
-                    {{0, 1, 2}, {3, 4, 5}}};
+  const ExactMesh nested{PointSet({{0, 0}, {9, 0}, {0, 9}, {2, 2}, {5, 2}, {2, 5}}),
+                         {{0, 1, 2}, {3, 4, 5}}};
   CHECK(broken(nested, By::kLemma) == std::set{Rule::kCoveredTwice});
   CHECK(broken(nested, By::kDefinition) == std::set{Rule::kOverlap});
   // The sample point (3, 3) is on an edge inside the other piece: covered, if not strictly.
-  const Mesh touching{PointSet({{0, 0}, {9, 0}, {0, 9}, {3, 2}, {3, 4}, {1, 3}, {5, 3}}),
-                      {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}};
+  const ExactMesh touching{PointSet({{0, 0}, {9, 0}, {0, 9}, {3, 2}, {3, 4}, {1, 3}, {5, 3}}),
+                           {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}};
   CHECK(broken(touching, By::kLemma) == std::set{Rule::kCoveredTwice});
   CHECK(triangulation(touching).tallies().at(Rule::kCoveredTwice).count == 2);
 }
 
 TEST_CASE("coplanar boundary facets are no fault, nor is a single simplex") {
-  const Mesh split{PointSet({{0, 0}, {1, 0}, {2, 0}, {1, 1}}), {{0, 1, 3}, {1, 2, 3}}};
+  const ExactMesh split{PointSet({{0, 0}, {1, 0}, {2, 0}, {1, 1}}), {{0, 1, 3}, {1, 2, 3}}};
   CHECK(broken(split, By::kLemma).empty());
   CHECK(broken(split, By::kDefinition).empty());
-  const Mesh space{PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 1}}),
-                   {{0, 1, 3, 4}, {1, 2, 3, 4}}};
+  const ExactMesh space{PointSet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 1}}),
+                        {{0, 1, 3, 4}, {1, 2, 3, 4}}};
   CHECK(broken(space, By::kLemma).empty());
   CHECK(broken(space, By::kDefinition).empty());
   CHECK(broken({PointSet({{0, 0}, {1, 0}, {0, 1}}), {{2, 0, 1}}}, By::kLemma).empty());

@@ -13,21 +13,21 @@ namespace {
 
 // Three points of a line. The middle one, lifted, is above the edge between the others for weight −2,
 // on it for −1, and below it for 1.
-Mesh line(const Rational& weight, const std::vector<Simplex>& edges) {
+ExactMesh line(const Rational& weight, const std::vector<Simplex>& edges) {
   return {PointSet({{0}, {1}, {2}}, {0, weight, 0}), edges};
 }
 
 const std::vector<Simplex> kTwoEdges = {{0, 1}, {1, 2}};
 const std::vector<Simplex> kOneEdge = {{0, 2}};
 
-std::set<Rule> broken(const Mesh& mesh, By by) {
+std::set<Rule> broken(const ExactMesh& mesh, By by) {
   std::set<Rule> rules;
   const Verdict verdict = weighted_delaunay(mesh, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
   return rules;
 }
 
-bool holds(const Mesh& mesh) {
+bool holds(const ExactMesh& mesh) {
   const bool by_lemma = broken(mesh, By::kLemma).empty();
   CHECK(by_lemma == broken(mesh, By::kDefinition).empty());
   return by_lemma;
@@ -50,7 +50,7 @@ TEST_CASE("weighted: a point on the lower hull may be a vertex or not") {
 }
 
 TEST_CASE("weighted: a vertex above the witness plane of the simplex around it is submerged") {
-  const Mesh mesh = line(-2, kTwoEdges);
+  const ExactMesh mesh = line(-2, kTwoEdges);
   CHECK(broken(mesh, By::kLemma) == std::set{Rule::kVertexSubmerged});
   const Verdict verdict = weighted_delaunay(mesh);
   REQUIRE(verdict.violations().size() == 1);
@@ -65,7 +65,7 @@ TEST_CASE("weighted: a vertex above the witness plane of the simplex around it i
 }
 
 TEST_CASE("weighted: a point below the witness plane of the simplex that contains it") {
-  const Mesh mesh = line(1, kOneEdge);
+  const ExactMesh mesh = line(1, kOneEdge);
   CHECK(broken(mesh, By::kLemma) == std::set{Rule::kPointBelowPlane});
   CHECK(broken(mesh, By::kDefinition) == std::set{Rule::kPointBelowPlane});
   const Verdict verdict = weighted_delaunay(mesh);
@@ -83,7 +83,7 @@ TEST_CASE("weighted: a point below the witness plane of the simplex that contain
 
 TEST_CASE("weighted: a point beyond all simplices is unused, whatever its weight") {
   for (const Rational& weight : {Rational(-9), Rational(0), Rational(9)}) {
-    const Mesh mesh{PointSet({{0}, {1}, {2}}, {0, 0, weight}), {{0, 1}}};
+    const ExactMesh mesh{PointSet({{0}, {1}, {2}}, {0, 0, weight}), {{0, 1}}};
     CHECK(broken(mesh, By::kLemma) == std::set{Rule::kUnusedPoint});
     CHECK(!holds(mesh));
   }
@@ -92,7 +92,7 @@ TEST_CASE("weighted: a point beyond all simplices is unused, whatever its weight
 TEST_CASE("weighted: weights turn the right diagonal into the wrong one") {
   const PointSet kite({{-2, 0}, {2, 0}, {0, 1}, {0, -1}}, {4, 4, 0, 0});
   CHECK(holds({kite, {{0, 1, 2}, {0, 1, 3}}}));
-  const Mesh wrong{kite, {{0, 2, 3}, {1, 2, 3}}};
+  const ExactMesh wrong{kite, {{0, 2, 3}, {1, 2, 3}}};
   CHECK(!holds(wrong));
   CHECK(broken(wrong, By::kLemma) == std::set{Rule::kFacetNotLocal});
   CHECK(triangulation(wrong).holds());
@@ -110,7 +110,7 @@ TEST_CASE("weighted: a walk to the points left out, in a fan around a centre") {
   }
   CHECK(holds({PointSet(points, weights), fan}));
   weights.back() = 100;
-  const Mesh below{PointSet(points, weights), fan};
+  const ExactMesh below{PointSet(points, weights), fan};
   CHECK(broken(below, By::kLemma) == std::set{Rule::kPointBelowPlane});
   const Verdict verdict = weighted_delaunay(below);
   REQUIRE(verdict.violations().size() == 1);
@@ -135,7 +135,7 @@ std::uint64_t work_in_fan(int n) {
     points.push_back({y / 6 + (n - y) / 3 * next(), y});
     weights.push_back(-4 * n * n);
   }
-  const Mesh mesh{PointSet(points, weights), fan};
+  const ExactMesh mesh{PointSet(points, weights), fan};
   Verdict verdict(Claim::kWeightedDelaunay, mesh, 0);
   Ambiguity ambiguity;
   const std::uint64_t work =

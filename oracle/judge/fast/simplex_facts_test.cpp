@@ -1,5 +1,5 @@
 // What is said of the simplices of a mesh that need not cover anything in particular.
-#include "oracle/judge/fast/volume.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
 
 #include <limits>
 #include <numeric>
@@ -12,10 +12,12 @@
 namespace circumspect::fast {
 namespace {
 
-using Facets = std::vector<std::uint64_t>;
+using Facets = std::vector<FacetId>;
+
+constexpr Wanted kBalls{.balls = true};
 
 Undecided why_not(const MeshInArrays<2>& mesh) {
-  const auto found = volume(mesh.view(), true, 1);
+  const auto found = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE_FALSE(found.has_value());
   return found.error();
 }
@@ -26,35 +28,45 @@ const MeshInArrays<2> kTwoSquares{{0, 0, 1, 0, 0, 1, 1, 1, 5, 5, 6, 5, 5, 6, 7, 
 
 TEST_CASE("a domain in two parts: boundary, ties, and facets that are not locally Delaunay") {
   MeshInArrays<2> mesh = kTwoSquares;
-  const auto found = volume(mesh.view(), true, 1);
+  const auto found = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(found.has_value());
-  CHECK(found->boundary == Facets{0, 2, 3, 4, 7, 8, 9, 11});
-  CHECK(found->ties == Facets{1});
+  CHECK(found->boundary == Facets{{0, 0}, {0, 2}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 0}, {3, 2}});
+  CHECK(found->ties == Facets{{0, 1}});
   CHECK(found->not_canonical.empty());
   CHECK(found->not_local.empty());
-  CHECK(found->unused.empty());
   CHECK(found->oriented);
-  CHECK(found->links.view()[1] == 1);
-  CHECK(found->links.view()[0] == -1);
+  CHECK(!found->fills_hull);
 
   mesh.simplices = {0, 1, 2, 1, 3, 2, 4, 5, 7, 4, 7, 6};
-  const auto flipped = volume(mesh.view(), true, 1);
+  const auto flipped = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(flipped.has_value());
-  CHECK(flipped->ties == Facets{0});
-  CHECK(flipped->not_canonical == Facets{0});
-  CHECK(flipped->not_local == Facets{7});
+  CHECK(flipped->ties == Facets{{0, 0}});
+  CHECK(flipped->not_canonical == Facets{{0, 0}});
+  CHECK(flipped->not_local == Facets{{2, 1}});
 
-  const auto unasked = volume(mesh.view(), false, 1);
+  const auto unasked = simplex_facts(mesh.view(), {}, 1);
   REQUIRE(unasked.has_value());
   CHECK(unasked->ties.empty());
   CHECK(unasked->not_local.empty());
   CHECK(unasked->boundary == flipped->boundary);
 }
 
-TEST_CASE("points that are no vertices are listed") {
-  MeshInArrays<2> mesh = kTwoSquares;
-  mesh.simplices.resize(6);
-  CHECK(volume(mesh.view(), true, 1)->unused == std::vector<std::size_t>{4, 5, 6, 7});
+TEST_CASE("whether they fill the hull of all points, if that is asked") {
+  MeshInArrays<2> mesh{{0, 0, 1, 0, 0, 1, 1, 1}, {0, 1, 3, 0, 3, 2}};
+  CHECK(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);
+  CHECK_FALSE(simplex_facts(mesh.view(), kBalls, 1)->fills_hull);
+  CHECK_FALSE(simplex_facts(kTwoSquares.view(), {.hull = true}, 1)->fills_hull);
+  mesh.coordinates.insert(mesh.coordinates.end(), {0.5, 0.25});
+  CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);  // a point is no vertex
+  mesh.coordinates.resize(8);
+  mesh.simplices.resize(3);
+  CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);
+}
+
+TEST_CASE("a facet is named in order of simplices, then of places") {
+  constexpr std::size_t kLast = (std::size_t{1} << 62) - 1;
+  static_assert(FacetId(kLast, 3).simplex() == kLast && FacetId(kLast, 3).place() == 3);
+  static_assert(FacetId(2, 3) < FacetId(3, 0) && FacetId(3, 0) < FacetId(3, 1));
 }
 
 TEST_CASE("what is not sound is left undecided") {
@@ -84,13 +96,13 @@ template <std::size_t kDimension>
 void check_grid(bool mirrored) {
   const auto mesh = grid_mesh<kDimension, std::int32_t>(kDimension == 2 ? 200 : 24, mirrored);
   const auto judged = judge(mesh.view(), Question::kDelaunay, 1);
-  const auto first = volume(mesh.view(), true, 1);
+  const auto first = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(judged.has_value());
   REQUIRE(first.has_value());
   CHECK(first->oriented == judged->oriented);
   CHECK(first->ties.empty() == judged->unique);
   CHECK(first->not_canonical.empty() == judged->canonical);
-  const auto again = volume(mesh.view(), true, 3);
+  const auto again = simplex_facts(mesh.view(), kBalls, 3);
   REQUIRE(again.has_value());
   CHECK(again->boundary == first->boundary);
   CHECK(again->ties == first->ties);

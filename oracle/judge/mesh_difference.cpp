@@ -1,18 +1,29 @@
-#include "oracle/judge/flat_difference.hpp"
+#include "oracle/judge/mesh_difference.hpp"
 
 #include <algorithm>
 #include <compare>
-#include <thread>
 #include <utility>
 #include <variant>
 
-#include "oracle/judge/fast/finite.hpp"
-#include "oracle/judge/mesh_of_doubles.hpp"
+#include "oracle/judge/points/cells.hpp"
+#include "oracle/model/equal_points.hpp"
 
 namespace circumspect::check {
 namespace {
 
-using formats::FlatPoints;
+// Points whose coordinates and weights are doubles.
+struct PointsOfDoubles {
+  const Rows<double>& coordinates;
+  const Rows<double>& weights;  // none, or one a point
+};
+
+// None if a number is no double.
+std::optional<PointsOfDoubles> points_of_doubles(const Mesh& mesh) {
+  const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
+  const auto* const weights = std::get_if<Rows<double>>(&mesh.weights);
+  if (coordinates == nullptr || weights == nullptr) return std::nullopt;
+  return PointsOfDoubles{*coordinates, *weights};
+}
 
 // One of the points of a mesh; the first coordinate is at hand, since it tells most of them apart.
 struct Place {
@@ -20,12 +31,12 @@ struct Place {
   std::size_t point;
 };
 
-double weight(const FlatPoints& points, std::size_t i) {
+double weight(const PointsOfDoubles& points, std::size_t i) {
   return points.weights.rows() == 0 ? 0 : points.weights.row(i)[0];
 }
 
 // By coordinates from the first, then by weights. Requires: finite numbers.
-std::partial_ordering order(const FlatPoints& a, std::size_t i, const FlatPoints& b,
+std::partial_ordering order(const PointsOfDoubles& a, std::size_t i, const PointsOfDoubles& b,
                             std::size_t j) {
   const auto of_a = a.coordinates.row(i);
   const auto of_b = b.coordinates.row(j);
@@ -34,19 +45,14 @@ std::partial_ordering order(const FlatPoints& a, std::size_t i, const FlatPoints
   return points != 0 ? points : weight(a, i) <=> weight(b, j);
 }
 
-bool has_equal_coordinates(const FlatPoints& points, std::size_t i, std::size_t j) {
+bool has_equal_coordinates(const PointsOfDoubles& points, std::size_t i, std::size_t j) {
   const auto first = points.coordinates.row(i);
   const auto second = points.coordinates.row(j);
   return std::equal(first.begin(), first.end(), second.begin());
 }
 
-// The points in order; none if two of them have the same coordinates, or a number is not finite.
-std::optional<std::vector<Place>> in_order(const FlatPoints& points) {
-  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  if (!fast::are_finite(points.coordinates.values(), threads) ||
-      !fast::are_finite(points.weights.values(), threads)) {
-    return std::nullopt;
-  }
+// The points in order; none if two of them have the same coordinates.
+std::optional<std::vector<Place>> in_order(const PointsOfDoubles& points) {
   std::vector<Place> places;
   places.reserve(points.coordinates.rows());
   for (std::size_t i = 0; i < points.coordinates.rows(); ++i) {
@@ -66,8 +72,8 @@ std::optional<std::vector<Place>> in_order(const FlatPoints& points) {
 }
 
 // For each point of a the one of b that it is, or −1; what has no other goes to `result`.
-std::vector<Vertex> matched(const FlatPoints& a, const std::vector<Place>& places_of_a,
-                            const FlatPoints& b, const std::vector<Place>& places_of_b,
+std::vector<Vertex> matched(const PointsOfDoubles& a, const std::vector<Place>& places_of_a,
+                            const PointsOfDoubles& b, const std::vector<Place>& places_of_b,
                             Difference& result) {
   std::vector<Vertex> place_in_b(places_of_a.size(), -1);
   auto of_a = places_of_a.begin();
@@ -90,44 +96,36 @@ std::vector<Vertex> matched(const FlatPoints& a, const std::vector<Place>& place
   return place_in_b;
 }
 
-formats::FlatRows<double> copy(const formats::FlatRows<double>& rows) {
-  formats::FlatRows<double> copied(rows.rows(), rows.columns());
-  std::copy(rows.values().begin(), rows.values().end(), copied.values().begin());
-  return copied;
+Cells cells_of(const Mesh& mesh) {
+  Cells cells;
+  mesh.simplices.visit([&cells]<class Lists>(const Lists& lists) {
+    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+      for (const Simplex& simplex : lists) cells.add(simplex);
+    } else {
+      cells.reserve(lists.rows(), lists.rows() * lists.columns());
+      for (std::size_t i = 0; i < lists.rows(); ++i) cells.add(lists.row(i));
+    }
+  });
+  add_dangling(cells, mesh.faces, mesh.points());
+  return cells;
 }
 
 }  // namespace
 
-FlatComplex flat_complex(const formats::FlatMesh& mesh, bool weighted) {
-  FlatComplex complex;
-  complex.points.first_index = mesh.points.first_index;
-  complex.points.coordinates = copy(mesh.points.coordinates);
-  if (weighted) complex.points.weights = copy(mesh.points.weights);
-  std::visit(
-      [&complex](const auto& rows) {
-        complex.cells.reserve(rows.rows(), rows.rows() * rows.columns());
-        for (std::size_t i = 0; i < rows.rows(); ++i) complex.cells.add(rows.row(i));
-      },
-      mesh.simplices);
-  std::vector<Simplex> faces = mesh.faces;
-  std::erase_if(faces, [d = mesh.dimension()](const Simplex& face) { return face.size() > d; });
-  add_dangling(complex.cells, faces, mesh.points.coordinates.rows());
-  return complex;
-}
-
-std::optional<FlatComplex> flat_complex(const Mesh& mesh) {
-  auto points = points_of_doubles(mesh.points);
-  if (!points) return std::nullopt;
-  return FlatComplex{std::move(*points), cells_of(mesh)};
-}
-
-std::optional<Difference> difference(const FlatComplex& a, const FlatComplex& b) {
-  const auto places_of_a = in_order(a.points);
-  const auto places_of_b = in_order(b.points);
+std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
+  const auto points_of_a = points_of_doubles(a);
+  const auto points_of_b = points_of_doubles(b);
+  if (!points_of_a || !points_of_b) {
+    if (!equal_points(a).empty() || !equal_points(b).empty()) return std::nullopt;
+    return difference(exact(a), exact(b));
+  }
+  const auto places_of_a = in_order(*points_of_a);
+  const auto places_of_b = in_order(*points_of_b);
   if (!places_of_a || !places_of_b) return std::nullopt;
   Difference result;
-  const auto place_in_b = matched(a.points, *places_of_a, b.points, *places_of_b, result);
-  CellDifference cells = difference_of_cells(a.cells, b.cells, place_in_b, places_of_b->size());
+  const auto place_in_b = matched(*points_of_a, *places_of_a, *points_of_b, *places_of_b, result);
+  CellDifference cells =
+      difference_of_cells(cells_of(a), cells_of(b), place_in_b, places_of_b->size());
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
   return result;

@@ -1,5 +1,5 @@
-// Which meshes are read into flat arrays, and that they are those that read_mesh reads.
-#include "oracle/formats/flat_mesh.hpp"
+// Which meshes are read as plain ones, and that they are those that are read line by line.
+#include "oracle/formats/plain_mesh.hpp"
 
 #include <chrono>
 #include <stdexcept>
@@ -12,7 +12,6 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/npy_bytes_test.hpp"
-#include "oracle/formats/same_values_test.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -23,48 +22,45 @@ const std::string kNeigh = "2 3\n1 2 -1 -1\n2 -1 1 -1\n";
 const std::vector<double> kSquare = {0, 0, 1, 0, 0, 1, 1, 1};
 const std::vector<Simplex> kTwo = {{0, 1, 2}, {1, 3, 2}};
 
-// All that raw_mesh promises.
-void check_same(const RawMesh& raw, const RawMesh& read) {
-  CHECK(raw.points.dimension == read.points.dimension);
-  CHECK(raw.points.points == read.points.points);
-  CHECK(raw.points.first_index == read.points.first_index);
-  CHECK(raw.points.attributes.size() == read.points.attributes.size());
-  for (std::size_t i = 0; i < raw.points.attributes.size(); ++i) {
-    CHECK(raw.points.attributes[i].front() == read.points.attributes[i].front());
-  }
-  CHECK(raw.simplices.simplices == read.simplices.simplices);
-  CHECK(raw.simplices.vertices_per_simplex == read.simplices.vertices_per_simplex);
-  CHECK(raw.first_index == read.first_index);
-  CHECK(raw.points_name == read.points_name);
-  CHECK(raw.neighbors == read.neighbors);
-  CHECK(raw.faces == read.faces);
+void check_same(const MeshFile& plain, const MeshFile& listed) {
+  CHECK(plain.points_name == listed.points_name);
+  CHECK(plain.mesh_name == listed.mesh_name);
+  CHECK(plain.notes == listed.notes);
+  const Mesh& a = plain.mesh;
+  const Mesh& b = listed.mesh;
+  CHECK(a.dimension() == b.dimension());
+  CHECK(a.exact_points() == b.exact_points());
+  CHECK(a.is_weighted() == b.is_weighted());
+  for (Vertex v = 0; a.names(v); ++v) CHECK(a.weight(v) == b.weight(v));
+  CHECK(a.first_index == b.first_index);
+  CHECK(a.labels.empty());
+  CHECK(a.simplices.lists() == b.simplices.lists());
+  CHECK(a.faces == b.faces);
+  REQUIRE(a.neighbors.has_value() == b.neighbors.has_value());
+  if (!a.neighbors) return;
+  CHECK(a.neighbors->as_listed().rows == b.neighbors->as_listed().rows);
+  CHECK(a.neighbors->first_index == b.neighbors->first_index);
 }
 
-// What both readers read is the same; true if the flat one has an answer.
-bool is_read(const MeshRequest& request) {
-  const auto flat = read_flat_mesh(request);
-  if (!flat) return false;
-  const auto mesh = read_mesh(request);
-  REQUIRE(mesh.has_value());
-  check_same(raw_mesh(*flat), *mesh);
-  CHECK(flat->dimension() == mesh->points.dimension);
-  CHECK(flat->points.first_index == mesh->first_index);
-  CHECK(has_same_rows(flat->points.coordinates, mesh->points.points));
-  CHECK(has_same_rows(flat->points.weights, mesh->points.attributes));
-  std::visit(
-      [&mesh](const auto& rows) { CHECK(has_same_rows(rows, mesh->simplices.simplices, 0)); },
-      flat->simplices);
-  CHECK(flat->neighbors.has_value() == mesh->neighbors.has_value());
-  if (flat->neighbors) {
-    CHECK(
-        has_same_rows(*flat->neighbors, mesh->neighbors->neighbors, mesh->neighbors->first_index));
+// What both readers read is the same, with weights and without; true if the plain one has an answer.
+bool is_read(MeshRequest request) {
+  std::size_t answers = 0;
+  for (const Weights weights : {Weights::kNone, Weights::kListed, Weights::kDemanded}) {
+    request.weights = weights;
+    const auto plain = read_plain_mesh(request);
+    if (!plain) continue;
+    answers += weights == Weights::kDemanded ? 0 : 1;
+    const auto listed = read_mesh_line_by_line(request);
+    REQUIRE(listed.has_value());
+    check_same(*plain, *listed);
   }
-  return true;
+  CHECK(answers != 1);
+  return answers == 2;
 }
 
 }  // namespace
 
-TEST_CASE("flat meshes: .ele beside .node, either named, and with other points") {
+TEST_CASE("plain meshes: .ele beside .node, either named, and with other points") {
   const ScratchFolder folder;
   const std::string node = folder.write("x.node", kNode);
   const std::string ele = folder.write("x.ele", kEle);
@@ -78,7 +74,7 @@ TEST_CASE("flat meshes: .ele beside .node, either named, and with other points")
   CHECK(!is_read({ele, folder.write("points.off", kNode)}));
 }
 
-TEST_CASE("flat meshes: neighbours where they are asked for") {
+TEST_CASE("plain meshes: neighbours where they are asked for") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);
   MeshRequest request{folder.write("x.ele", kEle)};
@@ -86,10 +82,10 @@ TEST_CASE("flat meshes: neighbours where they are asked for") {
   CHECK(!is_read(request));
   folder.write("x.neigh", kNeigh);
   CHECK(is_read(request));
-  CHECK(read_flat_mesh(request)->neighbors->row(1)[1] == 0);
+  CHECK(read_plain_mesh(request)->mesh.neighbors->rows[1] == Simplex{-1, 0, -1});
   request.with_neighbors = false;
   CHECK(is_read(request));
-  CHECK(!read_flat_mesh(request)->neighbors);
+  CHECK(!read_plain_mesh(request)->mesh.neighbors);
   request.with_neighbors = true;
   folder.write("x.neigh", "1 3\n1 2 -1 -1\n");
   CHECK(!is_read(request));
@@ -97,7 +93,7 @@ TEST_CASE("flat meshes: neighbours where they are asked for") {
   CHECK(!is_read(request));
 }
 
-TEST_CASE("flat meshes: .npy for points, for simplices, and for both") {
+TEST_CASE("plain meshes: .npy for points, for simplices, and for both") {
   const ScratchFolder folder;
   const std::string points = folder.write("points.npy", npy("<f8", "(4, 2)", kSquare));
   const std::string narrow =
@@ -106,7 +102,8 @@ TEST_CASE("flat meshes: .npy for points, for simplices, and for both") {
       folder.write("wide.npy", npy<std::int64_t>("<i8", "(2, 3)", {0, 1, 2, 1, 3, 2}));
   CHECK(is_read({narrow, points}));
   CHECK(is_read({wide, points}));
-  CHECK(read_mesh({wide, points})->simplices.simplices == kTwo);
+  CHECK(read_mesh({wide, points})->mesh.simplices.lists() == kTwo);
+  CHECK(read_mesh({wide, points})->mesh.simplices.rows<std::int64_t>());
   CHECK(read_mesh({wide, points})->points_name == points);
   CHECK(!is_read({wide}));
   CHECK(!is_read({wide, wide}));
@@ -120,7 +117,7 @@ TEST_CASE("flat meshes: .npy for points, for simplices, and for both") {
   CHECK(!is_read({folder.write("low.npy", npy<std::int32_t>("<i4", "(1, 1)", {INT32_MIN})), far}));
 }
 
-TEST_CASE("flat meshes: triangles and edges beside them, if they are asked for") {
+TEST_CASE("plain meshes: triangles and edges beside them, if they are asked for") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);
   MeshRequest request{folder.write("x.ele", kEle)};
@@ -129,21 +126,23 @@ TEST_CASE("flat meshes: triangles and edges beside them, if they are asked for")
   folder.write("x.edge", "2\n1 3 2\n2 9 -5\n");
   folder.write("x.face", "1 1\n1 1 2 3 7\n");
   CHECK(is_read(request));
-  CHECK(read_flat_mesh(request)->faces == std::vector<Simplex>{{0, 1, 2}, {2, 1}, {8, -6}});
-  CHECK(read_flat_mesh({request.mesh})->faces.empty());
+  CHECK(read_plain_mesh(request)->mesh.faces == std::vector<Simplex>{{0, 1, 2}, {2, 1}, {8, -6}});
+  // A triangle is no proper face of a mesh in the plane.
+  CHECK(read_mesh(request)->mesh.faces == std::vector<Simplex>{{2, 1}, {8, -6}});
+  CHECK(read_plain_mesh({request.mesh})->mesh.faces.empty());
   folder.write("x.face", "1 1\n1 1 2\n");
   CHECK(!is_read(request));
   CHECK(is_read({request.mesh}));
 }
 
-TEST_CASE("flat meshes: all else is read as ever") {
+TEST_CASE("plain meshes: all else is read as ever") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);
   const std::string ele = folder.write("x.ele", kEle);
   CHECK(!is_read({ele, {}, NumberReading::kDecimal}));
   MeshRequest request{ele};
   request.domain_dimension = 2;
-  CHECK(!is_read(request));
+  CHECK(is_read(request));
   request = {ele};
   request.own_points = PointFile{2};
   CHECK(!is_read(request));
@@ -174,13 +173,13 @@ class Pipe {
   std::jthread writer_;
 };
 
-TEST_CASE("flat meshes: what comes through pipes is read once, and kept for the other reader") {
+TEST_CASE("plain meshes: what comes through pipes is read once, and kept for the other reader") {
   const ScratchFolder folder;
   const auto request_of = [&](const std::string& mesh, const std::string& points) {
     const Pipe mesh_pipe(folder.path(mesh), kEle);
     const Pipe points_pipe(folder.path(points), kNode);
     MeshRequest request{folder.path(mesh), folder.path(points)};
-    CHECK(!read_flat_mesh(request));
+    CHECK(!read_plain_mesh(request));
     load_streams(request);
     CHECK(request.loaded.size() == 2);
     return request;
@@ -189,7 +188,7 @@ TEST_CASE("flat meshes: what comes through pipes is read once, and kept for the 
   for (const std::string end : {"1", ".ele"}) {
     const MeshRequest request = request_of("mesh" + end, end == "1" ? "points" : "points.node");
     CHECK(is_read(request));
-    CHECK(read_flat_mesh(request)->points.first_index == 1);
+    CHECK(read_plain_mesh(request)->mesh.first_index == 1);
   }
 }
 
@@ -230,8 +229,8 @@ TEST_CASE("npy files are known by what they hold, and need points") {
       folder.write("simplices", npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 3, 2}));
   const auto mesh = read_mesh({simplices, points});
   REQUIRE(mesh.has_value());
-  CHECK(mesh->simplices.simplices == kTwo);
-  CHECK(mesh->points.points.size() == 4);
+  CHECK(mesh->mesh.simplices.lists() == kTwo);
+  CHECK(mesh->mesh.points() == 4);
   CHECK(read_mesh({simplices}).error().to_string() ==
         simplices + ": expected --points FILE, with the points of these simplices, found none");
 }

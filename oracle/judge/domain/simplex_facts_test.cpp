@@ -4,6 +4,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/facets_of_interest.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -19,28 +20,31 @@ Domain bipyramid(bool with_wall) {
   if (with_wall) input.polygons.push_back({{{0, 1, 2}}, {}});
   return domain_of(input);
 }
-const Mesh& two_tetrahedra() {
-  static const Mesh mesh{bipyramid(false).complex.points, {{0, 1, 2, 3}, {0, 1, 2, 4}}};
+const ExactMesh& two_tetrahedra() {
+  static const ExactMesh mesh{bipyramid(false).complex.points, {{0, 1, 2, 3}, {0, 1, 2, 4}}};
   return mesh;
 }
-constexpr std::uint64_t kBetween = 3;  // opposite the vertex 3 of the first
+constexpr fast::FacetId kBetween(0, 3);  // opposite the vertex 3 of the first
 
-KnownVolume with(std::vector<std::uint64_t> not_local, std::vector<std::uint64_t> ties,
-                 std::vector<std::uint64_t> not_canonical) {
-  return {{0, 1, 2, 4, 5, 6}, std::move(not_local), std::move(ties), std::move(not_canonical)};
+fast::SimplexFacts with(std::vector<fast::FacetId> not_local, std::vector<fast::FacetId> ties,
+                        std::vector<fast::FacetId> not_canonical) {
+  return {{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}},
+          std::move(not_local),
+          std::move(ties),
+          std::move(not_canonical)};
 }
 
-Verdict judged(Claim claim, bool with_wall, const KnownVolume& known) {
+Verdict judged(Claim claim, bool with_wall, const fast::SimplexFacts& known) {
   return judge_domain(claim, two_tetrahedra(), bipyramid(with_wall), {}, &known);
 }
 
 TEST_CASE("facets of two simplices: what is known of them counts off the walls") {
-  const std::optional<KnownVolume> right =
-      exact_volume(Claim::kCdt, two_tetrahedra(), bipyramid(false));
+  const std::optional<fast::SimplexFacts> right =
+      exact_facts(Claim::kCdt, two_tetrahedra(), bipyramid(false));
   REQUIRE(right);
   CHECK(right->boundary == with({}, {}, {}).boundary);
   CHECK(right->not_local == std::vector{kBetween});
-  CHECK(KnownVolume::vertices(two_tetrahedra(), kBetween) == Simplex{0, 1, 2});
+  CHECK(vertices_of(two_tetrahedra(), kBetween) == Simplex{0, 1, 2});
 
   for (const bool wall : {false, true}) {
     CHECK(judged(Claim::kCdt, wall, *right).holds() == wall);
@@ -63,11 +67,11 @@ TEST_CASE("facets of two simplices: what is known of them counts off the walls")
 
 TEST_CASE("a facet that is not locally Delaunay is found where it has a vertex off the walls") {
   const Domain cube = domain_of(generators::box(0, 2));
-  const Mesh even = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  const ExactMesh even = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
   std::vector<Point> points = even.points.points();
   const Point aside = {Rational(5) / 4, Rational(5) / 4, Rational(9) / 8};
   std::replace(points.begin(), points.end(), Point{1, 1, 1}, aside);
-  const Mesh mesh{PointSet(points), even.simplices};
+  const ExactMesh mesh{PointSet(points), even.simplices};
   CHECK(verdict_by_lemma(Claim::kSteinerTriangulation, mesh, cube).holds());
   CHECK(broken(Claim::kSteinerCdt, mesh, cube) == std::set{Rule::kConstrainedFacetNotLocal});
   CHECK(broken(Claim::kConformingDelaunay, mesh, cube).contains(Rule::kFacetNotLocal));
@@ -75,24 +79,24 @@ TEST_CASE("a facet that is not locally Delaunay is found where it has a vertex o
 
 TEST_CASE("a tie in the plane can be flipped") {
   const Domain square = domain_of(cuboid({0, 0}, {2, 2}));
-  const Mesh mesh{square.complex.points, {{0, 1, 2}, {0, 2, 3}}};
-  const std::optional<KnownVolume> known = exact_volume(Claim::kCdt, mesh, square);
+  const ExactMesh mesh{square.complex.points, {{0, 1, 2}, {0, 2, 3}}};
+  const std::optional<fast::SimplexFacts> known = exact_facts(Claim::kCdt, mesh, square);
   REQUIRE(known);
-  CHECK(known->ties == std::vector<std::uint64_t>{1});
+  CHECK(known->ties == std::vector<fast::FacetId>{{0, 1}});
   CHECK(judge_domain(Claim::kCdt, mesh, square, {}, &*known).unique == false);
 }
 
 TEST_CASE("a facet of one simplex off the walls is found by the list") {
   const Domain cube = domain_of(generators::box(0, 2));
-  const Mesh mesh = eight_cubes_with_a_gap();
-  KnownVolume known = *exact_volume(Claim::kSteinerTriangulation, mesh, cube);
+  const ExactMesh mesh = eight_cubes_with_a_gap();
+  fast::SimplexFacts known = *exact_facts(Claim::kSteinerTriangulation, mesh, cube);
   const auto uncovered = [&] {
     const Verdict verdict = judge_domain(Claim::kSteinerTriangulation, mesh, cube, {}, &known);
     return verdict.tallies().at(Rule::kUncovered).count;
   };
   CHECK(uncovered() == 4);
-  std::erase_if(known.boundary, [&](std::uint64_t facet) {
-    const Simplex vertices = KnownVolume::vertices(mesh, facet);
+  std::erase_if(known.boundary, [&](fast::FacetId facet) {
+    const Simplex vertices = vertices_of(mesh, facet);
     return std::any_of(vertices.begin(), vertices.end(), [&](Vertex v) {
       return mesh.points[v] == Point{1, 1, 1};
     });
@@ -105,11 +109,11 @@ TEST_CASE("whether simplices fill a convex hull is asked if it is not known") {
   input.points = generators::box(0, 2).points;
   input.kind = DomainKind::kHull;
   const Domain hull = domain_of(input);
-  Mesh mesh{hull.complex.points, kCubeInFive};
-  CHECK(exact_volume(Claim::kCdt, mesh, hull)->fills_hull);
+  ExactMesh mesh{hull.complex.points, kCubeInFive};
+  CHECK(exact_facts(Claim::kCdt, mesh, hull)->fills_hull);
   CHECK(verdict_by_lemma(Claim::kCdt, mesh, hull).holds());
   mesh.simplices.pop_back();
-  KnownVolume known = *exact_volume(Claim::kCdt, mesh, hull);
+  fast::SimplexFacts known = *exact_facts(Claim::kCdt, mesh, hull);
   CHECK(!known.fills_hull);
   CHECK(!judge_domain(Claim::kPlcTriangulation, mesh, hull, {}, &known).holds());
   known.fills_hull = true;
@@ -120,7 +124,7 @@ TEST_CASE("whether simplices fill a convex hull is asked if it is not known") {
 
 TEST_CASE("listed faces are judged, wherever they are") {
   const Domain cube = domain_of(generators::box(0, 2));
-  Mesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  ExactMesh mesh = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
   for (std::size_t place = 0; place < 4; ++place) {
     mesh.faces.push_back(facet_opposite(mesh.simplices.front(), place));
   }

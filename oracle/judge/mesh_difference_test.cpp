@@ -1,5 +1,5 @@
 // Meshes of doubles are compared as exact ones are.
-#include "oracle/judge/flat_difference.hpp"
+#include "oracle/judge/mesh_difference.hpp"
 
 #include <random>
 
@@ -8,12 +8,8 @@
 namespace circumspect::check {
 namespace {
 
-void are_compared_alike(const Mesh& a, const Mesh& b) {
-  const auto flat_a = flat_complex(a);
-  const auto flat_b = flat_complex(b);
-  REQUIRE(flat_a);
-  REQUIRE(flat_b);
-  const auto found = difference(*flat_a, *flat_b);
+void are_compared_alike(const ExactMesh& a, const ExactMesh& b) {
+  const auto found = difference(in_rows(a), in_rows(b));
   REQUIRE(found);
   const Difference expected = difference(a, b);
   CHECK(found->points_only_in_a == expected.points_only_in_a);
@@ -50,26 +46,36 @@ TEST_CASE("random meshes: points in any order, weighted or not, of either dimens
         }
         return some;
       };
-      return Mesh{PointSet(std::move(all), std::move(weights)), lists(3), {}, 0, {}, lists(2)};
+      return ExactMesh{PointSet(std::move(all), std::move(weights)), lists(3), {}, 0, {}, lists(2)};
     };
     are_compared_alike(mesh(), mesh());
   }
 }
 
-TEST_CASE("what is no double, and points that are equal, are left to the exact comparison") {
-  CHECK(!flat_complex(Mesh{PointSet({{Rational(1) / 3}}), {}}));
-  CHECK(!flat_complex(Mesh{PointSet({{0}}, {Rational(1) / 3}), {}}));
-  const auto one = flat_complex(Mesh{PointSet({{0, 0}}), {}});
-  FlatComplex twice;
-  twice.points.coordinates = formats::FlatRows<double>(2, 2);
-  for (double& x : twice.points.coordinates.values()) x = 0;
-  REQUIRE(one);
-  CHECK(!difference(twice, *one));
-  CHECK(!difference(*one, twice));
-  CHECK(difference(*one, *one)->empty());
-  const auto nothing = flat_complex(Mesh{PointSet({}), {}});
-  REQUIRE(nothing);
-  CHECK(difference(*nothing, *one)->points_only_in_b == std::vector<Vertex>{0});
+TEST_CASE("numbers that are no doubles are compared exactly") {
+  const Rational third = Rational(1) / 3;
+  const ExactMesh thirds{PointSet({{0, 0}, {third, 0}, {0, 1}}, {0, third, 0}), {{0, 1, 2}}};
+  const ExactMesh doubles{PointSet({{0, 0}, {1, 0}, {0, 1}}), {{0, 1, 2}}};
+  are_compared_alike(thirds, thirds);
+  are_compared_alike(thirds, doubles);
+  are_compared_alike(doubles, thirds);
+}
+
+TEST_CASE("points that are equal, as doubles and as other numbers, are not compared") {
+  const auto mesh_of = [](const std::vector<Point>& points) {
+    Mesh mesh;
+    mesh.coordinates = numbers_of(points, 2);
+    return mesh;
+  };
+  const Rational third = Rational(1) / 3;
+  const Mesh one = mesh_of({{0, 0}});
+  for (const Rational& x : {Rational(0), third}) {
+    const Mesh twice = mesh_of({{x, 0}, {x, 0}});
+    CHECK(!difference(twice, one));
+    CHECK(!difference(one, twice));
+  }
+  CHECK(difference(one, one)->empty());
+  CHECK(difference(mesh_of({}), one)->points_only_in_b == std::vector<Vertex>{0});
 }
 
 }  // namespace

@@ -14,15 +14,15 @@
 
 namespace circumspect::check {
 
-inline bool fills_hull(const Mesh& mesh) {
+inline bool fills_hull(const ExactMesh& mesh) {
   Verdict verdict(Claim::kTriangulation, mesh, 1);
   judge_vertex_set(mesh, verdict);
   return judge_complex_by_lemma(mesh, facet_uses(mesh.simplices), verdict) && verdict.holds();
 }
 
 // Nothing if conditions 0 and 1 do not hold of the simplices.
-inline std::optional<KnownVolume> exact_volume(Claim claim, const Mesh& mesh,
-                                               const Domain& domain) {
+inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMesh& mesh,
+                                                     const Domain& domain) {
   const PointSet& points = mesh.points;
   if (mesh.simplices.empty()) return std::nullopt;
   if (points.dimension() != static_cast<int>(points.ambient_dimension())) return std::nullopt;
@@ -30,10 +30,10 @@ inline std::optional<KnownVolume> exact_volume(Claim claim, const Mesh& mesh,
   Verdict verdict(claim, mesh, 1);
   if (!judge_simplices(mesh, false, verdict)) return std::nullopt;
   if (!judge_facet_matching(mesh, uses, verdict)) return std::nullopt;
-  KnownVolume known;
+  fast::SimplexFacts known;
   for_each_facet(uses, [&](std::span<const FacetUse> group) {
     const Simplex& simplex = mesh.simplices[group[0].simplex];
-    const std::uint64_t facet = group[0].simplex * simplex.size() + group[0].opposite;
+    const fast::FacetId facet(group[0].simplex, group[0].opposite);
     if (group.size() == 1) known.boundary.push_back(facet);
     if (group.size() == 1 || !is_about_balls(claim)) return;
     const Configuration& all = points.configuration();

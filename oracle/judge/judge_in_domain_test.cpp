@@ -1,17 +1,27 @@
 // Meshes of domains, judged with what the fast judge knows of their simplices and without: the same word
-// for word, whatever is wrong with them. On the corpus: corpus/known_volume_test.cpp.
-#include "oracle/judge/judge_domain_quickly.hpp"
-
+// for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_test.cpp.
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/judge.hpp"
 
 namespace circumspect::check {
 namespace {
 
 constexpr Claim kClaims[] = {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
                              Claim::kSteinerCdt, Claim::kConformingDelaunay};
+
+std::optional<fast::SimplexFacts> facts_of(Claim claim, const ExactMesh& mesh, const Domain& domain,
+                                           Options options = {}) {
+  options.threads = 2;
+  return facts_of_simplices(claim, in_rows(mesh), domain.complex.kind, options);
+}
+
+Verdict judged(Claim claim, const ExactMesh& mesh, const Domain& domain, Options options = {}) {
+  options.threads = 1;
+  return judge(claim, in_rows(mesh), &domain, options).value();
+}
 
 // How many meshes there was something known of, and how many judgements found something wrong.
 struct Counted {
@@ -21,15 +31,17 @@ struct Counted {
 };
 
 // The fast judge finds what the exact predicates find, if it finds anything; and the verdict is the same.
-void compare(Claim claim, const Mesh& mesh, const Domain& domain, const Options& options,
+void compare(Claim claim, const ExactMesh& mesh, const Domain& domain, const Options& options,
              Counted& counted) {
-  const std::optional<KnownVolume> known = known_volume(claim, mesh, domain, options, 2);
+  const std::optional<fast::SimplexFacts> known = facts_of(claim, mesh, domain, options);
   const Verdict slow = judge_domain(claim, mesh, domain, options);
-  CHECK(text_of(judge_domain_quickly(claim, mesh, domain, options, 1)) == text_of(slow));
+  const Verdict verdict = judged(claim, mesh, domain, options);
+  CHECK(text_of(verdict) == text_of(slow));
+  CHECK(verdict.course.fast == known.has_value());
   counted.broken += slow.holds() ? 0 : 1;
   ++(known ? counted.known : counted.unknown);
   if (!known) return;
-  const std::optional<KnownVolume> exact = exact_volume(claim, mesh, domain);
+  const std::optional<fast::SimplexFacts> exact = exact_facts(claim, mesh, domain);
   REQUIRE(exact.has_value());
   CHECK(known->boundary == exact->boundary);
   CHECK(known->not_local == exact->not_local);
@@ -41,7 +53,7 @@ void compare(Claim claim, const Mesh& mesh, const Domain& domain, const Options&
 // A domain and a mesh that fills it.
 struct Filled {
   Domain domain;
-  Mesh mesh;
+  ExactMesh mesh;
 };
 
 // A triangle beside a vertex that is a polygon within the cube, and a point at its centre.
@@ -56,7 +68,7 @@ std::vector<Filled> filled_domains() {
   hull.polygons = {{{{0, 3, 5}}, {}}};
   hull.kind = DomainKind::kHull;
   filled.push_back({domain_of(hull), {PointSet(box.points), kCubeInFive}});
-  const Mesh in_plane = grid({0, 1, 2}, {0, 2}, {0}, every_cell);
+  const ExactMesh in_plane = grid({0, 1, 2}, {0, 2}, {0}, every_cell);
   PiecewiseLinearInput square = cuboid({0, 0}, {2, 2});
   filled.push_back({domain_of(square), in_plane});
   square.kind = DomainKind::kHull;
@@ -72,18 +84,18 @@ std::vector<Filled> filled_domains() {
 }
 
 // One index of one simplex changed to any other, or a simplex dropped, or listed twice.
-std::vector<Mesh> mutants(const Mesh& mesh) {
-  std::vector<Mesh> all;
+std::vector<ExactMesh> mutants(const ExactMesh& mesh) {
+  std::vector<ExactMesh> all;
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
-    Mesh fewer = mesh;
+    ExactMesh fewer = mesh;
     fewer.simplices.erase(fewer.simplices.begin() + static_cast<Vertex>(s));
     all.push_back(fewer);
-    Mesh more = mesh;
+    ExactMesh more = mesh;
     more.simplices.push_back(mesh.simplices[s]);
     all.push_back(more);
     for (std::size_t place = 0; place < mesh.simplices[s].size(); ++place) {
       for (Vertex v = -1; v <= static_cast<Vertex>(mesh.points.size()); ++v) {
-        Mesh other = mesh;
+        ExactMesh other = mesh;
         other.simplices[s][place] = v;
         all.push_back(other);
       }
@@ -92,16 +104,16 @@ std::vector<Mesh> mutants(const Mesh& mesh) {
   return all;
 }
 
-std::set<Rule> rules(Claim claim, const Mesh& mesh, const Domain& domain,
+std::set<Rule> rules(Claim claim, const ExactMesh& mesh, const Domain& domain,
                      const Options& options = {}) {
   std::set<Rule> broken;
-  const Verdict verdict = judge_domain_quickly(claim, mesh, domain, options);
+  const Verdict verdict = judged(claim, mesh, domain, options);
   for (const auto& [rule, tally] : verdict.tallies()) broken.insert(rule);
   CHECK(text_of(verdict) == text_of(judge_domain(claim, mesh, domain, options)));
   return broken;
 }
 
-Mesh cube_with(std::vector<Simplex> simplices) {
+ExactMesh cube_with(std::vector<Simplex> simplices) {
   return {PointSet(generators::box(0, 2).points), std::move(simplices)};
 }
 
@@ -120,7 +132,7 @@ TEST_CASE("meshes that fill their domains, by all claims") {
 TEST_CASE("meshes with one fault, in every place") {
   Counted counted;
   for (const Filled& filled : filled_domains()) {
-    for (const Mesh& mutant : mutants(filled.mesh)) {
+    for (const ExactMesh& mutant : mutants(filled.mesh)) {
       compare(Claim::kSteinerCdt, mutant, filled.domain, {.max_violations = 0}, counted);
     }
   }
@@ -135,8 +147,8 @@ TEST_CASE("of simplices that are not sound, or not matched, nothing is known") {
                              const Options& options = {}) {
     std::vector<Simplex> simplices = kCubeInFive;
     change(simplices);
-    const Mesh mesh = cube_with(simplices);
-    CHECK(!known_volume(Claim::kCdt, mesh, cube, options));
+    const ExactMesh mesh = cube_with(simplices);
+    CHECK(!facts_of(Claim::kCdt, mesh, cube, options));
     return rules(Claim::kCdt, mesh, cube, options);
   };
   const auto is = [](std::initializer_list<Rule> rules) { return std::set<Rule>(rules); };
@@ -155,8 +167,8 @@ TEST_CASE("of simplices that are not sound, or not matched, nothing is known") {
 
 TEST_CASE("facets of two simplices are not locally Delaunay, in walls and off them") {
   PiecewiseLinearInput input = generators::encircled_segment();
-  const Mesh ring{PointSet(input.points), {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
-  REQUIRE(known_volume(Claim::kCdt, ring, domain_of(input), {}));
+  const ExactMesh ring{PointSet(input.points), {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
+  REQUIRE(facts_of(Claim::kCdt, ring, domain_of(input)));
   CHECK(rules(Claim::kCdt, ring, domain_of(input)) == std::set{Rule::kConstrainedFacetNotLocal});
   CHECK(rules(Claim::kPlcTriangulation, ring, domain_of(input)).empty());
   for (Vertex v = 0; v < 3; ++v) input.polygons.push_back({{{v, 3, 4}}, {}});
@@ -166,8 +178,8 @@ TEST_CASE("facets of two simplices are not locally Delaunay, in walls and off th
 
 TEST_CASE("a facet of one simplex, off the walls") {
   const Domain cube = domain_of(generators::box(0, 2));
-  const Mesh mesh = eight_cubes_with_a_gap();
-  REQUIRE(known_volume(Claim::kSteinerCdt, mesh, cube, {}));
+  const ExactMesh mesh = eight_cubes_with_a_gap();
+  REQUIRE(facts_of(Claim::kSteinerCdt, mesh, cube));
   CHECK(rules(Claim::kSteinerCdt, mesh, cube) == std::set{Rule::kUncovered});
 }
 
@@ -176,22 +188,22 @@ TEST_CASE("simplices that do not fill a convex hull") {
   input.points = generators::box(0, 2).points;
   input.kind = DomainKind::kHull;
   const Domain hull = domain_of(input);
-  CHECK(known_volume(Claim::kCdt, cube_with(kCubeInFive), hull, {})->fills_hull);
-  Mesh fewer = cube_with(kCubeInFive);
+  CHECK(facts_of(Claim::kCdt, cube_with(kCubeInFive), hull)->fills_hull);
+  ExactMesh fewer = cube_with(kCubeInFive);
   fewer.simplices.pop_back();
-  CHECK(!known_volume(Claim::kCdt, fewer, hull, {})->fills_hull);
+  CHECK(!facts_of(Claim::kCdt, fewer, hull)->fills_hull);
   CHECK(!rules(Claim::kCdt, fewer, hull).empty());
 }
 
 TEST_CASE("nothing is known by definition, nor of points that are no doubles") {
   const PiecewiseLinearInput box = generators::box(0, Rational(1) / 3);
-  const Mesh thirds{PointSet(box.points), kCubeInFive};
-  CHECK(!known_volume(Claim::kCdt, thirds, domain_of(box), {}));
+  const ExactMesh thirds{PointSet(box.points), kCubeInFive};
+  CHECK(!facts_of(Claim::kCdt, thirds, domain_of(box)));
   CHECK(rules(Claim::kCdt, thirds, domain_of(box)).empty());
   const Domain cube = domain_of(generators::box(0, 2));
-  CHECK(!known_volume(Claim::kCdt, cube_with(kCubeInFive), cube, {.by = By::kDefinition}));
-  const Mesh nothing{PointSet({}), {}};
-  CHECK(!known_volume(Claim::kCdt, nothing, cube, {}));
+  CHECK(!facts_of(Claim::kCdt, cube_with(kCubeInFive), cube, {.by = By::kDefinition}));
+  const ExactMesh nothing{PointSet({}), {}};
+  CHECK(!facts_of(Claim::kCdt, nothing, cube));
 }
 
 }  // namespace

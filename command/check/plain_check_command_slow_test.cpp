@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
-#include "oracle/formats/flat_mesh.hpp"
 #include "oracle/formats/npy_bytes_test.hpp"
+#include "oracle/formats/plain_mesh.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -32,7 +32,7 @@ struct Meshes {
     fs::create_directories(slow_folder);
     std::size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(CIRCUMSPECT_CORPUS_DIR)) {
-      if (entry.path().extension() != ".ele" || !formats::read_flat_mesh({entry.path()})) continue;
+      if (entry.path().extension() != ".ele" || !formats::read_plain_mesh({entry.path()})) continue;
       add(entry.path(), std::to_string(count++));
     }
   }
@@ -49,8 +49,8 @@ struct Meshes {
     }
     fast.push_back(fast_folder + name + ".ele");
     slow.push_back(slow_folder + name + ".ele");
-    CHECK(formats::read_flat_mesh({fast.back()}));
-    CHECK(!formats::read_flat_mesh({slow.back()}));
+    CHECK(formats::read_plain_mesh({fast.back()}));
+    CHECK(!formats::read_plain_mesh({slow.back()}));
   }
 
   ScratchFolder scratch;

@@ -1,0 +1,151 @@
+#include "oracle/formats/plain_mesh.hpp"
+
+#include <new>
+#include <utility>
+
+#include "oracle/formats/face.hpp"
+#include "oracle/formats/fit_to_domain.hpp"
+#include "oracle/formats/npy.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+std::string beside(const std::string& path, std::string_view other_extension) {
+  return path.substr(0, path.size() - extension(path).size()) + std::string(other_extension);
+}
+
+// A file, or what has been loaded of it.
+struct FileBytes {
+  std::optional<RandomAccess> file = {};
+  const Source* text = nullptr;  // if it has been loaded
+};
+
+FileBytes bytes_of(const MeshRequest& request, const std::string& path) {
+  const Result<Source>* const loaded = find_loaded(request, path);
+  if (loaded == nullptr) return {RandomAccess::open(path)};
+  if (!*loaded) return {};
+  return {RandomAccess(std::string_view((*loaded)->text)), &**loaded};
+}
+
+std::optional<PlainPoints> plain_points(const MeshRequest& request, const std::string& path,
+                                        const PlainReading& reading) {
+  const FileBytes bytes = bytes_of(request, path);
+  if (!bytes.file) return std::nullopt;
+  const std::string_view kind = format_of_points(path, bytes.text);
+  if (kind == ".node") return read_plain_node(*bytes.file, reading);
+  if (kind != ".npy") return std::nullopt;
+  Result<Rows<double>> coordinates = read_rows_of_npy_points(*bytes.file, path);
+  if (!coordinates) return std::nullopt;
+  return PlainPoints{std::move(*coordinates)};
+}
+
+// Vertices less the index of the first point; none if one does not fit.
+template <class Index>
+std::optional<IndexLists> counted_from(Vertex first_point, Rows<Index> simplices) {
+  if (first_point != 0) {
+    for (Index& vertex : simplices.values()) {
+      if (__builtin_sub_overflow(vertex, first_point, &vertex)) return std::nullopt;
+    }
+  }
+  return IndexLists(std::move(simplices));
+}
+
+std::optional<IndexLists> read_simplices(const RandomAccess& file, std::string_view kind,
+                                         Vertex first_point, const PlainReading& reading) {
+  if (kind == ".ele") {
+    auto simplices = read_plain_ele(file, first_point, reading);
+    if (!simplices) return std::nullopt;
+    return IndexLists(std::move(simplices->rows));
+  }
+  Result<NpySimplices> simplices = read_rows_of_npy_simplices(file, "");
+  if (!simplices) return std::nullopt;
+  return std::visit(
+      [first_point](auto& rows) { return counted_from(first_point, std::move(rows)); }, *simplices);
+}
+
+bool read_neighbors(const std::string& ele, std::size_t columns, const PlainReading& reading,
+                    Mesh& mesh) {
+  const std::optional<RandomAccess> file = RandomAccess::open(beside(ele, ".neigh"));
+  if (!file) return false;
+  auto neighbors = read_plain_neigh(*file, reading);
+  if (!neighbors) return false;
+  const bool fits =
+      neighbors->rows.rows() == mesh.simplices.size() && neighbors->rows.columns() == columns;
+  mesh.neighbors.emplace(IndexLists(std::move(neighbors->rows)), neighbors->first_index);
+  return fits;
+}
+
+// The triangles and edges beside an .ele file, as far as there are files of them.
+bool read_faces(const std::string& ele, Mesh& mesh) {
+  for (const auto& [end, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
+    const std::string path = beside(ele, end);
+    if (!exists(path)) continue;
+    const Result<Source> source = load(path);
+    if (!source) return false;
+    Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
+    if (!file) return false;
+    for (Simplex& face : file->simplices) {
+      for (Vertex& v : face) {
+        if (__builtin_sub_overflow(v, mesh.first_index, &v)) return false;
+      }
+      mesh.faces.push_back(std::move(face));
+    }
+  }
+  return true;
+}
+
+// The columns of the rows in which the simplices are, also if there are no rows.
+std::size_t columns_of(const IndexLists& simplices) {
+  if (const auto* const wide = simplices.rows<std::int64_t>()) return wide->columns();
+  return simplices.rows<std::int32_t>()->columns();
+}
+
+std::optional<MeshFile> read_rows(const MeshRequest& request, const PlainReading& reading) {
+  if (request.reading != NumberReading::kDouble || request.own_points) return std::nullopt;
+  std::string path = request.mesh;
+  if (extension(path) == ".node") path = beside(path, ".ele");
+  const FileBytes bytes = bytes_of(request, path);
+  if (!bytes.file) return std::nullopt;
+  const std::string_view kind = format_of_mesh(path, bytes.text, request.points.has_value());
+  const bool has_files_beside = extension(path) == ".ele";
+  if (kind != ".ele" && kind != ".npy") return std::nullopt;
+  if (!has_files_beside && (!request.points || request.with_neighbors)) return std::nullopt;
+  const std::string points_path = request.points ? *request.points : beside(path, ".node");
+  auto points = plain_points(request, points_path, reading);
+  if (!points) return std::nullopt;
+  MeshFile file;
+  Mesh& mesh = file.mesh;
+  mesh.first_index = points->first_index;
+  file.points_name = points_path == "-" ? "<stdin>" : points_path;
+  file.mesh_name = path == "-" ? "<stdin>" : path;
+  if (request.weights == Weights::kDemanded) {
+    if (points->weights.rows() != points->coordinates.rows()) return std::nullopt;
+    mesh.weights = std::move(points->weights);
+  }
+  mesh.coordinates = std::move(points->coordinates);
+  auto simplices = read_simplices(*bytes.file, kind, mesh.first_index, reading);
+  if (!simplices) return std::nullopt;
+  mesh.simplices = std::move(*simplices);
+  if (request.domain_dimension == 2) leave_out_constant_coordinate(file);
+  const std::size_t columns = columns_of(mesh.simplices);
+  if (columns > mesh.dimension() + 1) return std::nullopt;
+  if (request.with_faces && has_files_beside && !read_faces(path, mesh)) return std::nullopt;
+  if (request.with_neighbors) {
+    if (!read_neighbors(path, columns, reading, mesh)) return std::nullopt;
+  } else if (request.domain_dimension == mesh.dimension()) {
+    take_for_faces(file);
+  }
+  return file;
+}
+
+}  // namespace
+
+std::optional<MeshFile> read_plain_mesh(const MeshRequest& request, const PlainReading& reading) {
+  try {
+    return read_rows(request, reading);
+  } catch (const std::bad_alloc&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace circumspect::formats

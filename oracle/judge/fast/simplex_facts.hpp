@@ -1,0 +1,47 @@
+// What there is to say of the simplices of a mesh whatever they cover: for meshes of domains, whose
+// walls decide the rest (docs/theory/domains.md).
+#pragma once
+
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/judge/fast/facet_id.hpp"
+#include "oracle/judge/fast/mesh_view.hpp"
+#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/undecided.hpp"
+
+namespace circumspect::fast {
+
+// That there are any says: every simplex has d + 1 different vertices, all of them points, and is not
+// flat; no two have the same vertices; no facet is in three of them, and two at a facet are on opposite
+// sides of it: conditions 0 and 1 of docs/theory/domains.md, listed faces aside. And all of the
+// following is right. Lists are ascending.
+struct SimplexFacts {
+  std::vector<FacetId> boundary = {};  // all facets of one simplex
+  // Of two simplices, if balls were asked for: all that are not locally Delaunay; all whose apexes are on
+  // a common sphere; and those of these that the canonical perturbation makes not locally Delaunay.
+  std::vector<FacetId> not_local = {};
+  std::vector<FacetId> ties = {};
+  std::vector<FacetId> not_canonical = {};
+  bool oriented = true;  // all simplices alike
+  // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2 and 3
+  // of docs/theory/points.md.)
+  bool fills_hull = false;
+  Stages stages = {};  // what decided the signs
+};
+
+// Which facts are wanted.
+struct Wanted {
+  bool balls = false;
+  bool hull = false;
+};
+
+// Undecided if the simplices are not as above; then nothing is known. Given neighbours and weights are
+// not looked at.
+// Instances: dimensions 2 and 3, std::int32_t and std::int64_t. Requires: threads ≥ 1.
+template <std::size_t kDimension, typename Index>
+tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, Index>& mesh,
+                                                    Wanted wanted, unsigned threads);
+
+}  // namespace circumspect::fast

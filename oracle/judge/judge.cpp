@@ -1,0 +1,156 @@
+#include "oracle/judge/judge.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/verdict_of_facts.hpp"
+#include "oracle/model/equal_points.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// What the fast engine says, or why it says nothing.
+template <class Answer>
+using OrReason = tl::expected<Answer, std::string_view>;
+tl::unexpected<std::string_view> because(std::string_view reason) { return tl::unexpected(reason); }
+
+fast::Question question_of(Claim claim) {
+  if (claim == Claim::kTriangulation) return fast::Question::kTriangulation;
+  return claim == Claim::kDelaunay ? fast::Question::kDelaunay : fast::Question::kWeightedDelaunay;
+}
+
+unsigned threads_of(const Options& options) {
+  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+// Calls `answer(view)` with the mesh as the fast engine sees it, without neighbours.
+template <class Answer, class Ask>
+OrReason<Answer> asked_of_rows(const Mesh& mesh, bool weighted, const Ask& ask) {
+  const auto* const coordinates = std::get_if<Rows<double>>(&mesh.coordinates);
+  const auto* const weights = std::get_if<Rows<double>>(&mesh.weights);
+  if (coordinates == nullptr || (weighted && weights == nullptr)) {
+    return because("a number that is no double");
+  }
+  return mesh.simplices.visit([&]<class Lists>(const Lists& lists) -> OrReason<Answer> {
+    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+      return because("simplices of various sizes");
+    } else {
+      const auto simplices = lists.values();
+      using Index = typename decltype(simplices)::value_type;
+      const std::span<const double> counted =
+          weighted ? weights->values() : std::span<const double>();
+      if (lists.rows() == 0) return because(description(fast::Undecided::kEmpty));
+      if (lists.columns() != mesh.dimension() + 1) {
+        return because("simplices of a lower dimension");
+      }
+      if (mesh.dimension() == 2) {
+        return ask(fast::MeshView<2, Index>{coordinates->values(), counted, simplices});
+      }
+      if (mesh.dimension() == 3) {
+        return ask(fast::MeshView<3, Index>{coordinates->values(), counted, simplices});
+      }
+      return because("a dimension other than 2 and 3");
+    }
+  });
+}
+
+using FactsOrUndecided = tl::expected<fast::Facts, fast::Undecided>;
+
+// With the neighbours that the mesh lists, if it does.
+template <std::size_t kDimension, class Index>
+FactsOrUndecided facts_of(const Mesh& mesh, fast::MeshView<kDimension, Index> view,
+                          fast::Question question, unsigned threads) {
+  if (!mesh.neighbors) return fast::judge(view, question, threads);
+  const IndexLists& listed = mesh.neighbors->rows;
+  if (!mesh.neighbors->are_as_listed && listed.size() == view.size() &&
+      listed.columns() == kDimension + 1) {
+    if (const auto* const narrow = listed.rows<std::int32_t>()) {
+      return fast::judge(view, fast::Links<std::int32_t>(narrow->values()), question, threads);
+    }
+    if constexpr (std::is_same_v<Index, std::int64_t>) {
+      view.neighbors = listed.rows<std::int64_t>()->values();
+      return fast::judge(view, question, threads);
+    }
+  }
+  return tl::unexpected(fast::Undecided::kUnmatchedNeighbor);
+}
+
+OrReason<Verdict> judged_fast(Claim claim, const Mesh& mesh, const Options& options) {
+  if (options.by != By::kLemma) return because("judged by definition");
+  const bool weighted = claim == Claim::kWeightedDelaunay && mesh.is_weighted();
+  return asked_of_rows<Verdict>(mesh, weighted, [&](const auto& view) -> OrReason<Verdict> {
+    const auto facts = facts_of(mesh, view, question_of(claim), threads_of(options));
+    if (!facts) return because(description(facts.error()));
+    if (options.oriented && !facts->oriented) return because("simplices oriented by turns");
+    Verdict verdict = verdict_of_facts(claim, view, *facts, options);
+    verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
+    return verdict;
+  });
+}
+
+OrReason<fast::SimplexFacts> known_facts(Claim claim, const Mesh& mesh, DomainKind kind,
+                                         const Options& options) {
+  if (options.by != By::kLemma) return because("judged by definition");
+  const fast::Wanted wanted{is_about_balls(claim), kind == DomainKind::kHull};
+  return asked_of_rows<fast::SimplexFacts>(
+      mesh, false, [&](const auto& view) -> OrReason<fast::SimplexFacts> {
+        auto facts = fast::simplex_facts(view, wanted, threads_of(options));
+        if (!facts) return because(description(facts.error()));
+        if (options.oriented && !facts->oriented) return because("simplices oriented by turns");
+        return std::move(*facts);
+      });
+}
+
+Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
+                         const Options& options) {
+  const auto facts = known_facts(claim, mesh, domain.complex.kind, options);
+  Verdict verdict = judge_domain(claim, exact(mesh), domain, options, facts ? &*facts : nullptr);
+  if (facts) {
+    verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
+  } else {
+    verdict.course.why_not_fast = facts.error();
+  }
+  return verdict;
+}
+
+}  // namespace
+
+tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
+                                         const Options& options) {
+  assert((domain != nullptr) == is_about_a_domain(claim));
+  std::string_view why_not_fast;
+  if (domain == nullptr) {
+    OrReason<Verdict> verdict = judged_fast(claim, mesh, options);
+    if (verdict) return std::move(*verdict);
+    why_not_fast = verdict.error();
+  }
+  std::vector<Duplicate> repeated = equal_points(mesh);
+  if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
+  if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
+  Verdict verdict = judge_points(claim, exact(mesh), options);
+  verdict.course.why_not_fast = why_not_fast;
+  return verdict;
+}
+
+Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options) {
+  auto verdict = judge(claim, mesh, domain, options);
+  if (verdict) return std::move(*verdict);
+  merge_equal_points(mesh);
+  return judge(claim, mesh, domain, options).value();
+}
+
+std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
+                                                     const Options& options) {
+  auto facts = known_facts(claim, mesh, kind, options);
+  if (!facts) return std::nullopt;
+  return std::move(*facts);
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,43 @@
+// The judge of meshes, for whoever has one: files, arrays, campaigns and harnesses.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
+#include "oracle/model/mesh.hpp"
+
+namespace circumspect::check {
+
+// Why a mesh could not be judged: it has points that are equal (see equal_points.hpp).
+struct EqualPoints {
+  std::vector<Duplicate> repeated;
+};
+
+// Does the claim hold of the mesh? By lemma, where coordinates (and weights, if they count) are doubles,
+// simplices are in rows, and d is 2 or 3, the fast engine (oracle/judge/fast) is asked first. It decides
+// where the claim holds, and where all that is wrong is that some facets are not locally Delaunay; these
+// are asked again, exactly. Of a mesh of a domain it finds out what is linear in the simplices. The exact
+// checkers judge everything else. The verdict is the same whoever finds it: Verdict::course tells who.
+//
+// Equal points are an error where the exact checkers are needed; the fast engine decides only where there
+// are none. So nobody has to sort the points of a large mesh that holds.
+// Requires: `domain` if and only if the claim is about one; then what judge_domain requires. No weights
+// for `delaunay` and for claims about a domain.
+tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,
+                                         const Domain* domain = nullptr,
+                                         const Options& options = {});
+
+// The same where equal points count as one: they are merged if there are any.
+Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain = nullptr,
+                     const Options& options = {});
+
+// What the fast engine finds out of the simplices for a claim about a domain of this kind; nothing if it
+// leaves the mesh undecided, or if `options` ask for more.
+std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,
+                                                     const Options& options);
+
+}  // namespace circumspect::check

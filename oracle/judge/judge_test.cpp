@@ -1,0 +1,149 @@
+// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast engine does
+// not take: what it says is what the exact checkers say. On the corpus: corpus/judge_test.cpp.
+#include "oracle/judge/judge.hpp"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/shaken_grid_test.hpp"
+#include "oracle/judge/witness_text_test.hpp"
+
+namespace circumspect::check {
+namespace {
+
+const PointSet kSquare({{0, 0}, {1, 0}, {0, 1}, {1, 1}});
+const std::vector<Simplex> kTwo = {{0, 1, 2}, {1, 3, 2}};
+
+Verdict judged(Claim claim, const ExactMesh& mesh, const Options& options = {}) {
+  Verdict verdict = judge(claim, in_rows(mesh), nullptr, options).value();
+  CHECK(text_of(verdict, mesh) == text_of(judge_points(claim, mesh, options), mesh));
+  CHECK(verdict.course.fast == verdict.course.why_not_fast.empty());
+  return verdict;
+}
+
+std::string why_not_fast(Claim claim, const ExactMesh& mesh, const Options& options = {}) {
+  return judged(claim, mesh, options).course.why_not_fast;
+}
+
+}  // namespace
+
+TEST_CASE("grids with many facets that are not locally Delaunay: the words, the order, the count") {
+  for (const std::size_t dimension : {2u, 3u}) {
+    for (const Claim claim : {Claim::kDelaunay, Claim::kWeightedDelaunay}) {
+      const ExactMesh mesh =
+          shaken_grid(dimension, dimension == 2 ? 9 : 5, claim == Claim::kWeightedDelaunay);
+      REQUIRE(triangulation(mesh).holds());
+      for (const std::size_t most : {0u, 1u, 20u}) {
+        for (const unsigned threads : {1u, 2u}) {
+          const Verdict verdict = judged(claim, mesh, {.max_violations = most, .threads = threads});
+          CHECK(verdict.course.fast);
+          CHECK(verdict.tallies().begin()->second.count > 20);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("one facet that is not locally Delaunay, in the midst of a mesh, by its own numbers") {
+  ExactMesh mesh = shaken_grid(3, 5, false, 0);
+  REQUIRE(delaunay(mesh).holds());
+  std::vector<Point> points = mesh.points.points();
+  points[62][0] += Rational(1) / 1024;  // the middle of the grid
+  mesh.points = PointSet(points);
+  const Verdict verdict = judged(Claim::kDelaunay, mesh);
+  CHECK(verdict.course.fast);
+  const Witness& witness = verdict.violations().front().witness;
+  const Simplex& simplex = witness.simplices.front();
+  CHECK(std::find(mesh.simplices.begin(), mesh.simplices.end(), simplex) != mesh.simplices.end());
+}
+
+TEST_CASE("given neighbours are judged, where indices have 64 bits, too") {
+  Mesh square = in_rows({kSquare, kTwo});
+  const auto with_neighbors = [&square]<class Index>(Index width, std::vector<Simplex> rows) {
+    Rows<Index> array(rows.size(), 3);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      std::copy(rows[i].begin(), rows[i].end(), array.row(i).begin());
+    }
+    square.neighbors.emplace(IndexLists(std::move(array)), width - width);
+    return judge(Claim::kDelaunay, square).value();
+  };
+  const std::vector<Simplex> right = {{1, -1, -1}, {-1, 0, -1}}, wrong = {{-1, 1, -1}, {-1, 0, -1}};
+  const auto check_all = [&](bool wide_simplices) {
+    CHECK(with_neighbors(std::int32_t{}, right).course.fast);
+    CHECK(with_neighbors(std::int64_t{}, right).course.fast == wide_simplices);
+    CHECK(with_neighbors(std::int64_t{}, right).holds());
+    CHECK(!with_neighbors(std::int32_t{}, wrong).holds());
+    CHECK(!with_neighbors(std::int64_t{}, wrong).holds());
+  };
+  check_all(false);
+  Rows<std::int64_t> wide(2, 3);
+  for (std::size_t i = 0; i < 2; ++i)
+    std::copy(kTwo[i].begin(), kTwo[i].end(), wide.row(i).begin());
+  square.simplices = std::move(wide);
+  check_all(true);
+}
+
+TEST_CASE("neighbours counted from 1: one before the first is not none") {
+  ExactMesh listed{kSquare, kTwo};
+  listed.neighbors = Neighbors{{{2, -1, -1}, {-1, 1, -1}}, 1};
+  CHECK(judged(Claim::kDelaunay, listed).course.fast);
+  listed.neighbors->rows[0][1] = 0;
+  const Verdict verdict = judged(Claim::kDelaunay, listed);
+  CHECK(!verdict.course.fast);
+  CHECK(verdict.tallies().begin()->first == Rule::kWrongNeighbor);
+}
+
+TEST_CASE("what the fast engine does not take, and why") {
+  const ExactMesh square{kSquare, kTwo};
+  CHECK(why_not_fast(Claim::kDelaunay, square).empty());
+  CHECK(why_not_fast(Claim::kWeightedDelaunay, square).empty());
+  CHECK(why_not_fast(Claim::kDelaunay, square, {.by = By::kDefinition}) == "judged by definition");
+  CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, 2}, {1, 2, 3}}}, {.oriented = true}) ==
+        "simplices oriented by turns");
+  const PointSet thirds({{0, 0}, {1, 0}, {0, 1}, {Rational(1) / 3, 1}});
+  CHECK(why_not_fast(Claim::kDelaunay, {thirds, kTwo}) == "a number that is no double");
+  const PointSet heavy({{0, 0}, {1, 0}, {0, 1}}, {Rational(1) / 3, 0, 0});
+  CHECK(why_not_fast(Claim::kWeightedDelaunay, {heavy, {{0, 1, 2}}}) ==
+        "a number that is no double");
+  CHECK(why_not_fast(Claim::kTriangulation, {heavy, {{0, 1, 2}}}).empty());
+  CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, 2}, {1, 3}}}) ==
+        "simplices of various sizes");
+  CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1}, {1, 3}}}) ==
+        "simplices of a lower dimension");
+  CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {}}) == "no simplices");
+  CHECK(why_not_fast(Claim::kDelaunay, {PointSet({}), {}}) == "no simplices");
+  CHECK(why_not_fast(Claim::kDelaunay, {PointSet(std::vector<Point>{{0}, {1}}), {{0, 1}}}) ==
+        "a dimension other than 2 and 3");
+  for (const Vertex wrong : {Vertex{-2}, Vertex{1} << 40}) {
+    CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, wrong}, {1, 3, 2}}}) ==
+          "an index that names no point");
+  }
+}
+
+TEST_CASE("equal points are an error, or count as one, and then the fast engine decides") {
+  const auto square_with = [](const Point& again) {
+    Mesh mesh = in_rows({kSquare, {{0, 1, 2}, {1, 3, 4}}});
+    std::vector<Point> points = kSquare.points();
+    points.push_back(again);
+    mesh.coordinates = numbers_of(points, 2);
+    return mesh;
+  };
+  Mesh mesh = square_with({0, 1});
+  for (const Claim claim : {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay}) {
+    const auto verdict = judge(claim, mesh);
+    REQUIRE(!verdict);
+    REQUIRE(verdict.error().repeated.size() == 1);
+    CHECK(verdict.error().repeated[0].kept == 2);
+    CHECK(verdict.error().repeated[0].again == 4);
+  }
+  const Verdict merged = judge_merged(Claim::kDelaunay, mesh);
+  CHECK(merged.holds());
+  CHECK(merged.points == 4);
+  CHECK(merged.course.fast);
+  CHECK(mesh.listed(mesh.simplices[1], 1) == Simplex{1, 3, 4});
+  Mesh thirds = square_with({Rational(1) / 3, 7});
+  CHECK(judge(Claim::kDelaunay, thirds).has_value());
+}
+
+}  // namespace circumspect::check
