@@ -205,7 +205,9 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
       "Writes one simplex a line with k+1 vertices, k the dimension of the points' affine hull,\n"
       "positively oriented, indices as in the input.",
       what));
-  command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
+  command
+      ->add_option("points", options->points,
+                   "Points: .node, .json, .off, .xyz, .csv, .ply, or Qhull's form")
       ->required();
   command
       ->add_option("-o,--output", options->output_file,

@@ -160,9 +160,10 @@ ExitCode run(const ConstrainedOptions& options) {
   const bool to_json = options.output.format == OutputFormat::kJson;
   if (options.output_file.empty() && !to_json) {
     return usage_error(
-        "expected -o OUT.ele, -o OUT.mesh, -o OUT.json or --format json, found none");
+        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.json or --format json, found none");
   }
-  const std::string name_fault = output_name_fault(options.output_file, {".ele", ".mesh", ".json"});
+  const std::string name_fault =
+      output_name_fault(options.output_file, {".ele", ".mesh", ".msh", ".vtu", ".json"});
   if (!options.output_file.empty() && !name_fault.empty()) {
     return usage_error(name_fault);
   }
@@ -205,7 +206,8 @@ std::string footer(const std::string& what) {
       "{3}"
       "Writes OUT.ele, its points OUT.node, and OUT.face and OUT.edge with the triangles and "
       "edges\n"
-      "that are faces of nothing; or all in one OUT.mesh or OUT.json. Steiner points come last.\n\n"
+      "that are faces of nothing; or all in one OUT.mesh, OUT.msh, OUT.vtu\n"
+      "or OUT.json. Steiner points come last.\n\n"
       "Exit codes: 0 built, {4}2 usage, 3 the input is at fault, 4 undecided: the\n"
       "algorithm that was asked for cannot tell, or a limit was reached; 5 internal error.",
       what, part, is_planar ? "cdt" : what,
@@ -222,13 +224,15 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   CLI::App* command = build.add_subcommand(what, description);
   command->footer(footer(what));
   command
-      ->add_option("domain", options->input_file,
-                   "The domain: .poly, .smesh, .off, .stl, .ply, .mesh")
+      ->add_option(
+          "domain", options->input_file,
+          "The domain: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp")
       ->required();
   command
-      ->add_option("-o,--output", options->output_file,
-                   "Where to write: an .ele, a .mesh or a .json file; - writes the .ele on stdout, "
-                   "if that is all there is")
+      ->add_option(
+          "-o,--output", options->output_file,
+          "Where to write: an .ele, .mesh, .msh, .vtu or .json file; - writes the .ele on stdout, "
+          "if that is all there is")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command

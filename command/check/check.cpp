@@ -198,9 +198,10 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also if it\n"
       "has neither points nor simplices), 5 internal error.");
   command
-      ->add_option("mesh", options->meshes,
-                   "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i, "
-                   ".npy (with --points); - for JSON on stdin")
+      ->add_option(
+          "mesh", options->meshes,
+          "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, "
+          ".obj, .ply, .tet, .qhull-i, .npy (with --points); - for JSON on stdin")
       ->required();
   add_claim_option(*command, options->claim,
                    "What is claimed of the mesh (default: delaunay; with a domain cdt, or "
@@ -210,7 +211,9 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "weights of JSON");
   command
       ->add_option("--domain", options->domain,
-                   "The domain that the mesh is to fill: .poly, .smesh, .off, .stl, .ply, .mesh; "
+                   "The domain that the mesh is to fill: .poly, .smesh, .off, .stl, .ply, .obj, "
+                   ".mesh, .msh, "
+                   ".vtk, .vtu, .vtp; "
                    "dangling triangles and edges of the mesh are in the .face and the .edge beside "
                    "the .ele")
       ->option_text("FILE");

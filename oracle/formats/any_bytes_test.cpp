@@ -40,7 +40,7 @@ void read_as_every_domain(const Source& source, NumberReading reading) {
   expect_success_or_one_line(read_smesh(source, reading, three_points));
   expect_success_or_one_line(read_stl(source, reading));
   expect_success_or_one_line(read_ply(source, reading));
-  const Result<MeditFile> medit = read_medit(source, reading);
+  const Result<ElementFile> medit = read_medit(source, reading);
   expect_success_or_one_line(medit);
   if (medit) expect_success_or_one_line(domain_of(*medit, "f"));
 }
