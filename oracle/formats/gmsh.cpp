@@ -216,7 +216,9 @@ Status GmshReader::read_elements_2() {
   for (std::size_t read = 0; read < *count;) {
     const std::string one = one_of_all("element", read, *count);
     if (!text_.is_binary()) {
-      if (Status tag = text_.skip_numbers(kInt32, 1, one); !tag) return tag;
+      if (const Result<Vertex> tag = text_.integer(kInt32, one); !tag) {
+        return tl::unexpected(tag.error());
+      }
     }
     const Result<const GmshType*> type = read_type();
     if (!type) return tl::unexpected(type.error());
@@ -247,9 +249,9 @@ Status GmshReader::read_element_block(std::size_t& read) {
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
-    Status status = text_.skip_numbers(kUint64, 1, one_of_all("element", i, *count));
-    if (status) status = read_vertices(**type, kUint64);
-    if (!status) return status;
+    const Result<Vertex> tag = text_.integer(kUint64, one_of_all("element", i, *count));
+    if (!tag) return tl::unexpected(tag.error());
+    if (Status vertices = read_vertices(**type, kUint64); !vertices) return vertices;
   }
   read += *count;
   return {};

@@ -142,7 +142,7 @@ TEST_CASE("medit: the cells of highest dimension, and the others beside them whe
   CHECK(surface->simplices.simplices == std::vector<Simplex>{{0, 1, 2}});
   const std::string quads = folder.write("z.mesh", vertices + "\nQuadrilaterals 1 1 2 3 4 0 End");
   CHECK(error_of(mesh_of(quads)) ==
-        quads + ":2: expected edges, triangles and tetrahedra, found other cells");
+        quads + ":2: expected edges, triangles and tetrahedra, found a quadrilateral");
 }
 
 TEST_CASE("triangles and edges beside an .ele are read where they are wanted and there") {
@@ -164,7 +164,7 @@ TEST_CASE("files without a telling name are known by what they hold") {
   const ScratchFolder folder;
   const NumberReading reading = NumberReading::kDouble;
   CHECK(read_points(folder.write("a", kJson), reading)->weights.size() == 4);
-  CHECK(read_points(folder.write("b.xyz", kOff), reading)->points.dimension == 3);
+  CHECK(read_points(folder.write("b.dat", kOff), reading)->points.dimension == 3);
   CHECK(read_points(folder.write("c.txt", kSquareQhull), reading)->points.points.size() == 4);
   CHECK(read_points(folder.write("d", kSquareFrom1), reading)->points.first_index == 1);
   const std::string points = folder.write("p.node", kSquareFrom1);

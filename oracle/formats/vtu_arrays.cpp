@@ -16,20 +16,22 @@ constexpr std::string_view kAppended = "<AppendedData";
 // zlib makes at most this of a byte.
 constexpr std::size_t kLargestGrowth = 1032;
 
-// Where bytes behind the document begin, and with which text the document ends without them.
+// Where the bytes stand that are no XML; none: begin is the end of the text.
 struct Appended {
-  std::size_t begin = std::string_view::npos;  // none
+  std::size_t begin = 0;
   std::size_t end = 0;
+  std::size_t size() const { return end - begin; }
 };
 
 Appended find_appended(std::string_view text) {
   const std::size_t element = text.find(kAppended);
-  if (element == std::string_view::npos) return {};
+  const Appended none{text.size(), text.size()};
+  if (element == std::string_view::npos) return none;
   const std::size_t tag_end = text.find('>', element);
   const std::size_t begin = text.find('_', tag_end);
-  if (tag_end == std::string_view::npos || begin == std::string_view::npos) return {};
+  if (tag_end == std::string_view::npos || begin == std::string_view::npos) return none;
   const std::size_t end = text.rfind("</AppendedData");
-  if (end == std::string_view::npos || end < begin) return {begin + 1, text.size()};
+  if (end == std::string_view::npos || end < begin) return {begin + 1, text.size()};  // cut off
   return {begin + 1, end};
 }
 
@@ -51,16 +53,18 @@ Result<std::unique_ptr<VtuDocument>> VtuDocument::parse(const Source& source,
   std::unique_ptr<VtuDocument> file(new VtuDocument(source, reading));
   const std::string_view text = source.text;
   const Appended appended = find_appended(text);
-  std::string closed;
-  if (appended.begin != std::string_view::npos) {
-    file->appended_ = text.substr(appended.begin, appended.end - appended.begin);
-    closed = source.text.substr(0, appended.begin) + "</AppendedData></VTKFile>";
+  file->appended_ = text.substr(appended.begin, appended.size());
+  std::string without_bytes;
+  if (appended.size() > 0) {
+    without_bytes = source.text;
+    without_bytes.erase(appended.begin, appended.size());
   }
-  const std::string& xml = closed.empty() ? source.text : closed;
+  const std::string& xml = appended.size() > 0 ? without_bytes : source.text;
   const pugi::xml_parse_result parsed =
       file->document_.load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed) {
-    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
+    auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
+    if (offset >= appended.begin) offset += appended.size();
     return tl::unexpected(FormatError{source.name, line_at(xml, offset), "XML",
                                       "a fault: " + std::string(parsed.description())});
   }
