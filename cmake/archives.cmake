@@ -52,8 +52,8 @@ list(REMOVE_ITEM harness_layers ${check_layers})
 circumspect_add_archive(circumspect_check_archive check circumspect-check
   LAYERS ${check_layers}
   LINKS fmt::fmt TBB::tbb Threads::Threads
-        "$<BUILD_INTERFACE:circumspect::gmp;circumspect::mpfr>"
-        "$<INSTALL_INTERFACE:gmpxx;gmp;mpfr>")
+        "$<BUILD_INTERFACE:circumspect::gmp;circumspect::mpfr;circumspect::pugixml;circumspect::zlib>"
+        "$<INSTALL_INTERFACE:gmpxx;gmp;mpfr;pugixml;z>")
 circumspect_add_archive(circumspect_archive harness circumspect
   LAYERS ${harness_layers}
   LINKS circumspect_check_archive rapidcheck)

@@ -16,6 +16,8 @@ libexpected-dev       a value, or why there is none (tl::expected)
 libcli11-dev          command-line arguments
 libfmt-dev            formatted text
 nlohmann-json3-dev    JSON
+libpugixml-dev        XML, in which VTK writes meshes
+zlib1g-dev            their compressed arrays
 libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
 librapidcheck-dev     generates and shrinks inputs

@@ -208,7 +208,9 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
                   "affine hull.\n"
                   "Simplices are positively oriented, and indices are those of the input.",
                   what));
-  command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
+  command
+      ->add_option("points", options->points,
+                   "Points: .node, .json, .off, .xyz, .csv, .ply, or Qhull's form")
       ->required();
   command
       ->add_option("-o,--output", options->output_file,

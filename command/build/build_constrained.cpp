@@ -160,9 +160,10 @@ ExitCode run(const ConstrainedOptions& options) {
   const bool to_json = options.output.format == OutputFormat::kJson;
   if (options.output_file.empty() && !to_json) {
     return usage_error(
-        "expected -o OUT.ele, -o OUT.mesh, -o OUT.json or --format json, found none");
+        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.json or --format json, found none");
   }
-  const std::string name_fault = output_name_fault(options.output_file, {".ele", ".mesh", ".json"});
+  const std::string name_fault =
+      output_name_fault(options.output_file, {".ele", ".mesh", ".msh", ".vtu", ".json"});
   if (!options.output_file.empty() && !name_fault.empty()) {
     return usage_error(name_fault);
   }
@@ -206,7 +207,8 @@ std::string footer(const std::string& what) {
       "{3}"
       "OUT.ele has the simplices and OUT.node the points. OUT.face and OUT.edge have the "
       "triangles\n"
-      "and edges that are faces of nothing. OUT.mesh or OUT.json has it all in one file. Steiner\n"
+      "and edges that are faces of nothing. OUT.mesh, OUT.msh, OUT.vtu or OUT.json has it all in "
+      "one file. Steiner\n"
       "points come last.\n\n"
       "Exit codes: 0 built, {4}2 usage,\n"
       "3 the input is at fault, 4 a limit was reached or this algorithm cannot tell, 5 internal "
@@ -225,12 +227,14 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   CLI::App* command = build.add_subcommand(what, description);
   command->footer(footer(what));
   command
-      ->add_option("domain", options->input_file,
-                   "The domain: .poly, .smesh, .off, .stl, .ply, .mesh")
+      ->add_option(
+          "domain", options->input_file,
+          "The domain: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp")
       ->required();
   command
       ->add_option("-o,--output", options->output_file,
-                   "The file to write: .ele, .mesh or .json; - writes the .ele to stdout, if that "
+                   "The file to write: .ele, .mesh, .msh, .vtu or .json; - writes the .ele to "
+                   "stdout, if that "
                    "is all there is")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {

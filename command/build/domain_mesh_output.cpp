@@ -6,9 +6,11 @@
 #include "command/output/output.hpp"
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/face.hpp"
+#include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/formats/vtu.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -68,8 +70,8 @@ std::string stem_of(const std::string& path) {
   return path.substr(0, path.size() - formats::extension(path).size());
 }
 
-formats::MeditFile medit_file(const DomainMesh& mesh, Vertex first_index) {
-  formats::MeditFile file;
+formats::ElementFile element_file(const DomainMesh& mesh, Vertex first_index) {
+  formats::ElementFile file;
   file.points = points_of(mesh, first_index);
   file.edges = dangling(mesh, 2, first_index);
   formats::SimplexFile simplices = simplices_of(mesh, first_index);
@@ -82,12 +84,20 @@ formats::MeditFile medit_file(const DomainMesh& mesh, Vertex first_index) {
   return file;
 }
 
+// What writes all in one file of this extension; null if it is another.
+using ElementWriter = void (*)(std::ostream&, const formats::ElementFile&);
+ElementWriter writer_of(const std::string& extension) {
+  if (extension == ".mesh") return formats::write_medit;
+  if (extension == ".msh") return formats::write_gmsh;
+  return extension == ".vtu" ? formats::write_vtu : nullptr;
+}
+
 // Do the points stand in a file of their own beside it? A stream, which is "-" or a pipe of any name,
 // has nothing beside it.
 bool has_files_beside(const std::string& path) { return formats::extension(path) == ".ele"; }
 bool is_stream(const std::string& path) {
   const std::string end = formats::extension(path);
-  return end != ".ele" && end != ".mesh" && end != ".json";
+  return end != ".ele" && end != ".json" && writer_of(end) == nullptr;
 }
 
 }  // namespace
@@ -116,15 +126,15 @@ std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh) {
   }
   if (lost.empty()) return "";
   return fmt::format(
-      "expected -o OUT.ele, OUT.mesh, OUT.json or --format json, found -o {}, which would lose {}",
+      "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.json or --format json, found -o {}, "
+      "which would lose {}",
       path, fmt::join(lost, " and "));
 }
 
 std::string write_domain_mesh(const std::string& path, const DomainMesh& mesh, Vertex first_index) {
-  if (formats::extension(path) == ".mesh") {
-    return write_file(path, [&](std::ostream& stream) {
-      formats::write_medit(stream, medit_file(mesh, first_index));
-    });
+  if (const ElementWriter write = writer_of(formats::extension(path))) {
+    return write_file(
+        path, [&](std::ostream& stream) { write(stream, element_file(mesh, first_index)); });
   }
   if (formats::extension(path) == ".json") {
     return write_file(path, [&](std::ostream& stream) {

@@ -1,5 +1,7 @@
 #include "command/campaign/campaign_options.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -58,7 +60,8 @@ void add_files(CLI::App& command, SubjectOptions& options) {
           "--mesh", options.mesh_name,
           "The name of the file to which the program writes the mesh (default: x.ele): what {mesh} "
           "stands for, or the name that the program itself chooses, such as x.1.ele for tetgen. "
-          "Its extension says the format: .ele, .qhull-i, .off, .mesh, .json")
+          "Its extension says the format: .ele, .qhull-i, .off, .mesh, .msh, .vtk, .vtu, .tet, "
+          ".json")
       ->option_text("NAME");
   command.add_flag("--stdin", options.reads_stdin, "The program reads the input from stdin");
   command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
@@ -126,10 +129,12 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
                        subject.input_name);
   }
   const std::string mesh = formats::extension(subject.mesh_name);
-  if (mesh != ".ele" && mesh != ".qhull-i" && mesh != ".off" && mesh != ".mesh" &&
-      mesh != ".json") {
+  constexpr std::array<std::string_view, 9> kMeshes = {".ele", ".qhull-i", ".off", ".mesh", ".msh",
+                                                       ".vtk", ".vtu",     ".tet", ".json"};
+  if (std::find(kMeshes.begin(), kMeshes.end(), mesh) == kMeshes.end()) {
     return fmt::format(
-        "expected a name of the mesh that ends in .ele, .qhull-i, .off, .mesh or "
+        "expected a name of the mesh that ends in .ele, .qhull-i, .off, .mesh, .msh, .vtk, .vtu, "
+        ".tet or "
         ".json, found {}",
         subject.mesh_name);
   }

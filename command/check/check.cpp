@@ -209,9 +209,10 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also if it\n"
       "has neither points nor simplices), 5 internal error.");
   command
-      ->add_option("mesh", options->meshes,
-                   "Meshes: .ele (points in the .node beside it), .mesh, .json, .off, .qhull-i, "
-                   ".npy (with --points); - for JSON on stdin")
+      ->add_option(
+          "mesh", options->meshes,
+          "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, "
+          ".obj, .ply, .tet, .qhull-i, .npy (with --points); - for JSON on stdin")
       ->required();
   add_claim_option(*command, options->claim,
                    "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "
@@ -219,7 +220,8 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "of a .node file, as for tetgen -w, or the key weights of JSON");
   command
       ->add_option("--domain", options->domain,
-                   "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .mesh. "
+                   "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, "
+                   ".mesh, .msh, .vtk, .vtu, .vtp. "
                    "Dangling triangles and edges of the mesh are read from the .face and the .edge "
                    "file beside the .ele")
       ->option_text("FILE");

@@ -252,10 +252,10 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 undecided within a limit,\n"
       "5 internal error.");
   command
-      ->add_option(
-          "input", options->inputs,
-          "Points: .node, .json, .off, or Qhull's form; domains: .poly, .smesh, .stl, .ply, "
-          ".mesh")
+      ->add_option("input", options->inputs,
+                   "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; domains: .poly, "
+                   ".smesh, .stl, .ply, "
+                   ".obj, .mesh, .msh, .vtk, .vtu, .vtp")
       ->required();
   command
       ->add_option("--subsets", options->subsets,

@@ -75,18 +75,18 @@ TEST_CASE("values of options") {
 
 TEST_CASE("a file of a kind that is not read: the kinds that are") {
   const ScratchFolder folder;
-  const std::string object = folder.write("x.obj", "# a surface\nv 0 0 0\nv 1 0 0\nf 1 2 3\n");
+  const std::string object = folder.write("x.surf", "# a surface\nv 0 0 0\nv 1 0 0\nf 1 2 3\n");
   for (const std::vector<std::string>& command :
        {std::vector<std::string>{"inspect", object}, {"build", "delaunay", object, "-o", "-"}}) {
     const Run result = run(command);
     CHECK(result.exit_code == 3);
     CHECK(is_error_line(result.err));
-    for (const char* kind :
-         {".node", ".json", ".off", ".mesh", ".npy", ".qhull", ".poly", ".smesh", ".stl", ".ply"}) {
+    for (const char* kind : {".node", ".json", ".off", ".mesh", ".msh", ".vtk", ".vtu", ".obj",
+                             ".xyz", ".csv", ".npy", ".qhull", ".poly", ".smesh", ".stl", ".ply"}) {
       CAPTURE(kind);
       CHECK(has(result.err, kind));
     }
-    CHECK(has(result.err, "x.obj:2: expected "));
+    CHECK(has(result.err, "x.surf:2: expected "));
     CHECK(has(result.err, "found \"v\""));
   }
   // Points whose name says nothing are read as before.

@@ -9,17 +9,23 @@
 
 #include "oracle/formats/ele.hpp"
 #include "oracle/formats/face.hpp"
+#include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/obj.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/ply.hpp"
+#include "oracle/formats/point_lists.hpp"
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/qhull.hpp"
 #include "oracle/formats/stl.hpp"
+#include "oracle/formats/tet.hpp"
+#include "oracle/formats/vtk.hpp"
+#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::fuzz {
 namespace {
@@ -62,9 +68,17 @@ void expect_agreement(const Source& source) {
   }
 }
 
+// The elements, the mesh that they are and the domain.
+void read_elements(Result<formats::ElementFile> elements) {
+  if (!expect_value_or_line(elements)) return;
+  take_for_plane(*elements, "f");
+  expect_value_or_line(domain_of(*elements, "f"));
+  if (expect_value_or_line(check_simplices(*elements, "f"))) top_elements(*elements);
+}
+
 void read(std::uint8_t format, NumberReading reading, const Source& source) {
-  // The letters 'a' to 'p', so that seeds can be written by hand.
-  switch ((format - 'a') & 15) {
+  // The letters 'a' to 'w', so that seeds can be written by hand.
+  switch ((format - 'a') & 31) {
     case 0:
       expect_value_or_line(read_node(source, reading));
       return;
@@ -111,10 +125,30 @@ void read(std::uint8_t format, NumberReading reading, const Source& source) {
     case 15:
       expect_agreement(source);
       return;
-    default: {
-      const auto medit = read_medit(source, reading);
-      if (expect_value_or_line(medit)) expect_value_or_line(domain_of(*medit, "f"));
-    }
+    case 16:
+      read_elements(formats::read_gmsh(source, reading));
+      return;
+    case 17:
+      read_elements(formats::read_vtk(source, reading));
+      return;
+    case 18:
+      read_elements(formats::read_vtu(source, reading));
+      return;
+    case 19:
+      read_elements(formats::read_obj(source, reading));
+      return;
+    case 20:
+      read_elements(formats::read_tet(source, reading));
+      return;
+    case 21:
+      expect_value_or_line(formats::read_xyz(source, reading));
+      expect_value_or_line(formats::read_csv(source, reading));
+      return;
+    case 22:
+      read_elements(formats::read_ply_elements(source, reading));
+      return;
+    default:
+      read_elements(formats::read_medit(source, reading));
   }
 }
 

@@ -12,11 +12,14 @@
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/obj.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/ply.hpp"
+#include "oracle/formats/point_lists.hpp"
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/qhull.hpp"
 #include "oracle/formats/stl.hpp"
+#include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -40,9 +43,15 @@ void read_as_every_domain(const Source& source, NumberReading reading) {
   expect_success_or_one_line(read_smesh(source, reading, three_points));
   expect_success_or_one_line(read_stl(source, reading));
   expect_success_or_one_line(read_ply(source, reading));
-  const Result<MeditFile> medit = read_medit(source, reading);
-  expect_success_or_one_line(medit);
-  if (medit) expect_success_or_one_line(domain_of(*medit, "f"));
+  for (const auto read :
+       {read_medit, read_gmsh, read_vtk, read_vtu, read_obj, read_tet, read_ply_elements}) {
+    Result<ElementFile> elements = read(source, reading);
+    expect_success_or_one_line(elements);
+    if (!elements) continue;
+    take_for_plane(*elements, "f");
+    expect_success_or_one_line(check_simplices(*elements, "f"));
+    expect_success_or_one_line(domain_of(*elements, "f"));
+  }
 }
 
 void read_as_every_format(const std::string& text) {
@@ -52,6 +61,8 @@ void read_as_every_format(const std::string& text) {
     expect_success_or_one_line(read_off(source, reading));
     expect_success_or_one_line(read_qhull_points(source, reading));
     expect_success_or_one_line(read_json(source, reading));
+    expect_success_or_one_line(read_xyz(source, reading));
+    expect_success_or_one_line(read_csv(source, reading));
     read_as_every_domain(source, reading);
   }
   expect_success_or_one_line(read_npy_points(source));
@@ -90,7 +101,13 @@ const std::vector<std::string> kSamples = {
     "y\nproperty char z\nelement face 1\nproperty list uchar char vertex_index\nend_header\n" +
         std::string("\1\2\3\4\5\6\2\0\1", 9),
     "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nCorners "
-    "1\n1\nEdges 1\n1 2 0\nTriangles 1\n1 2 3 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n"};
+    "1\n1\nEdges 1\n1 2 0\nTriangles 1\n1 2 3 0\nTetrahedra 1\n1 2 3 4 0\nEnd\n",
+    "mtllib a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 \\\n3/1\nl -1 -2\n",
+    "id;x;y\n1;0.5;2\n2;1/3;4\n"};
+
+// Of the forms of one mesh of elements, one is drawn.
+const WrittenMesh kElements = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}},
+                               {{0, 1}, {0, 1, 2}, {0, 1, 2, 3}}};
 
 const std::vector<std::string> kTokens = {"0",
                                           "1",
@@ -111,6 +128,28 @@ const std::vector<std::string> kTokens = {"0",
                                           "Vertices",
                                           "End",
                                           "property",
+                                          "$Nodes",
+                                          "$EndNodes",
+                                          "$Elements",
+                                          "\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n",
+                                          "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n",
+                                          "POINTS",
+                                          "CELLS",
+                                          "POLYGONS",
+                                          "double",
+                                          "OFFSETS",
+                                          "FIELD",
+                                          "METADATA",
+                                          "<VTKFile>",
+                                          "</DataArray>",
+                                          "<AppendedData>_",
+                                          "offset=\"9\"",
+                                          "vertices",
+                                          "inner tets",
+                                          "v",
+                                          "f",
+                                          "l",
+                                          "-1/2",
                                           "element",
                                           "end_header",
                                           "#",
@@ -199,7 +238,10 @@ TEST_CASE("any bytes") {
 
 TEST_CASE("files with a few bytes changed, lost, added, or cut off") {
   CHECK(rc::check("mutations", [] {
-    std::string text = *rc::gen::elementOf(kSamples);
+    static const std::vector<WrittenForm> kForms = all_forms(kElements);
+    const bool is_sample = *rc::gen::arbitrary<bool>();
+    std::string text =
+        is_sample ? *rc::gen::elementOf(kSamples) : (*rc::gen::elementOf(kForms)).text;
     const int edits = *rc::gen::inRange(1, 5);
     for (int i = 0; i < edits && !text.empty(); ++i) {
       const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
@@ -243,6 +285,8 @@ TEST_CASE("every sample is read by its own format") {
   CHECK(read_ply(source(14), kDouble));
   CHECK(read_ply(source(15), kDouble));
   CHECK(read_medit(source(16), kDouble));
+  CHECK(read_obj(source(17), kDouble));
+  CHECK(read_csv(source(18), kDouble));
 }
 
 TEST_CASE("points that are written are read back") {

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <array>
 
+#include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/formats/obj.hpp"
 #include "oracle/formats/off.hpp"
+#include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/source.hpp"
 #include "oracle/formats/stl.hpp"
+#include "oracle/formats/vtk.hpp"
+#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -60,9 +65,18 @@ Result<DomainFile> domain_of_off(const Source& source, NumberReading reading) {
 }
 
 Result<DomainFile> domain_of_medit(const Source& source, NumberReading reading) {
-  const Result<MeditFile> medit = read_medit(source, reading);
+  const Result<ElementFile> medit = read_medit(source, reading);
   if (!medit) return tl::unexpected(medit.error());
   return domain_of(*medit, source.name);
+}
+
+// Formats that know points of space alone.
+template <Result<ElementFile> (*read)(const Source&, NumberReading)>
+Result<DomainFile> domain_of_elements(const Source& source, NumberReading reading) {
+  Result<ElementFile> file = read(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  take_for_plane(*file, source.name);
+  return domain_of(*file, source.name);
 }
 
 struct DomainFormat {
@@ -71,9 +85,17 @@ struct DomainFormat {
 };
 
 constexpr std::array kDomainFormats = {
-    DomainFormat{".poly", domain_of_poly}, DomainFormat{".smesh", domain_of_smesh},
-    DomainFormat{".off", domain_of_off},   DomainFormat{".stl", read_stl},
-    DomainFormat{".ply", read_ply},        DomainFormat{".mesh", domain_of_medit},
+    DomainFormat{".poly", domain_of_poly},
+    DomainFormat{".smesh", domain_of_smesh},
+    DomainFormat{".off", domain_of_off},
+    DomainFormat{".stl", read_stl},
+    DomainFormat{".ply", read_ply},
+    DomainFormat{".obj", domain_of_elements<read_obj>},
+    DomainFormat{".mesh", domain_of_medit},
+    DomainFormat{".msh", domain_of_elements<read_gmsh>},
+    DomainFormat{".vtk", domain_of_elements<read_vtk>},
+    DomainFormat{".vtu", domain_of_elements<read_vtu>},
+    DomainFormat{".vtp", domain_of_elements<read_vtu>},
 };
 
 const DomainFormat* domain_format_of(std::string_view extension) {
@@ -85,11 +107,14 @@ const DomainFormat* domain_format_of(std::string_view extension) {
 
 // The format of a file whose name does not say it; null if what it holds does not, either.
 const DomainFormat* sniff(const Source& source) {
+  if (is_vtk(source.text)) return domain_format_of(".vtk");
+  if (is_vtu(source.text)) return domain_format_of(".vtu");
   Lines lines(source);
   if (!lines.next()) return nullptr;
   const std::string_view first = lines.tokens()[0];
   if (is_off_keyword(first)) return domain_format_of(".off");
   if (is_medit_keyword(first)) return domain_format_of(".mesh");
+  if (is_gmsh_keyword(first)) return domain_format_of(".msh");
   if (first == "ply") return domain_format_of(".ply");
   return first == "solid" ? domain_format_of(".stl") : nullptr;
 }
@@ -98,17 +123,28 @@ const DomainFormat* sniff(const Source& source) {
 
 bool is_domain_file(const std::string& path) {
   const std::string end = extension(path);
+  if (end == ".ply") {  // unless it is a cloud of points
+    const Result<Source> source = load(path);
+    return !source || read_ply(*source, NumberReading::kDouble).has_value() ||
+           !read_ply_file(*source, NumberReading::kDouble).has_value();
+  }
   return end != ".off" && domain_format_of(end) != nullptr;
 }
 
 Result<DomainFile> read_domain(const std::string& path, NumberReading reading) {
   const Result<Source> source = load(path);
   if (!source) return tl::unexpected(source.error());
-  const DomainFormat* format = domain_format_of(extension(path));
-  if (format == nullptr) format = sniff(*source);
+  const std::string end = extension(path);
+  const DomainFormat* format = domain_format_of(end);
+  const std::optional<std::string> other = other_kind(end);
+  if (format == nullptr && !other) format = sniff(*source);
   if (format != nullptr) return format->read(*source, reading);
-  return tl::unexpected(FormatError{
-      source->name, 0, "a domain (.poly, .smesh, .off, .stl, .ply, .mesh)", "another format"});
+  std::string kinds;
+  for (const DomainFormat& one : kDomainFormats) {
+    kinds += (kinds.empty() ? "" : ", ") + std::string(one.extension);
+  }
+  return tl::unexpected(
+      FormatError{source->name, 0, "a domain (" + kinds + ")", other.value_or("another format")});
 }
 
 }  // namespace circumspect::formats

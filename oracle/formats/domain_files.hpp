@@ -9,11 +9,12 @@
 
 namespace circumspect::formats {
 
-// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .mesh; a file of
-// another name by what it holds. "-" is standard input.
+// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh, .msh, .vtk,
+// .vtu, .vtp; a file of another name by what it holds. "-" is standard input.
 Result<DomainFile> read_domain(const std::string& path, NumberReading reading);
 
-// Does the name of this file say that it is a domain? (.off is a list of points as well.)
+// Does the name of this file say that it is a domain? (.off is a list of points as well, and so is a .ply
+// without faces, which is read for that.)
 bool is_domain_file(const std::string& path);
 
 }  // namespace circumspect::formats

@@ -15,7 +15,6 @@ namespace {
 struct OtherSection {
   std::string_view keyword;
   std::size_t numbers;
-  bool holds_cells = false;  // which no checker could judge
   bool is_spatial = false;
 };
 constexpr std::array kOtherSections = {
@@ -25,27 +24,42 @@ constexpr std::array kOtherSections = {
     OtherSection{"RequiredEdges", 1},
     OtherSection{"RequiredTriangles", 1},
     OtherSection{"RequiredQuadrilaterals", 1},
-    OtherSection{"Normals", 3, false, true},
+    OtherSection{"Normals", 3, true},
     OtherSection{"NormalAtVertices", 2},
     OtherSection{"NormalAtTriangleVertices", 3},
     OtherSection{"NormalAtQuadrilateralVertices", 3},
-    OtherSection{"Tangents", 3, false, true},
+    OtherSection{"Tangents", 3, true},
     OtherSection{"TangentAtVertices", 2},
     OtherSection{"TangentAtEdges", 3},
     OtherSection{"SubDomainFromMesh", 4},
     OtherSection{"SubDomainFromGeom", 4},
-    OtherSection{"Hexahedra", 9, true},
-    OtherSection{"Hexaedra", 9, true},
-    OtherSection{"Prisms", 7, true},
-    OtherSection{"Pentahedra", 7, true},
-    OtherSection{"Pyramids", 6, true},
+};
+
+// Sections of elements.
+struct ElementSection {
+  std::string_view keyword;
+  std::size_t vertices;
+  ElementShape shape;
+  std::string_view noun;  // of one, without its article
+  std::string_view article = "a";
+};
+constexpr std::array kElementSections = {
+    ElementSection{"Edges", 2, ElementShape::kPolyline, "edge", "an"},
+    ElementSection{"Triangles", 3, ElementShape::kPolygon, "triangle"},
+    ElementSection{"Quadrilaterals", 4, ElementShape::kPolygon, "quadrilateral"},
+    ElementSection{"Tetrahedra", 4, ElementShape::kTetrahedron, "tetrahedron"},
+    ElementSection{"Hexahedra", 8, ElementShape::kOtherSolid, "hexahedron"},
+    ElementSection{"Hexaedra", 8, ElementShape::kOtherSolid, "hexahedron"},
+    ElementSection{"Prisms", 6, ElementShape::kOtherSolid, "prism"},
+    ElementSection{"Pentahedra", 6, ElementShape::kOtherSolid, "prism"},
+    ElementSection{"Pyramids", 5, ElementShape::kOtherSolid, "pyramid"},
 };
 
 class MeditReader {
  public:
   MeditReader(const Source& source, NumberReading reading) : lines_(source), reading_(reading) {}
 
-  Result<MeditFile> read();
+  Result<ElementFile> read();
 
  private:
   // Goes to the next token; false at the end of the text.
@@ -62,14 +76,14 @@ class MeditReader {
   Status read_dimension();
   Status read_section();
   Status read_vertices();
-  Status read_cells(SimplexFile& cells, std::size_t vertices, const std::string& one);
+  Status read_elements(const ElementSection& section);
   Status skip_numbers(const OtherSection& section);
   void skip_unknown();
 
   Lines lines_;
   NumberReading reading_;
   std::size_t column_ = 0;
-  MeditFile file_;
+  ElementFile file_;
   bool has_vertices_ = false;
   bool has_token_ = false;  // the keyword of the next section was met by skipping
 };
@@ -133,33 +147,32 @@ Status MeditReader::read_vertices() {
   return {};
 }
 
-Status MeditReader::read_cells(SimplexFile& cells, std::size_t vertices, const std::string& one) {
+Status MeditReader::read_elements(const ElementSection& section) {
   const Result<std::size_t> count = next_count("the number of cells");
   if (!count) return tl::unexpected(count.error());
+  const std::string noun(section.noun);
+  const std::string name = std::string(section.article) + " " + noun;
   for (std::size_t i = 0; i < *count; ++i) {
-    const std::string which = one + " " + std::to_string(i + 1) + " of " + std::to_string(*count);
-    Simplex cell;
+    const std::string which = noun + " " + std::to_string(i + 1) + " of " + std::to_string(*count);
+    Simplex element;
     std::size_t line = 0;
-    while (cell.size() <= vertices) {
-      const Result<Vertex> number =
-          next_integer((cell.size() < vertices ? "a vertex of " : "the reference of ") + which);
+    while (element.size() <= section.vertices) {
+      const Result<Vertex> number = next_integer(
+          (element.size() < section.vertices ? "a vertex of " : "the reference of ") + which);
       if (!number) return tl::unexpected(number.error());
-      if (cell.empty()) line = lines_.line();
-      cell.push_back(*number);
+      if (element.empty()) line = lines_.line();
+      element.push_back(*number);
     }
-    cell.pop_back();
-    cells.simplices.push_back(std::move(cell));
-    cells.lines.push_back(line);
+    element.pop_back();
+    add_element(file_, section.shape, std::move(element), name, line);
   }
   return {};
 }
 
 Status MeditReader::skip_numbers(const OtherSection& section) {
-  const std::size_t line = lines_.line();
   const std::string keyword(section.keyword);
   const Result<std::size_t> count = next_count("the number of " + keyword);
   if (!count) return tl::unexpected(count.error());
-  if (section.holds_cells && *count > 0) file_.other_cells_line = line;
   const bool is_flat = section.is_spatial && file_.points.dimension == 2;
   const std::size_t numbers = section.numbers - (is_flat ? 1 : 0);
   for (std::size_t i = 0; i < *count; ++i) {
@@ -192,10 +205,9 @@ Status MeditReader::read_section() {
   const std::string_view keyword = token();
   if (keyword == "Dimension") return read_dimension();
   if (keyword == "Vertices") return read_vertices();
-  if (keyword == "Edges") return read_cells(file_.edges, 2, "edge");
-  if (keyword == "Triangles") return read_cells(file_.triangles, 3, "triangle");
-  if (keyword == "Quadrilaterals") return read_cells(file_.quadrilaterals, 4, "quadrilateral");
-  if (keyword == "Tetrahedra") return read_cells(file_.tetrahedra, 4, "tetrahedron");
+  for (const ElementSection& section : kElementSections) {
+    if (section.keyword == keyword) return read_elements(section);
+  }
   for (const OtherSection& section : kOtherSections) {
     if (section.keyword == keyword) return skip_numbers(section);
   }
@@ -204,7 +216,7 @@ Status MeditReader::read_section() {
   return {};
 }
 
-Result<MeditFile> MeditReader::read() {
+Result<ElementFile> MeditReader::read() {
   if (Status header = read_header(); !header) return tl::unexpected(header.error());
   while (true) {
     if (!next()) return fail("a keyword, at last End");
@@ -214,11 +226,7 @@ Result<MeditFile> MeditReader::read() {
   if (!has_vertices_) return fail("Vertices before the end");
   if (next()) return fail("the end of the file after End");
   file_.points.first_index = 1;
-  for (SimplexFile* cells :
-       {&file_.edges, &file_.triangles, &file_.quadrilaterals, &file_.tetrahedra}) {
-    cells->vertices_per_simplex = size_of_each(cells->simplices);
-    cells->first_index = 1;
-  }
+  finish_elements(file_);
   return std::move(file_);
 }
 
@@ -226,11 +234,11 @@ Result<MeditFile> MeditReader::read() {
 
 bool is_medit_keyword(std::string_view token) { return token == "MeshVersionFormatted"; }
 
-Result<MeditFile> read_medit(const Source& source, NumberReading reading) {
+Result<ElementFile> read_medit(const Source& source, NumberReading reading) {
   return MeditReader(source, reading).read();
 }
 
-void write_medit(std::ostream& out, const MeditFile& file) {
+void write_medit(std::ostream& out, const ElementFile& file) {
   out << "MeshVersionFormatted 2\nDimension " + std::to_string(file.points.dimension) + "\n";
   out << "Vertices " + std::to_string(file.points.points.size()) + "\n";
   for (const Point& point : file.points.points) out << joined(point) + " 0\n";
@@ -244,7 +252,7 @@ void write_medit(std::ostream& out, const MeditFile& file) {
   };
   write("Edges", file.edges);
   write("Triangles", file.triangles);
-  write("Quadrilaterals", file.quadrilaterals);
+  write("Quadrilaterals", file.polygons);
   write("Tetrahedra", file.tetrahedra);
   out << "End\n";
 }

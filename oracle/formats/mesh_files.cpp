@@ -1,211 +1,28 @@
 #include "oracle/formats/mesh_files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <string_view>
 
-#include "oracle/formats/ele.hpp"
 #include "oracle/formats/face.hpp"
 #include "oracle/formats/fit_to_domain.hpp"
-#include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/medit.hpp"
+#include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/neigh.hpp"
-#include "oracle/formats/node.hpp"
-#include "oracle/formats/npy.hpp"
-#include "oracle/formats/off.hpp"
+#include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/plain_mesh.hpp"
-#include "oracle/formats/qhull.hpp"
 #include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-// What one file of a mesh holds.
-struct Contents {
-  SimplexFile simplices = {};
-  std::optional<RawPoints> points = {};
-  std::vector<Simplex> faces = {};  // listed beside the simplices
-};
-
-Result<RawPoints> points_alone(const Source& source, Result<PointFile> file) {
-  if (!file) return tl::unexpected(file.error());
-  return RawPoints{std::move(*file), {}, source.name};
-}
-
-Result<Contents> simplices_alone(Result<SimplexFile> file) {
-  if (!file) return tl::unexpected(file.error());
-  return Contents{std::move(*file), {}};
-}
-
-Result<RawPoints> points_of_node(const Source& source, NumberReading reading) {
-  return points_alone(source, read_node(source, reading));
-}
-
-Result<RawPoints> points_of_qhull(const Source& source, NumberReading reading) {
-  return points_alone(source, read_qhull_points(source, reading));
-}
-
-Result<RawPoints> points_of_off(const Source& source, NumberReading reading) {
-  Result<OffFile> file = read_off(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  return points_alone(source, std::move(file->points));
-}
-
-Result<RawPoints> points_of_json(const Source& source, NumberReading reading) {
-  Result<JsonFile> file = read_json(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  return RawPoints{std::move(file->points), std::move(file->weights), source.name};
-}
-
-Result<Contents> mesh_of_ele(const Source& source, NumberReading reading) {
-  return simplices_alone(read_ele(source, reading));
-}
-
-Result<Contents> mesh_of_qhull(const Source& source, NumberReading) {
-  return simplices_alone(read_qhull_simplices(source));
-}
-
-Result<RawPoints> points_of_npy(const Source& source, NumberReading) {
-  return points_alone(source, read_npy_points(source));
-}
-
-Result<Contents> mesh_of_npy(const Source& source, NumberReading) {
-  return simplices_alone(read_npy_simplices(source));
-}
-
-Result<Contents> mesh_of_off(const Source& source, NumberReading reading) {
-  Result<OffFile> file = read_off(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  const SimplexFile& faces = file->faces;
-  for (std::size_t i = 0; i < faces.simplices.size(); ++i) {
-    if (faces.simplices[i].size() == 3) continue;
-    return tl::unexpected(
-        FormatError{source.name, faces.lines[i], "a triangle",
-                    "a face with " + std::to_string(faces.simplices[i].size()) + " vertices"});
-  }
-  RawPoints points{std::move(file->points), {}, source.name};
-  return Contents{std::move(file->faces), std::move(points)};
-}
-
-Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
-  Result<JsonFile> file = read_json(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  if (!file->has_simplices) {
-    return tl::unexpected(
-        FormatError{source.name, 0, "a mesh, with the key \"simplices\"", "points alone"});
-  }
-  RawPoints points{std::move(file->points), std::move(file->weights), source.name};
-  return Contents{std::move(file->simplices), std::move(points), std::move(file->faces.simplices)};
-}
-
-Result<RawPoints> points_of_medit(const Source& source, NumberReading reading) {
-  Result<MeditFile> file = read_medit(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  return points_alone(source, std::move(file->points));
-}
-
-// The cells of the highest dimension; those of lower dimensions are listed beside them.
-Result<Contents> mesh_of_medit(const Source& source, NumberReading reading) {
-  Result<MeditFile> file = read_medit(source, reading);
-  if (!file) return tl::unexpected(file.error());
-  const std::size_t line = file->quadrilaterals.lines.empty() ? file->other_cells_line
-                                                              : file->quadrilaterals.lines.front();
-  if (line != 0) {
-    return tl::unexpected(
-        FormatError{source.name, line, "edges, triangles and tetrahedra", "other cells"});
-  }
-  Contents contents;
-  for (SimplexFile* cells : {&file->edges, &file->triangles, &file->tetrahedra}) {
-    if (cells->simplices.empty()) continue;
-    std::vector<Simplex>& lower = contents.simplices.simplices;
-    contents.faces.insert(contents.faces.end(), lower.begin(), lower.end());
-    contents.simplices = std::move(*cells);
-  }
-  contents.points = RawPoints{std::move(file->points), {}, source.name};
-  return contents;
-}
-
-// What files of an extension hold, and what stands beside them.
-struct Format {
-  std::string_view extension;
-  Result<RawPoints> (*points)(const Source&, NumberReading);
-  Result<Contents> (*mesh)(const Source&, NumberReading);
-  std::string_view points_beside;     // the extension of the file with the points of this mesh
-  std::string_view simplices_beside;  // the extension of the file with simplices of these points
-};
-
-constexpr std::array kFormats = {
-    Format{".node", points_of_node, nullptr, "", ".ele"},
-    Format{".ele", nullptr, mesh_of_ele, ".node", ""},
-    Format{".neigh", nullptr, nullptr, "", ""},
-    Format{".json", points_of_json, mesh_of_json, "", ""},
-    Format{".off", points_of_off, mesh_of_off, "", ""},
-    Format{".mesh", points_of_medit, mesh_of_medit, "", ""},
-    Format{".npy", points_of_npy, mesh_of_npy, "", ""},
-    Format{".qhull", points_of_qhull, nullptr, "", ".qhull-i"},
-    Format{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
-};
-
-const Format* format_of(std::string_view extension) {
-  const auto* const found =
-      std::find_if(kFormats.begin(), kFormats.end(),
-                   [extension](const Format& format) { return format.extension == extension; });
-  return found == kFormats.end() ? nullptr : found;
-}
-
 std::string with_extension(const std::string& path, std::string_view extension_beside) {
   return path.substr(0, path.size() - extension(path).size()) + std::string(extension_beside);
 }
 
-bool looks_like_json(const Source& source) {
-  const std::size_t first = source.text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string::npos && source.text[first] == '{';
-}
-
-// How many tokens stand on the first two lines that have any, and the very first of them.
-struct Beginning {
-  explicit Beginning(const Source& source) {
-    Lines lines(source);
-    if (!lines.next()) return;
-    first_token = lines.tokens()[0];
-    on_first_line = lines.size();
-    if (lines.next()) on_second_line = lines.size();
-  }
-  std::string_view first_token;
-  std::size_t on_first_line = 0;
-  std::size_t on_second_line = 0;
-};
-
-// The format of points in a file whose name does not say it; null if it begins with no number, either.
-const Format* sniff_points(const Source& source) {
-  if (is_npy(source.text)) return format_of(".npy");
-  if (looks_like_json(source)) return format_of(".json");
-  const Beginning beginning(source);
-  if (is_off_keyword(beginning.first_token)) return format_of(".off");
-  if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
-  const bool begins_with_number =
-      beginning.first_token.find_first_of("0123456789") <= 1;  // there may be a sign
-  if (!beginning.first_token.empty() && !begins_with_number) return nullptr;
-  return format_of(beginning.on_second_line == 1 ? ".qhull" : ".node");
-}
-
-// The same for a mesh; null if it cannot be known. A list of simplices counts only where the user
-// says which points it is about.
-const Format* sniff_mesh(const Source& source, bool has_points) {
-  if (is_npy(source.text)) return format_of(".npy");
-  if (looks_like_json(source)) return format_of(".json");
-  const Beginning beginning(source);
-  if (is_off_keyword(beginning.first_token)) return format_of(".off");
-  if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
-  if (!has_points || beginning.on_first_line == 0) return nullptr;
-  return format_of(beginning.on_first_line == 1 ? ".qhull-i" : ".ele");
-}
-
 // The file in which the simplices are: of points, the one beside them.
 std::string file_of_simplices(const std::string& path) {
-  const Format* const format = format_of(extension(path));
+  const MeshFormat* const format = format_of(extension(path));
   if (format == nullptr || format->simplices_beside.empty()) return path;
   return with_extension(path, format->simplices_beside);
 }
@@ -214,21 +31,25 @@ std::string file_of_simplices(const std::string& path) {
 tl::unexpected<FormatError> no_points(const Source& source) {
   Lines lines(source);
   lines.next();
-  return lines.fail_at(0,
-                       "a file of points (.node, .json, .off, .mesh, .npy, .qhull) or a domain "
-                       "(.poly, .smesh, .stl, .ply)");
+  return lines.fail_at(
+      0, "a file of points (" + kinds_of_points() + ") or a domain (.poly, .smesh, .stl)");
 }
 
 Result<RawPoints> points_of(const Result<Source>& source, const std::string& path,
                             NumberReading reading) {
   if (!source) return tl::unexpected(source.error());
-  const Format* format = format_of(extension(path));
-  if (format == nullptr) format = sniff_points(*source);
+  const MeshFormat* format = format_of(extension(path));
+  const std::string expected = "a file of points (" + kinds_of_points() + ")";
+  if (format == nullptr) {
+    if (const auto other = other_kind(extension(path))) {
+      return tl::unexpected(FormatError{source->name, 0, expected, *other});
+    }
+    format = sniff_points(*source);
+  }
   if (format == nullptr) return no_points(*source);
   if (format->points != nullptr) return format->points(*source, reading);
-  return tl::unexpected(FormatError{source->name, 0,
-                                    "a file of points (.node, .json, .off, .mesh, .npy, .qhull)",
-                                    "a " + std::string(format->extension) + " file"});
+  return tl::unexpected(
+      FormatError{source->name, 0, expected, "a " + std::string(format->extension) + " file"});
 }
 
 // Reads a file that goes with another, and says so if it is missing.
@@ -306,22 +127,26 @@ void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
 
 // The simplices, and the points if they are in the same file; `format` tells which it is.
 Result<Contents> read_contents(const MeshRequest& request, const std::string& path,
-                               std::string& name, const Format*& format) {
+                               std::string& name, const MeshFormat*& format) {
   const Result<Source> source = load_mesh(request, path);
   if (!source) return tl::unexpected(source.error());
   name = source->name;
   format = format_of(extension(path));
-  if (format == nullptr) format = sniff_mesh(*source, request.points || request.own_points);
+  const std::string expected = "a mesh (" + kinds_of_meshes() +
+                               "; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
+  if (format == nullptr) {
+    if (const auto other = other_kind(extension(path))) {
+      return tl::unexpected(FormatError{name, 0, expected, *other});
+    }
+    format = sniff_mesh(*source, request.points || request.own_points);
+  }
   if (format != nullptr && format->mesh != nullptr) return format->mesh(*source, request.reading);
-  const std::string_view first = Beginning(*source).first_token;
-  return tl::unexpected(FormatError{name, 1,
-                                    "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, "
-                                    ".off, .mesh, .npy; JSON or OFF text)",
-                                    first.empty() ? "nothing" : quote(first)});
+  const std::string_view first = first_word(*source);
+  return tl::unexpected(FormatError{name, 1, expected, first.empty() ? "nothing" : quote(first)});
 }
 
 Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& path,
-                                 const Format& format, Contents& contents) {
+                                 const MeshFormat& format, Contents& contents) {
   if (request.own_points) return RawPoints{*request.own_points};
   if (request.points) {
     return points_of(source_of(request, *request.points), *request.points, request.reading);
@@ -364,13 +189,13 @@ void load_streams(MeshRequest& request) {
 }
 
 std::string_view format_of_points(const std::string& path, const Source* text) {
-  const Format* format = format_of(extension(path));
+  const MeshFormat* format = format_of(extension(path));
   if (format == nullptr && text != nullptr) format = sniff_points(*text);
   return format == nullptr ? "" : format->extension;
 }
 
 std::string_view format_of_mesh(const std::string& path, const Source* text, bool if_points) {
-  const Format* format = format_of(extension(path));
+  const MeshFormat* format = format_of(extension(path));
   if (format == nullptr && text != nullptr) format = sniff_mesh(*text, if_points);
   return format == nullptr ? "" : format->extension;
 }
@@ -382,7 +207,7 @@ Result<RawPoints> read_points(const std::string& path, NumberReading reading) {
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   const std::string path = file_of_simplices(request.mesh);
   MeshFile file;
-  const Format* format = nullptr;
+  const MeshFormat* format = nullptr;
   Result<Contents> contents = read_contents(request, path, file.mesh_name, format);
   if (!contents) return tl::unexpected(contents.error());
   Result<RawPoints> points = points_of_mesh(request, path, *format, *contents);
@@ -391,7 +216,10 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   mesh.coordinates = numbers_of(points->points.points, points->points.dimension);
   mesh.first_index = points->points.first_index;
   file.points_name = points->name;
-  if (request.domain_dimension == 2) leave_out_constant_coordinate(file);
+  file.notes = std::move(contents->notes);
+  if (request.domain_dimension == 2 || (contents->may_be_of_plane && !request.domain_dimension)) {
+    leave_out_constant_coordinate(file);
+  }
   SimplexFile& simplices = contents->simplices;
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());

@@ -169,7 +169,7 @@ TEST_CASE("medit: the cells of highest dimension, and the others beside them whe
   CHECK(surface->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2}});
   const std::string quads = folder.write("z.mesh", vertices + "\nQuadrilaterals 1 1 2 3 4 0 End");
   CHECK(error_of(mesh_of(quads)) ==
-        quads + ":2: expected edges, triangles and tetrahedra, found other cells");
+        quads + ":2: expected edges, triangles and tetrahedra, found a quadrilateral");
 }
 
 TEST_CASE("triangles and edges beside an .ele are read where they are wanted and there") {
@@ -191,7 +191,7 @@ TEST_CASE("files without a telling name are known by what they hold") {
   const ScratchFolder folder;
   const NumberReading reading = NumberReading::kDouble;
   CHECK(read_points(folder.write("a", kJson), reading)->weights.size() == 4);
-  CHECK(read_points(folder.write("b.xyz", kOff), reading)->points.dimension == 3);
+  CHECK(read_points(folder.write("b.dat", kOff), reading)->points.dimension == 3);
   CHECK(read_points(folder.write("c.txt", kSquareQhull), reading)->points.points.size() == 4);
   CHECK(read_points(folder.write("d", kSquareFrom1), reading)->points.first_index == 1);
   const std::string points = folder.write("p.node", kSquareFrom1);
@@ -212,18 +212,27 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(error_of(mesh_of(folder.path("none.ele"))) ==
         folder.path("none.ele") + ": expected a file, found no file of that name");
   CHECK(error_of(mesh_of(lone, ele)) != "no error");
-  const std::string unknown = folder.write("x.vtk", "# vtk DataFile\nASCII");
   const std::string known =
-      "a mesh (.ele beside .node, .qhull-i beside .qhull, .json, .off, .mesh, .npy; JSON or OFF "
-      "text)";
-  CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"ASCII\"");
+      "a mesh (.ele, .json, .off, .mesh, .msh, .vtk, .vtu, .vtp, .tet, .tetrahedra, .obj, .ply, "
+      ".npy, "
+      ".qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
+  const std::string unknown = folder.write("x.plt", "TITLE a mesh\n");
+  CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"TITLE\"");
+  // What another program reads is answered with the command that converts it.
+  const std::string step = folder.write("x.STEP", "ISO-10303-21;\n");
+  CHECK(error_of(mesh_of(step)) ==
+        step + ": expected " + known + ", found a STEP geometry (gmsh -3 IN.step -o IN.msh)");
   CHECK(error_of(mesh_of("-", "-")) ==
         "<stdin>: expected the mesh or its points on standard input, found both");
   const auto points = read_points(ele, NumberReading::kDouble);
   REQUIRE(!points);
   CHECK(points.error().to_string() == ele +
                                           ": expected a file of points (.node, .json, .off, .mesh, "
-                                          ".npy, .qhull), found a .ele file");
+                                          ".msh, .vtk, .vtu, .vtp, .tet, .tetrahedra, .obj, .ply, "
+                                          ".xyz, .csv, .npy, .qhull), found a .ele file");
+  const auto abaqus = read_points(folder.write("x.inp", "1, 0, 0, 0\n"), NumberReading::kDouble);
+  REQUIRE(!abaqus);
+  CHECK(abaqus.error().found == "a mesh of Abaqus (meshio convert IN.inp IN.vtu)");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

@@ -46,7 +46,7 @@ class OffHeader {
   }
 
   // Requires that nothing is left on the line, but for a number of edges that nobody needs.
-  Status finish() {
+  Status finish_off() {
     if (column_ < lines_.size()) {
       const Result<std::size_t> edges = lines_.count(column_++, "the number of edges");
       if (!edges) return tl::unexpected(edges.error());
@@ -93,7 +93,7 @@ Result<Layout> read_header(Lines& lines) {
   if (!points) return tl::unexpected(points.error());
   const Result<std::size_t> faces = header.next("the number of faces");
   if (!faces) return tl::unexpected(faces.error());
-  if (Status end = header.finish(); !end) return tl::unexpected(end.error());
+  if (Status end = header.finish_off(); !end) return tl::unexpected(end.error());
   layout.points = *points;
   layout.faces = *faces;
   return layout;
@@ -145,6 +145,82 @@ Result<Simplex> read_face(const Lines& lines, NumberReading reading) {
   return face;
 }
 
+Status read_points(Lines& lines, const Layout& layout, NumberReading reading, OffFile& file) {
+  file.points.dimension = layout.dimension;
+  for (std::size_t i = 0; i < layout.points; ++i) {
+    const Status line = next_of(lines, "point", i, layout.points);
+    if (!line) return tl::unexpected(line.error());
+    Result<Point> point = read_point(lines, layout, reading);
+    if (!point) return tl::unexpected(point.error());
+    file.points.points.push_back(std::move(*point));
+  }
+  return {};
+}
+
+Result<OffFile> finish_off(Lines& lines, OffFile file) {
+  if (lines.next()) return lines.fail_at(0, "the end of the file after the last face");
+  file.faces.vertices_per_simplex = size_of_each(file.faces.simplices);
+  return file;
+}
+
+// The usual form: a line each.
+Result<OffFile> read_unwrapped(const Source& source, NumberReading reading) {
+  Lines lines(source);
+  const Result<Layout> layout = read_header(lines);
+  if (!layout) return tl::unexpected(layout.error());
+  OffFile file;
+  Status status = read_points(lines, *layout, reading, file);
+  for (std::size_t i = 0; status && i < layout->faces; ++i) {
+    status = next_of(lines, "face", i, layout->faces);
+    if (!status) break;
+    Result<Simplex> face = read_face(lines, reading);
+    if (!face) return tl::unexpected(face.error());
+    file.faces.simplices.push_back(std::move(*face));
+    file.faces.lines.push_back(lines.line());
+  }
+  if (!status) return tl::unexpected(status.error());
+  return finish_off(lines, std::move(file));
+}
+
+// Faces whose vertices go on over further lines, each to the end of one.
+Result<OffFile> read_wrapped(const Source& source, NumberReading reading) {
+  Lines lines(source);
+  const Result<Layout> layout = read_header(lines);
+  if (!layout) return tl::unexpected(layout.error());
+  OffFile file;
+  if (Status points = read_points(lines, *layout, reading, file); !points) {
+    return tl::unexpected(points.error());
+  }
+  for (std::size_t i = 0; i < layout->faces; ++i) {
+    if (Status line = next_of(lines, "face", i, layout->faces); !line) {
+      return tl::unexpected(line.error());
+    }
+    const Result<std::size_t> size = lines.count(0, "the number of vertices of a face");
+    if (!size) return tl::unexpected(size.error());
+    file.faces.lines.push_back(lines.line());
+    Simplex face;
+    std::size_t column = 1;
+    while (face.size() < *size) {
+      if (column == lines.size()) {
+        column = 0;
+        if (!lines.next()) return lines.fail_at(0, "a vertex");
+      }
+      const Result<Vertex> vertex = lines.integer(column++, "a vertex");
+      if (!vertex) return tl::unexpected(vertex.error());
+      face.push_back(*vertex);
+    }
+    const bool is_on_one_line = lines.line() == file.faces.lines.back();
+    if (face.empty() || (column < lines.size() && !is_on_one_line)) {
+      return lines.fail_at(column, "the end of the line behind a face");
+    }
+    if (Status colour = check_others(lines, column, reading); !colour) {
+      return tl::unexpected(colour.error());
+    }
+    file.faces.simplices.push_back(std::move(face));
+  }
+  return finish_off(lines, std::move(file));
+}
+
 }  // namespace
 
 bool is_off_keyword(std::string_view token) {
@@ -153,29 +229,10 @@ bool is_off_keyword(std::string_view token) {
 }
 
 Result<OffFile> read_off(const Source& source, NumberReading reading) {
-  Lines lines(source);
-  const Result<Layout> layout = read_header(lines);
-  if (!layout) return tl::unexpected(layout.error());
-  OffFile file;
-  file.points.dimension = layout->dimension;
-  for (std::size_t i = 0; i < layout->points; ++i) {
-    const Status line = next_of(lines, "point", i, layout->points);
-    if (!line) return tl::unexpected(line.error());
-    Result<Point> point = read_point(lines, *layout, reading);
-    if (!point) return tl::unexpected(point.error());
-    file.points.points.push_back(std::move(*point));
-  }
-  for (std::size_t i = 0; i < layout->faces; ++i) {
-    const Status line = next_of(lines, "face", i, layout->faces);
-    if (!line) return tl::unexpected(line.error());
-    Result<Simplex> face = read_face(lines, reading);
-    if (!face) return tl::unexpected(face.error());
-    file.faces.simplices.push_back(std::move(*face));
-    file.faces.lines.push_back(lines.line());
-  }
-  if (lines.next()) return lines.fail_at(0, "the end of the file after the last face");
-  file.faces.vertices_per_simplex = size_of_each(file.faces.simplices);
-  return file;
+  Result<OffFile> file = read_unwrapped(source, reading);
+  if (file) return file;
+  Result<OffFile> wrapped = read_wrapped(source, reading);
+  return wrapped ? wrapped : file;  // what is wrong is said of the usual form
 }
 
 void write_off(std::ostream& out, const OffFile& file) {

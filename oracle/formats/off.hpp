@@ -3,7 +3,8 @@
 //     OFF                      or COFF, NOFF, STOFF…: colours, normals, textures, which are skipped
 //     points faces edges       may stand on the line of the keyword; edges may be left out
 //     x y z                    one line a point
-//     k v0 … v(k-1) colour     one line a face, indices from 0; the colour is skipped
+//     k v0 … v(k-1) colour     one line a face, indices from 0; the colour is skipped; the vertices may go
+//                              on over further lines, behind which stands no colour
 //
 // `nOFF` puts the dimension on a line of its own (or behind the keyword) before the counts.
 #pragma once

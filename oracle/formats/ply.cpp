@@ -191,7 +191,7 @@ std::optional<std::size_t> corners_of(const PlyElement& element) {
   return indices ? indices : element.find("vertex_index", true);
 }
 
-Status check_header(const Lines& lines, const PlyHeader& header) {
+Status check_header(const Lines& lines, const PlyHeader& header, bool wants_faces) {
   bool has_points = false;
   bool has_faces = false;
   for (const PlyElement& element : header.elements) {
@@ -211,50 +211,82 @@ Status check_header(const Lines& lines, const PlyHeader& header) {
       has_faces = true;
     }
   }
-  if (has_points && has_faces) return {};
-  return lines.fail("elements vertex and face",
+  if (has_points && (has_faces || !wants_faces)) return {};
+  return lines.fail(wants_faces ? "elements vertex and face" : "an element vertex",
                     has_points ? "no element face" : "no element vertex");
 }
 
-Result<DomainFile> read_body(PlyRows& rows, const PlyHeader& header, const std::string& name) {
-  PointFile points;
-  points.dimension = 3;
-  SimplexFile faces;
+Result<PlyFile> read_ply_body(PlyRows& rows, const PlyHeader& header) {
+  PlyFile file;
+  file.points.dimension = 3;
   for (const PlyElement& element : header.elements) {
     Status status;
     if (element.name == "vertex") {
-      status = read_points(rows, element, points.points);
+      status = read_points(rows, element, file.points.points);
     } else if (element.name == "face") {
-      status = read_faces(rows, element, *corners_of(element), faces);
+      status = read_faces(rows, element, *corners_of(element), file.faces);
     } else {
       status = for_each_row(rows, element, [](std::size_t) -> Result<bool> { return false; });
     }
     if (!status) return tl::unexpected(status.error());
   }
   if (Status end = rows.expect_end(); !end) return tl::unexpected(end.error());
-  DomainFile file;
-  file.name = name;
-  Status status = take_points(file, std::move(points), 0);
-  if (status) status = add_faces(file, faces);
-  if (!status) return tl::unexpected(status.error());
+  file.faces.vertices_per_simplex = size_of_each(file.faces.simplices);
   return file;
 }
 
-}  // namespace
-
-Result<DomainFile> read_ply(const Source& source, NumberReading reading) {
+Result<PlyFile> read_points_and_faces(const Source& source, NumberReading reading,
+                                      bool wants_faces) {
   Lines lines(source);
   const Result<PlyHeader> header = read_ply_header(lines);
   if (!header) return tl::unexpected(header.error());
-  if (Status known = check_header(lines, *header); !known) return tl::unexpected(known.error());
+  if (Status known = check_header(lines, *header, wants_faces); !known) {
+    return tl::unexpected(known.error());
+  }
   if (!header->binary) {
     TextRows rows(lines, reading);
-    return read_body(rows, *header, source.name);
+    return read_ply_body(rows, *header);
   }
   const std::string_view text = source.text;
   BinaryRows rows(source.name,
                   Bytes(text.substr(text.size() - lines.bytes_left()), *header->binary));
-  return read_body(rows, *header, source.name);
+  return read_ply_body(rows, *header);
+}
+
+}  // namespace
+
+Result<PlyFile> read_ply_file(const Source& source, NumberReading reading) {
+  return read_points_and_faces(source, reading, false);
+}
+
+Result<ElementFile> read_ply_elements(const Source& source, NumberReading reading) {
+  Result<PlyFile> ply = read_ply_file(source, reading);
+  if (!ply) return tl::unexpected(ply.error());
+  ElementFile file;
+  file.points = std::move(ply->points);
+  for (std::size_t i = 0; i < ply->faces.simplices.size(); ++i) {
+    Simplex& face = ply->faces.simplices[i];
+    const std::size_t size = face.size();
+    const std::string name = "a face of " + std::to_string(size) + " vertices";
+    const std::size_t line = ply->faces.lines[i];
+    const auto fault = add_element(file, ElementShape::kPolygon, std::move(face), name, line);
+    if (!fault) continue;
+    return tl::unexpected(
+        FormatError{source.name, line, "a face of 3 vertices or more", std::to_string(size)});
+  }
+  finish_elements(file);
+  return file;
+}
+
+Result<DomainFile> read_ply(const Source& source, NumberReading reading) {
+  Result<PlyFile> ply = read_points_and_faces(source, reading, true);
+  if (!ply) return tl::unexpected(ply.error());
+  DomainFile file;
+  file.name = source.name;
+  Status status = take_points(file, std::move(ply->points), 0);
+  if (status) status = add_faces(file, ply->faces);
+  if (!status) return tl::unexpected(status.error());
+  return file;
 }
 
 }  // namespace circumspect::formats

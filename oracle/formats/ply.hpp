@@ -1,4 +1,4 @@
-// Surfaces as PLY, in text or binary of either byte order.
+// Surfaces and clouds of points as PLY, in text or binary of either byte order.
 //
 //     ply
 //     format ascii 1.0                            or binary_little_endian, binary_big_endian
@@ -13,13 +13,24 @@
 // Elements and properties of other names are read over.
 #pragma once
 
-#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/element_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 
-// Points are counted from 0. Faces are polygons of one line.
+struct PlyFile {
+  PointFile points;        // counted from 0
+  SimplexFile faces = {};  // of any number of vertices; none in a cloud of points
+};
+
+// The points, and the faces if there are any.
+Result<PlyFile> read_ply_file(const Source& source, NumberReading reading);
+
+// The same as elements, faces as polygons.
+Result<ElementFile> read_ply_elements(const Source& source, NumberReading reading);
+
+// A surface. Faces are polygons of one line. Errors: also, a file without the element face.
 Result<DomainFile> read_ply(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats

@@ -1,7 +1,7 @@
-// The domain in a Medit file.
+// The domain among the elements of a mesh.
 #include <algorithm>
 
-#include "oracle/formats/medit.hpp"
+#include "oracle/formats/element_file.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -38,15 +38,18 @@ std::vector<bool> points_in_use(const DomainFile& domain) {
 }
 
 // Those points of cells that nothing else uses.
-std::vector<bool> points_of_cells_alone(const DomainFile& domain, const SimplexFile& cells) {
+std::vector<bool> points_of_cells_alone(const DomainFile& domain,
+                                        const std::vector<const SimplexFile*>& lists) {
   const std::vector<bool> used = points_in_use(domain);
   std::vector<bool> alone(used.size());
-  for (const Simplex& cell : cells.simplices) {
-    for (const Vertex index : cell) {
-      const Result<Vertex> place = place_of(domain, index, 0);
-      if (!place) continue;
-      const auto v = static_cast<std::size_t>(*place);
-      alone[v] = !used[v];
+  for (const SimplexFile* const cells : lists) {
+    for (const Simplex& cell : cells->simplices) {
+      for (const Vertex index : cell) {
+        const Result<Vertex> place = place_of(domain, index, 0);
+        if (!place) continue;
+        const auto v = static_cast<std::size_t>(*place);
+        alone[v] = !used[v];
+      }
     }
   }
   return alone;
@@ -75,18 +78,25 @@ void drop_points(DomainFile& domain, const std::vector<bool>& dropped) {
 
 }  // namespace
 
-Result<DomainFile> domain_of(const MeditFile& medit, const std::string& name) {
+Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name) {
+  if (elements.first_curved) {
+    return tl::unexpected(FormatError{name, elements.first_curved->line, "elements of first order",
+                                      elements.first_curved->name});
+  }
   DomainFile domain;
   domain.name = name;
-  Status status = take_points(domain, medit.points, 0);
-  if (status) status = add_edges(domain, medit.edges);
-  if (domain.dimension == 3 || medit.edges.simplices.empty()) {
-    if (status) status = add_faces(domain, medit.triangles);
-    if (status) status = add_faces(domain, medit.quadrilaterals);
+  domain.notes = elements.notes;
+  Status status = take_points(domain, elements.points, 0);
+  if (status) status = add_edges(domain, elements.edges);
+  if (domain.dimension == 3 || elements.edges.simplices.empty()) {
+    if (status) status = add_faces(domain, elements.triangles);
+    if (status) status = add_faces(domain, elements.polygons);
   }
   if (!status) return tl::unexpected(status.error());
   const std::vector<bool> dropped =
-      points_of_cells_alone(domain, domain.dimension == 2 ? medit.triangles : medit.tetrahedra);
+      domain.dimension == 2
+          ? points_of_cells_alone(domain, {&elements.triangles, &elements.polygons})
+          : points_of_cells_alone(domain, {&elements.tetrahedra, &elements.other_solids});
   if (std::find(dropped.begin(), dropped.end(), true) != dropped.end()) {
     drop_points(domain, dropped);
   }

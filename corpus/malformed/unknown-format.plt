@@ -1,0 +1,2 @@
+TITLE = "a mesh"
+VARIABLES = "x", "y"

@@ -1,0 +1,135 @@
+#include "oracle/formats/element_file.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+void add_to(SimplexFile& list, Simplex vertices, std::size_t line) {
+  list.simplices.push_back(std::move(vertices));
+  list.lines.push_back(line);
+}
+
+// How few vertices make sense of a shape.
+std::size_t fewest_vertices(ElementShape shape) {
+  switch (shape) {
+    case ElementShape::kPolyline:
+      return 2;
+    case ElementShape::kPolygon:
+    case ElementShape::kStrip:
+      return 3;
+    case ElementShape::kPixel:
+    case ElementShape::kTetrahedron:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+void add_polygon(ElementFile& file, Simplex vertices, std::string_view name, std::size_t line) {
+  if (vertices.size() == 3) {
+    add_to(file.triangles, std::move(vertices), line);
+    return;
+  }
+  if (!file.first_other) file.first_other = {std::string(name), line};
+  add_to(file.polygons, std::move(vertices), line);
+}
+
+void add_strip(ElementFile& file, const Simplex& vertices, std::size_t line) {
+  for (std::size_t i = 0; i + 2 < vertices.size(); ++i) {
+    Simplex triangle = {vertices[i], vertices[i + 1], vertices[i + 2]};
+    if (i % 2 == 1) std::swap(triangle[0], triangle[1]);  // all have one side in front
+    add_to(file.triangles, std::move(triangle), line);
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
+                                       std::string_view name, std::size_t line) {
+  const std::size_t fewest = fewest_vertices(shape);
+  if (vertices.size() < fewest) {
+    return std::string(name) + " of " + std::to_string(fewest) +
+           (fewest == 1 ? " vertex or more" : " vertices or more");
+  }
+  switch (shape) {
+    case ElementShape::kPoint:
+      break;
+    case ElementShape::kPolyline:
+      for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+        add_to(file.edges, {vertices[i], vertices[i + 1]}, line);
+      }
+      break;
+    case ElementShape::kPixel:
+      std::swap(vertices[2], vertices[3]);
+      add_polygon(file, std::move(vertices), name, line);
+      break;
+    case ElementShape::kPolygon:
+      add_polygon(file, std::move(vertices), name, line);
+      break;
+    case ElementShape::kStrip:
+      add_strip(file, vertices, line);
+      break;
+    case ElementShape::kTetrahedron:
+      add_to(file.tetrahedra, std::move(vertices), line);
+      break;
+    case ElementShape::kOtherSolid:
+      if (!file.first_other) file.first_other = {std::string(name), line};
+      add_to(file.other_solids, std::move(vertices), line);
+      break;
+    case ElementShape::kCurved:
+      if (!file.first_curved) file.first_curved = {std::string(name), line};
+      break;
+  }
+  return std::nullopt;
+}
+
+void finish_elements(ElementFile& file) {
+  for (SimplexFile* const list :
+       {&file.edges, &file.triangles, &file.polygons, &file.tetrahedra, &file.other_solids}) {
+    list->vertices_per_simplex = size_of_each(list->simplices);
+    list->first_index = file.points.first_index;
+  }
+}
+
+Status check_simplices(const ElementFile& file, const std::string& name) {
+  const auto& other = file.first_curved ? file.first_curved : file.first_other;
+  if (!other) return {};
+  return tl::unexpected(
+      FormatError{name, other->line, "edges, triangles and tetrahedra", other->name});
+}
+
+TopElements top_elements(ElementFile& file) {
+  TopElements top;
+  for (SimplexFile* const list : {&file.edges, &file.triangles, &file.tetrahedra}) {
+    if (list->simplices.empty()) continue;
+    std::vector<Simplex>& lower = top.simplices.simplices;
+    top.faces.insert(top.faces.end(), std::make_move_iterator(lower.begin()),
+                     std::make_move_iterator(lower.end()));
+    top.simplices = std::move(*list);
+  }
+  return top;
+}
+
+bool is_of_plane(const ElementFile& file) {
+  return file.tetrahedra.simplices.empty() && file.other_solids.simplices.empty() &&
+         !file.first_curved;
+}
+
+void take_for_plane(ElementFile& file, const std::string& name) {
+  std::vector<Point>& points = file.points.points;
+  if (file.points.dimension != 3 || points.empty() || !is_of_plane(file)) return;
+  const Rational height = points.front()[2];
+  const bool is_flat = std::all_of(points.begin(), points.end(),
+                                   [&height](const Point& point) { return point[2] == height; });
+  if (!is_flat) return;
+  for (Point& point : points) point.pop_back();
+  file.points.dimension = 2;
+  file.notes.push_back(name + ": the third coordinate, " + to_text_of_double_or_fraction(height) +
+                       " for all points, was left out");
+}
+
+}  // namespace circumspect::formats

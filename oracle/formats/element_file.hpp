@@ -1,0 +1,76 @@
+// A mesh as a list of elements of all dimensions, with the surface and its edges among them: what Medit,
+// Gmsh, VTK and Wavefront keep in a file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/simplex_file.hpp"
+
+namespace circumspect::formats {
+
+// The shapes of elements. Vertices are listed round about a polygon; kPixel lists a quadrilateral row by
+// row, kStrip triangles each of which goes on from the last two vertices, kPolyline edges end to end.
+enum class ElementShape {
+  kPoint,
+  kPolyline,  // an edge is one of two vertices
+  kPolygon,   // a triangle is one of three
+  kPixel,
+  kStrip,
+  kTetrahedron,
+  kOtherSolid,  // hexahedra, prisms, pyramids and polyhedra, of first order
+  kCurved,      // of second order or more, of any dimension
+};
+
+struct ElementFile {
+  PointFile points = {};
+  SimplexFile edges = {};
+  SimplexFile triangles = {};
+  SimplexFile polygons = {};  // of four vertices and more
+  SimplexFile tetrahedra = {};
+  SimplexFile other_solids = {};
+  // The first element that is no simplex, and the first that is curved: what it is and its line.
+  struct Named {
+    std::string name;  // "a hexahedron"
+    std::size_t line = 0;
+  };
+  std::optional<Named> first_other = {};
+  std::optional<Named> first_curved = {};
+  std::vector<std::string> notes = {};
+};
+
+// Adds an element. `name`: "a hexahedron"; it is named where it cannot be judged. Too few vertices for its
+// shape are a fault, which is what comes back: "a triangle of 3 vertices or more".
+std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
+                                       std::string_view name, std::size_t line);
+
+// Fills in what follows from the simplices, once all have been added.
+void finish_elements(ElementFile& file);
+
+// Why the elements are no mesh of simplices: nothing if they are one.
+Status check_simplices(const ElementFile& file, const std::string& name);
+
+// The simplices of highest dimension, and those below them.
+struct TopElements {
+  SimplexFile simplices = {};
+  std::vector<Simplex> faces = {};
+};
+TopElements top_elements(ElementFile& file);
+
+// Is no element one of space?
+bool is_of_plane(const ElementFile& file);
+
+// Many formats know points of three coordinates alone. If no element is one of space and the third
+// coordinate is exactly the same for all points, it is left out, which is noted.
+void take_for_plane(ElementFile& file, const std::string& name);
+
+// The surface: edges are segments; triangles and polygons are polygons in space, and in the
+// plane, if there are no edges, theirs are taken. Where there are cells, vertices that belong to
+// these alone are left out: they are the mesh's, not its domain's. Errors: curved elements.
+Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name);
+
+}  // namespace circumspect::formats

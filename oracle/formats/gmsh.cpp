@@ -1,0 +1,393 @@
+#include "oracle/formats/gmsh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/rows.hpp"
+#include "oracle/model/listed_index.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// Gmsh's types of elements: what has no shape here is curved.
+struct GmshType {
+  Vertex code;
+  std::size_t vertices;
+  ElementShape shape;
+  std::string_view name;
+};
+constexpr std::array kGmshTypes = {
+    GmshType{15, 1, ElementShape::kPoint, "a point"},
+    GmshType{1, 2, ElementShape::kPolyline, "an edge"},
+    GmshType{2, 3, ElementShape::kPolygon, "a triangle"},
+    GmshType{3, 4, ElementShape::kPolygon, "a quadrilateral"},
+    GmshType{4, 4, ElementShape::kTetrahedron, "a tetrahedron"},
+    GmshType{5, 8, ElementShape::kOtherSolid, "a hexahedron"},
+    GmshType{6, 6, ElementShape::kOtherSolid, "a prism"},
+    GmshType{7, 5, ElementShape::kOtherSolid, "a pyramid"},
+    GmshType{8, 3, ElementShape::kCurved, "an edge of second order"},
+    GmshType{9, 6, ElementShape::kCurved, "a triangle of second order"},
+    GmshType{10, 9, ElementShape::kCurved, "a quadrilateral of second order"},
+    GmshType{11, 10, ElementShape::kCurved, "a tetrahedron of second order"},
+    GmshType{12, 27, ElementShape::kCurved, "a hexahedron of second order"},
+    GmshType{13, 18, ElementShape::kCurved, "a prism of second order"},
+    GmshType{14, 14, ElementShape::kCurved, "a pyramid of second order"},
+    GmshType{16, 8, ElementShape::kCurved, "a quadrilateral of second order"},
+    GmshType{17, 20, ElementShape::kCurved, "a hexahedron of second order"},
+    GmshType{18, 15, ElementShape::kCurved, "a prism of second order"},
+    GmshType{19, 13, ElementShape::kCurved, "a pyramid of second order"},
+    GmshType{20, 9, ElementShape::kCurved, "a triangle of third order"},
+    GmshType{21, 10, ElementShape::kCurved, "a triangle of third order"},
+    GmshType{22, 12, ElementShape::kCurved, "a triangle of fourth order"},
+    GmshType{23, 15, ElementShape::kCurved, "a triangle of fourth order"},
+    GmshType{24, 15, ElementShape::kCurved, "a triangle of fifth order"},
+    GmshType{25, 21, ElementShape::kCurved, "a triangle of fifth order"},
+    GmshType{26, 4, ElementShape::kCurved, "an edge of third order"},
+    GmshType{27, 5, ElementShape::kCurved, "an edge of fourth order"},
+    GmshType{28, 6, ElementShape::kCurved, "an edge of fifth order"},
+    GmshType{29, 20, ElementShape::kCurved, "a tetrahedron of third order"},
+    GmshType{30, 35, ElementShape::kCurved, "a tetrahedron of fourth order"},
+    GmshType{31, 56, ElementShape::kCurved, "a tetrahedron of fifth order"},
+};
+
+class GmshReader {
+ public:
+  GmshReader(const Source& source, NumberReading reading)
+      : text_(source.name, source.text, reading) {}
+
+  Result<ElementFile> read();
+
+ private:
+  Status expect_word(std::string_view word);
+  Status read_header();
+  Status read_section(std::string_view keyword);
+  Status read_nodes_2();
+  Status read_nodes_4();
+  Status read_node_block(std::size_t& read);
+  Status read_coordinates(std::size_t more, const std::string& one);
+  Status read_elements_2();
+  Status read_elements_4();
+  Status read_element_block(std::size_t& read);
+  Result<const GmshType*> read_type();
+  Status read_vertices(const GmshType& type, NumberType of_tags);
+  // Goes to the numbers of a section: in binary they begin on the next line.
+  void go_to_numbers() {
+    if (text_.is_binary()) text_.rest_of_line();
+  }
+  Status count_from_lowest_tag();
+
+  MixedText text_;
+  std::size_t version_ = 0;  // 2 or 4
+  bool has_nodes_ = false;
+  bool has_elements_ = false;
+  ElementFile file_;
+  std::vector<Vertex> tags_;  // of the points
+};
+
+Status GmshReader::expect_word(std::string_view word) {
+  if (text_.word() == word) return {};
+  return text_.fail_at_word("\"" + std::string(word) + "\"");
+}
+
+Status GmshReader::read_header() {
+  Status status = expect_word("$MeshFormat");
+  if (!status) return status;
+  const std::string_view version = text_.word();
+  version_ = version == "4.1" ? 4 : version == "2" || version.starts_with("2.") ? 2 : 0;
+  if (version_ == 0) {
+    return text_.fail_at_word("version 4.1 or 2 of the format (gmsh writes it with -format msh41)");
+  }
+  const Result<std::size_t> type = text_.count_in_text("0 (text) or 1 (binary)");
+  if (!type) return tl::unexpected(type.error());
+  if (*type > 1) return text_.fail_at_word("0 (text) or 1 (binary)");
+  const Result<std::size_t> size = text_.count_in_text("8, the size of a number");
+  if (!size) return tl::unexpected(size.error());
+  if (*size != 8) return text_.fail_at_word("8, the size of a number");
+  if (*type == 1) {
+    text_.rest_of_line();
+    text_.set_binary(ByteOrder::kLittleEndian);
+    const Result<Vertex> one = text_.integer(kInt32, "the number 1");
+    if (!one) return tl::unexpected(one.error());
+    constexpr Vertex kOneOfOtherOrder = 1 << 24;
+    if (*one != 1 && *one != kOneOfOtherOrder) {
+      return text_.fail("the number 1, in either byte order", std::to_string(*one));
+    }
+    if (*one != 1) text_.set_binary(ByteOrder::kBigEndian);
+  }
+  return expect_word("$EndMeshFormat");
+}
+
+Status GmshReader::read_coordinates(std::size_t more, const std::string& one) {
+  Point point;
+  while (point.size() < 3) {
+    Result<Rational> number = text_.number(kFloat64, "a coordinate of " + one);
+    if (!number) return tl::unexpected(number.error());
+    point.push_back(std::move(*number));
+  }
+  file_.points.points.push_back(std::move(point));
+  return text_.skip_numbers(kFloat64, more, "a parameter of " + one);
+}
+
+std::string one_of_all(const std::string& noun, std::size_t done, std::size_t count) {
+  return noun + " " + std::to_string(done + 1) + " of " + std::to_string(count);
+}
+
+Status GmshReader::read_nodes_2() {
+  const Result<std::size_t> count = text_.count_in_text("the number of nodes");
+  if (!count) return tl::unexpected(count.error());
+  go_to_numbers();
+  for (std::size_t i = 0; i < *count; ++i) {
+    const std::string one = one_of_all("node", i, *count);
+    const Result<Vertex> tag = text_.integer(kInt32, one);
+    if (!tag) return tl::unexpected(tag.error());
+    tags_.push_back(*tag);
+    if (Status point = read_coordinates(0, one); !point) return point;
+  }
+  return {};
+}
+
+Status GmshReader::read_node_block(std::size_t& read) {
+  const Result<std::size_t> dimension = text_.count(kInt32, "the dimension of an entity");
+  if (!dimension) return tl::unexpected(dimension.error());
+  if (*dimension > 3) {
+    return text_.fail("the dimension of an entity, 3 at most", std::to_string(*dimension));
+  }
+  if (Status entity = text_.skip_numbers(kInt32, 1, "the tag of an entity"); !entity) return entity;
+  const Result<std::size_t> parametric = text_.count(kInt32, "whether there are parameters");
+  if (!parametric) return tl::unexpected(parametric.error());
+  const Result<std::size_t> count = text_.count(kUint64, "the number of nodes of a block");
+  if (!count) return tl::unexpected(count.error());
+  for (std::size_t i = 0; i < *count; ++i) {
+    const Result<Vertex> tag = text_.integer(kUint64, one_of_all("node", i, *count));
+    if (!tag) return tl::unexpected(tag.error());
+    tags_.push_back(*tag);
+  }
+  for (std::size_t i = 0; i < *count; ++i) {
+    const Status point =
+        read_coordinates(*parametric == 0 ? 0 : *dimension, one_of_all("node", i, *count));
+    if (!point) return point;
+  }
+  read += *count;
+  return {};
+}
+
+// The counts with which $Nodes and $Elements begin in version 4.1, then the blocks.
+Status GmshReader::read_nodes_4() {
+  go_to_numbers();
+  const Result<std::size_t> blocks = text_.count(kUint64, "the number of blocks of nodes");
+  if (!blocks) return tl::unexpected(blocks.error());
+  const Result<std::size_t> count = text_.count(kUint64, "the number of nodes");
+  if (!count) return tl::unexpected(count.error());
+  Status status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of nodes");
+  std::size_t read = 0;
+  for (std::size_t i = 0; status && i < *blocks; ++i) status = read_node_block(read);
+  if (!status || read == *count) return status;
+  return text_.fail(std::to_string(*count) + " nodes in all blocks", std::to_string(read));
+}
+
+Result<const GmshType*> GmshReader::read_type() {
+  const Result<Vertex> code = text_.integer(kInt32, "the type of an element");
+  if (!code) return tl::unexpected(code.error());
+  const auto* const type = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
+                                        [&](const GmshType& one) { return one.code == *code; });
+  if (type != kGmshTypes.end()) return type;
+  return text_.fail("a type of elements from 1 to 31", std::to_string(*code));
+}
+
+Status GmshReader::read_vertices(const GmshType& type, NumberType of_tags) {
+  const std::size_t line = text_.line();
+  Simplex vertices;
+  while (vertices.size() < type.vertices) {
+    const Result<Vertex> vertex = text_.integer(of_tags, "a node of " + std::string(type.name));
+    if (!vertex) return tl::unexpected(vertex.error());
+    vertices.push_back(*vertex);
+  }
+  add_element(file_, type.shape, std::move(vertices), type.name, line);
+  return {};
+}
+
+// In text each element has its type and tags; in binary they come in blocks of one type.
+Status GmshReader::read_elements_2() {
+  const Result<std::size_t> count = text_.count_in_text("the number of elements");
+  if (!count) return tl::unexpected(count.error());
+  go_to_numbers();
+  for (std::size_t read = 0; read < *count;) {
+    const std::string one = one_of_all("element", read, *count);
+    if (!text_.is_binary()) {
+      if (const Result<Vertex> tag = text_.integer(kInt32, one); !tag) {
+        return tl::unexpected(tag.error());
+      }
+    }
+    const Result<const GmshType*> type = read_type();
+    if (!type) return tl::unexpected(type.error());
+    Result<std::size_t> in_block = 1;
+    if (text_.is_binary()) in_block = text_.count(kInt32, "the number of elements of a block");
+    if (!in_block) return tl::unexpected(in_block.error());
+    const Result<std::size_t> tags = text_.count(kInt32, "the number of tags of " + one);
+    if (!tags) return tl::unexpected(tags.error());
+    for (std::size_t i = 0; i < *in_block; ++i) {
+      const std::size_t before = *tags + (text_.is_binary() ? 1 : 0);  // its own tag among them
+      Status status = text_.skip_numbers(kInt32, before, "a tag of " + one);
+      if (status) status = read_vertices(**type, kInt32);
+      if (!status) return status;
+    }
+    read += *in_block;
+    if (read > *count) {
+      return text_.fail(std::to_string(*count) + " elements", std::to_string(read) + " in blocks");
+    }
+  }
+  return {};
+}
+
+Status GmshReader::read_element_block(std::size_t& read) {
+  Status entity = text_.skip_numbers(kInt32, 2, "the dimension and the tag of an entity");
+  if (!entity) return entity;
+  const Result<const GmshType*> type = read_type();
+  if (!type) return tl::unexpected(type.error());
+  const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
+  if (!count) return tl::unexpected(count.error());
+  for (std::size_t i = 0; i < *count; ++i) {
+    const Result<Vertex> tag = text_.integer(kUint64, one_of_all("element", i, *count));
+    if (!tag) return tl::unexpected(tag.error());
+    if (Status vertices = read_vertices(**type, kUint64); !vertices) return vertices;
+  }
+  read += *count;
+  return {};
+}
+
+Status GmshReader::read_elements_4() {
+  go_to_numbers();
+  const Result<std::size_t> blocks = text_.count(kUint64, "the number of blocks of elements");
+  if (!blocks) return tl::unexpected(blocks.error());
+  const Result<std::size_t> count = text_.count(kUint64, "the number of elements");
+  if (!count) return tl::unexpected(count.error());
+  Status status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of elements");
+  std::size_t read = 0;
+  for (std::size_t i = 0; status && i < *blocks; ++i) status = read_element_block(read);
+  if (!status || read == *count) return status;
+  return text_.fail(std::to_string(*count) + " elements in all blocks", std::to_string(read));
+}
+
+// Requires: `keyword` has just been read, and begins with '$'.
+Status GmshReader::read_section(std::string_view keyword) {
+  const std::string end = "$End" + std::string(keyword.substr(1));
+  if (keyword == "$Nodes" || keyword == "$Elements") {
+    bool& is_there = keyword == "$Nodes" ? has_nodes_ : has_elements_;
+    if (is_there) return text_.fail_at_word("one section " + std::string(keyword));
+    is_there = true;
+    Status status;
+    if (keyword == "$Nodes") {
+      status = version_ == 2 ? read_nodes_2() : read_nodes_4();
+    } else {
+      status = version_ == 2 ? read_elements_2() : read_elements_4();
+    }
+    return status ? expect_word(end) : status;
+  }
+  const std::size_t line = text_.line();
+  if (text_.skip_behind(end)) return {};
+  return tl::unexpected(FormatError{text_.name(), line,
+                                    end + " behind " + std::string(keyword).substr(0, 40),
+                                    "the end of the file"});
+}
+
+// Points in the order of their tags, which become indices: as they are, or, where they leave gaps,
+// counted from 1.
+Status GmshReader::count_from_lowest_tag() {
+  std::vector<std::size_t> order(tags_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return tags_[a] < tags_[b]; });
+  std::vector<Vertex> sorted_tags;
+  std::vector<Point> points;
+  for (const std::size_t i : order) {
+    if (!sorted_tags.empty() && sorted_tags.back() == tags_[i]) {
+      return tl::unexpected(FormatError{text_.name(), 0, "a tag of its own for each node",
+                                        "tag " + std::to_string(tags_[i]) + " twice"});
+    }
+    sorted_tags.push_back(tags_[i]);
+    points.push_back(std::move(file_.points.points[i]));
+  }
+  file_.points.points = std::move(points);
+  file_.points.first_index = sorted_tags.empty() ? 1 : sorted_tags.front();
+  // No difference of two tags can overflow before it is known to be small.
+  bool has_gaps = false;
+  for (std::size_t i = 1; i < sorted_tags.size(); ++i) {
+    has_gaps = has_gaps || sorted_tags[i] != sorted_tags[i - 1] + 1;
+  }
+  if (!has_gaps) return {};
+  file_.points.first_index = 1;
+  file_.notes.push_back(text_.name() +
+                        ": the tags of nodes leave gaps; nodes are counted from 1 in their order");
+  for (SimplexFile* const list :
+       {&file_.edges, &file_.triangles, &file_.polygons, &file_.tetrahedra, &file_.other_solids}) {
+    for (std::size_t i = 0; i < list->simplices.size(); ++i) {
+      for (Vertex& v : list->simplices[i]) {
+        const auto found = std::lower_bound(sorted_tags.begin(), sorted_tags.end(), v);
+        if (found == sorted_tags.end() || *found != v) {
+          return tl::unexpected(FormatError{text_.name(), list->lines[i],
+                                            "the tag of a node in $Nodes", std::to_string(v)});
+        }
+        v = 1 + (found - sorted_tags.begin());
+      }
+    }
+  }
+  return {};
+}
+
+Result<ElementFile> GmshReader::read() {
+  if (text_.peek() == "$Comments") {
+    text_.word();
+    if (Status comments = read_section("$Comments"); !comments) {
+      return tl::unexpected(comments.error());
+    }
+  }
+  if (Status header = read_header(); !header) return tl::unexpected(header.error());
+  file_.points.dimension = 3;
+  while (true) {
+    const std::string_view keyword = text_.word();
+    if (keyword.empty()) break;
+    if (keyword.front() != '$') return text_.fail_at_word("a section, as $Nodes");
+    if (Status section = read_section(keyword); !section) return tl::unexpected(section.error());
+  }
+  if (!has_nodes_) return text_.fail_at_word("the section $Nodes");
+  if (!has_elements_) return text_.fail_at_word("the section $Elements");
+  if (Status tags = count_from_lowest_tag(); !tags) return tl::unexpected(tags.error());
+  finish_elements(file_);
+  return std::move(file_);
+}
+
+}  // namespace
+
+bool is_gmsh_keyword(std::string_view token) { return token == "$MeshFormat"; }
+
+Result<ElementFile> read_gmsh(const Source& source, NumberReading reading) {
+  return GmshReader(source, reading).read();
+}
+
+void write_gmsh(std::ostream& out, const ElementFile& file) {
+  const std::vector<Point>& points = file.points.points;
+  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(points.size()) + "\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out << std::to_string(i + 1) + " " + joined(points[i]) +
+               (points[i].size() == 2 ? " 0\n" : "\n");
+  }
+  const std::array<std::pair<const SimplexFile*, const char*>, 3> lists = {
+      {{&file.edges, " 1 2 0 1 "},
+       {&file.triangles, " 2 2 0 1 "},
+       {&file.tetrahedra, " 4 2 0 1 "}}};
+  std::size_t count = 0;
+  for (const auto& list : lists) count += list.first->simplices.size();
+  out << "$EndNodes\n$Elements\n" + std::to_string(count) + "\n";
+  std::size_t tag = 0;
+  for (const auto& [list, type] : lists) {
+    for (Simplex vertices : list->simplices) {
+      for (Vertex& v : vertices) v = index_of_place(place_of_index(v, file.points.first_index), 1);
+      out << std::to_string(++tag) + type + joined(vertices) + "\n";
+    }
+  }
+  out << "$EndElements\n";
+}
+
+}  // namespace circumspect::formats

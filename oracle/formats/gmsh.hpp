@@ -1,0 +1,30 @@
+// Meshes as Gmsh writes them, in text or binary of either byte order: .msh, version 2 and 4.1.
+//
+//     $MeshFormat                                 version, 0 (text) or 1 (binary), 8
+//     $Nodes                                      each has a tag of its own, in any order
+//     $Elements                                   of all dimensions; tags and entities are read over
+//     $Entities, $PhysicalNames, $NodeData, …     other sections are read over
+//
+// Numbers follow one another, wherever lines end.
+#pragma once
+
+#include <ostream>
+
+#include "oracle/formats/element_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::formats {
+
+// Is this the word with which such a file begins?
+bool is_gmsh_keyword(std::string_view token);
+
+// Points are in the order of their tags and counted from the lowest; where tags leave gaps, they are
+// counted from 1, which is noted.
+Result<ElementFile> read_gmsh(const Source& source, NumberReading reading);
+
+// Version 2.2, in text; tags count from 1. Requires: points of dimension 2 or 3, whose third coordinate is
+// written as 0; vertices are counted from the first index of the points.
+void write_gmsh(std::ostream& out, const ElementFile& file);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,228 @@
+#include "oracle/formats/mesh_formats.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "oracle/formats/ele.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/json.hpp"
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/medit.hpp"
+#include "oracle/formats/node.hpp"
+#include "oracle/formats/npy.hpp"
+#include "oracle/formats/obj.hpp"
+#include "oracle/formats/off.hpp"
+#include "oracle/formats/ply.hpp"
+#include "oracle/formats/point_lists.hpp"
+#include "oracle/formats/qhull.hpp"
+#include "oracle/formats/tet.hpp"
+#include "oracle/formats/vtk.hpp"
+#include "oracle/formats/vtu.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+Result<RawPoints> points_alone(const Source& source, Result<PointFile> file) {
+  if (!file) return tl::unexpected(file.error());
+  return RawPoints{std::move(*file), {}, source.name};
+}
+
+Result<Contents> simplices_alone(Result<SimplexFile> file) {
+  if (!file) return tl::unexpected(file.error());
+  return Contents{std::move(*file), {}};
+}
+
+Result<RawPoints> points_of_node(const Source& source, NumberReading reading) {
+  return points_alone(source, read_node(source, reading));
+}
+
+Result<RawPoints> points_of_qhull(const Source& source, NumberReading reading) {
+  return points_alone(source, read_qhull_points(source, reading));
+}
+
+Result<RawPoints> points_of_off(const Source& source, NumberReading reading) {
+  Result<OffFile> file = read_off(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  return points_alone(source, std::move(file->points));
+}
+
+Result<RawPoints> points_of_json(const Source& source, NumberReading reading) {
+  Result<JsonFile> file = read_json(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  return RawPoints{std::move(file->points), std::move(file->weights), source.name};
+}
+
+Result<Contents> mesh_of_ele(const Source& source, NumberReading reading) {
+  return simplices_alone(read_ele(source, reading));
+}
+
+Result<Contents> mesh_of_qhull(const Source& source, NumberReading) {
+  return simplices_alone(read_qhull_simplices(source));
+}
+
+Result<RawPoints> points_of_npy(const Source& source, NumberReading) {
+  return points_alone(source, read_npy_points(source));
+}
+
+Result<RawPoints> points_of_xyz(const Source& source, NumberReading reading) {
+  return points_alone(source, read_xyz(source, reading));
+}
+
+Result<RawPoints> points_of_csv(const Source& source, NumberReading reading) {
+  return points_alone(source, read_csv(source, reading));
+}
+
+Result<Contents> mesh_of_npy(const Source& source, NumberReading) {
+  return simplices_alone(read_npy_simplices(source));
+}
+
+Result<Contents> mesh_of_off(const Source& source, NumberReading reading) {
+  Result<OffFile> file = read_off(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  const SimplexFile& faces = file->faces;
+  for (std::size_t i = 0; i < faces.simplices.size(); ++i) {
+    if (faces.simplices[i].size() == 3) continue;
+    return tl::unexpected(
+        FormatError{source.name, faces.lines[i], "a triangle",
+                    "a face with " + std::to_string(faces.simplices[i].size()) + " vertices"});
+  }
+  RawPoints points{std::move(file->points), {}, source.name};
+  return Contents{std::move(file->faces), std::move(points)};
+}
+
+Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
+  Result<JsonFile> file = read_json(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  if (!file->has_simplices) {
+    return tl::unexpected(
+        FormatError{source.name, 0, "a mesh, with the key \"simplices\"", "points alone"});
+  }
+  RawPoints points{std::move(file->points), std::move(file->weights), source.name};
+  return Contents{std::move(file->simplices), std::move(points), std::move(file->faces.simplices)};
+}
+
+// Files of elements. Where a format knows points of space alone, those of the plane are recognized.
+using ElementReader = Result<ElementFile> (*)(const Source&, NumberReading);
+
+template <ElementReader read>
+Result<RawPoints> points_of_elements(const Source& source, NumberReading reading) {
+  Result<ElementFile> file = read(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  if (read != read_medit) take_for_plane(*file, source.name);
+  return points_alone(source, std::move(file->points));
+}
+
+// The simplices of the highest dimension; those of lower dimensions are listed beside them.
+template <ElementReader read>
+Result<Contents> mesh_of_elements(const Source& source, NumberReading reading) {
+  Result<ElementFile> file = read(source, reading);
+  if (!file) return tl::unexpected(file.error());
+  const Status simplices = check_simplices(*file, source.name);
+  if (!simplices) return tl::unexpected(simplices.error());
+  Contents contents;
+  contents.may_be_of_plane = read != read_medit && is_of_plane(*file);
+  TopElements top = top_elements(*file);
+  contents.simplices = std::move(top.simplices);
+  contents.faces = std::move(top.faces);
+  contents.points = RawPoints{std::move(file->points), {}, source.name};
+  contents.notes = std::move(file->notes);
+  return contents;
+}
+
+constexpr std::array kFormats = {
+    MeshFormat{".node", points_of_node, nullptr, "", ".ele"},
+    MeshFormat{".ele", nullptr, mesh_of_ele, ".node", ""},
+    MeshFormat{".neigh", nullptr, nullptr, "", ""},
+    MeshFormat{".json", points_of_json, mesh_of_json, "", ""},
+    MeshFormat{".off", points_of_off, mesh_of_off, "", ""},
+    MeshFormat{".mesh", points_of_elements<read_medit>, mesh_of_elements<read_medit>, "", ""},
+    MeshFormat{".msh", points_of_elements<read_gmsh>, mesh_of_elements<read_gmsh>, "", ""},
+    MeshFormat{".vtk", points_of_elements<read_vtk>, mesh_of_elements<read_vtk>, "", ""},
+    MeshFormat{".vtu", points_of_elements<read_vtu>, mesh_of_elements<read_vtu>, "", ""},
+    MeshFormat{".vtp", points_of_elements<read_vtu>, mesh_of_elements<read_vtu>, "", ""},
+    MeshFormat{".tet", points_of_elements<read_tet>, mesh_of_elements<read_tet>, "", ""},
+    MeshFormat{".tetrahedra", points_of_elements<read_tet>, mesh_of_elements<read_tet>, "", ""},
+    MeshFormat{".obj", points_of_elements<read_obj>, mesh_of_elements<read_obj>, "", ""},
+    MeshFormat{".ply", points_of_elements<read_ply_elements>, mesh_of_elements<read_ply_elements>,
+               "", ""},
+    MeshFormat{".xyz", points_of_xyz, nullptr, "", ""},
+    MeshFormat{".csv", points_of_csv, nullptr, "", ""},
+    MeshFormat{".npy", points_of_npy, mesh_of_npy, "", ""},
+    MeshFormat{".qhull", points_of_qhull, nullptr, "", ".qhull-i"},
+    MeshFormat{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
+};
+
+// The extensions of all files that have what a reader of this kind reads: ".node, .json".
+template <class Reader>
+std::string kinds(Reader MeshFormat::*reader) {
+  std::string names;
+  for (const MeshFormat& format : kFormats) {
+    if (format.*reader == nullptr) continue;
+    names += (names.empty() ? "" : ", ") + std::string(format.extension);
+  }
+  return names;
+}
+
+bool looks_like_json(const Source& source) {
+  const std::size_t first = source.text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string::npos && source.text[first] == '{';
+}
+
+// How many tokens stand on the first two lines that have any, and the very first of them.
+struct Beginning {
+  explicit Beginning(const Source& source) {
+    Lines lines(source);
+    if (!lines.next()) return;
+    first_token = lines.tokens()[0];
+    on_first_line = lines.size();
+    if (lines.next()) on_second_line = lines.size();
+  }
+  std::string_view first_token;
+  std::size_t on_first_line = 0;
+  std::size_t on_second_line = 0;
+};
+
+// The format of a file that says by its first bytes what it is; null if it does not.
+const MeshFormat* sniff_beginning(const Source& source, const Beginning& beginning) {
+  if (is_npy(source.text)) return format_of(".npy");
+  if (is_vtk(source.text)) return format_of(".vtk");
+  if (is_vtu(source.text)) return format_of(".vtu");
+  if (looks_like_json(source)) return format_of(".json");
+  if (is_off_keyword(beginning.first_token)) return format_of(".off");
+  if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
+  if (is_gmsh_keyword(beginning.first_token)) return format_of(".msh");
+  return beginning.first_token == "ply" ? format_of(".ply") : nullptr;
+}
+
+}  // namespace
+
+const MeshFormat* format_of(std::string_view extension) {
+  const auto* const found =
+      std::find_if(kFormats.begin(), kFormats.end(),
+                   [extension](const MeshFormat& format) { return format.extension == extension; });
+  return found == kFormats.end() ? nullptr : found;
+}
+
+const MeshFormat* sniff_points(const Source& source) {
+  const Beginning beginning(source);
+  if (const MeshFormat* const format = sniff_beginning(source, beginning)) return format;
+  const bool begins_with_number =
+      beginning.first_token.find_first_of("0123456789") <= 1;  // there may be a sign
+  if (!beginning.first_token.empty() && !begins_with_number) return nullptr;
+  return format_of(beginning.on_second_line == 1 ? ".qhull" : ".node");
+}
+
+const MeshFormat* sniff_mesh(const Source& source, bool has_points) {
+  const Beginning beginning(source);
+  if (const MeshFormat* const format = sniff_beginning(source, beginning)) return format;
+  if (!has_points || beginning.on_first_line == 0) return nullptr;
+  return format_of(beginning.on_first_line == 1 ? ".qhull-i" : ".ele");
+}
+
+std::string kinds_of_points() { return kinds(&MeshFormat::points); }
+
+std::string kinds_of_meshes() { return kinds(&MeshFormat::mesh); }
+
+std::string_view first_word(const Source& source) { return Beginning(source).first_token; }
+
+}  // namespace circumspect::formats

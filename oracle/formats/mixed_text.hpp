@@ -1,0 +1,86 @@
+// A file whose words stand in text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
+// arrays of its XML files. Words and numbers follow one another, wherever lines end.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "oracle/formats/bytes.hpp"
+#include "oracle/formats/format_error.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/predicates/configuration.hpp"
+
+namespace circumspect::formats {
+
+// How a number is stored where it is binary; in text it says whether it is an integer.
+struct NumberType {
+  enum class Kind { kSigned, kUnsigned, kFloating } kind = Kind::kSigned;
+  std::size_t size = 0;  // in bytes: 1, 2, 4 or 8; a floating one has 4 or 8
+};
+inline constexpr NumberType kInt32{NumberType::Kind::kSigned, 4};
+inline constexpr NumberType kUint64{NumberType::Kind::kUnsigned, 8};
+inline constexpr NumberType kFloat64{NumberType::Kind::kFloating, 8};
+
+class MixedText {
+ public:
+  // `first_line`: the line of the file on which the text begins. Requires: the text outlives this object.
+  MixedText(std::string name, std::string_view text, NumberReading reading,
+            std::size_t first_line = 1);
+
+  // From here on numbers are binary, or text again. Words are text always.
+  void set_binary(std::optional<ByteOrder> order) { binary_ = order; }
+  bool is_binary() const { return binary_.has_value(); }
+
+  // The next word; empty at the end. Blanks and ends of lines are skipped.
+  std::string_view word();
+  // The next word, still to be read.
+  std::string_view peek();
+  // What is left of the current line, which is read over.
+  std::string_view rest_of_line();
+  // Reads over everything up to behind this text, if it begins a line; false if it never does.
+  bool skip_behind(std::string_view text);
+  // Reads over so many bytes; false if there are not as many.
+  bool skip_bytes(std::size_t count);
+  // Are there no bytes left, or blanks alone where numbers are text?
+  bool is_at_end();
+  std::size_t bytes_left() const { return text_.size() - at_; }
+
+  // The next number; `what` names it in errors. A finite one, if it is floating; an integer, text or binary,
+  // that fits 64 bits.
+  Result<Rational> number(NumberType type, std::string_view what);
+  Result<Vertex> integer(NumberType type, std::string_view what);
+  Result<std::size_t> count(NumberType type, std::string_view what);
+  // In text, whatever the numbers are.
+  Result<std::size_t> count_in_text(std::string_view what);
+  // Reads over so many numbers, which are not looked at.
+  Status skip_numbers(NumberType type, std::size_t count, std::string_view what);
+
+  const std::string& name() const { return name_; }
+  // The line of what was read last; 0 behind binary numbers.
+  std::size_t line() const { return was_binary_ ? 0 : word_line_; }
+  // An error that names the place of what was read last: its line, or its byte where it is binary.
+  tl::unexpected<FormatError> fail(std::string expected, std::string found) const;
+  // The same where the word that was read last is not what was expected.
+  tl::unexpected<FormatError> fail_at_word(std::string expected) const;
+
+ private:
+  void skip_blanks();
+  // The bytes of a binary number; none, with all bytes read, if there are not as many.
+  std::optional<std::uint64_t> bits(std::size_t size);
+
+  std::string name_;
+  std::string_view text_;
+  NumberReading reading_;
+  std::optional<ByteOrder> binary_;
+  std::size_t at_ = 0;
+  std::size_t line_;
+  std::string_view word_;      // read last
+  std::size_t word_line_;      // on which it stands
+  std::size_t number_at_ = 0;  // where the last binary number begins
+  bool was_binary_ = false;    // lines cannot be counted any more
+};
+
+}  // namespace circumspect::formats

@@ -1,0 +1,126 @@
+#include "oracle/formats/obj.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "oracle/formats/lines.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+// What says nothing about points, lines and faces.
+constexpr std::array<std::string_view, 16> kReadOver = {
+    "vt",     "vn",    "p",        "g",        "o",   "s",          "mg",        "usemtl",
+    "mtllib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap"};
+
+// Joins lines that end in a backslash; empty ones in their place keep the numbers of lines.
+Source with_lines_joined(const Source& source) {
+  Source joined{source.name, source.text};
+  std::string& text = joined.text;
+  std::size_t at = 0;
+  std::string result;
+  std::size_t owed = 0;  // ends of lines that were left out
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::size_t last = end;
+    while (last > at && text[last - 1] == '\r') --last;
+    const bool goes_on = last > at && text[last - 1] == '\\';
+    result.append(text, at, (goes_on ? last - 1 : end) - at);
+    if (goes_on) {
+      result += ' ';
+      ++owed;
+    } else {
+      result.append(owed + (end < text.size() ? 1 : 0), '\n');
+      owed = 0;
+    }
+    at = end + 1;
+  }
+  text = std::move(result);
+  return joined;
+}
+
+class ObjReader {
+ public:
+  ObjReader(const Source& source, NumberReading reading) : lines_(source), reading_(reading) {}
+
+  Result<ElementFile> read() {
+    file_.points.dimension = 3;
+    file_.points.first_index = 1;
+    while (lines_.next()) {
+      const std::string_view word = lines_.tokens()[0];
+      Status status;
+      if (word == "v") {
+        status = read_point();
+      } else if (word == "f") {
+        status = read_element(ElementShape::kPolygon, "a face");
+      } else if (word == "l") {
+        status = read_element(ElementShape::kPolyline, "a line");
+      } else if (std::find(kReadOver.begin(), kReadOver.end(), word) == kReadOver.end()) {
+        status = lines_.fail_at(0, "a point (v), a face (f), a line (l) or what may be read over");
+      }
+      if (!status) return tl::unexpected(status.error());
+    }
+    finish_elements(file_);
+    return std::move(file_);
+  }
+
+ private:
+  Status read_point() {
+    if (lines_.size() < 4) {
+      return lines_.fail("3 coordinates", std::to_string(lines_.size() - 1));
+    }
+    Result<Point> point = lines_.numbers(1, 3, reading_);
+    if (!point) return tl::unexpected(point.error());
+    const auto others = lines_.numbers(4, lines_.size() - 4, reading_);
+    if (!others) return tl::unexpected(others.error());
+    file_.points.points.push_back(std::move(*point));
+    return {};
+  }
+
+  // The index of a point: 7, 7/1, 7//2, 7/1/2; from −1 on those before this line, backwards.
+  Result<Vertex> read_vertex(std::size_t column) {
+    const std::string_view token = lines_.tokens()[column];
+    Vertex index = 0;
+    if (parse_integer(token.substr(0, token.find('/')), index) != std::errc()) {
+      return lines_.fail_at(column, "a vertex, an integer that fits 64 bits");
+    }
+    if (index == 0) return lines_.fail_at(column, "a vertex, counted from 1, or back from -1");
+    if (index > 0) return index;
+    const auto count = static_cast<Vertex>(file_.points.points.size());
+    if (index < -count) {
+      return lines_.fail_at(column, "one of the " + std::to_string(count) + " vertices so far");
+    }
+    return count + 1 + index;
+  }
+
+  Status read_element(ElementShape shape, const std::string& name) {
+    Simplex vertices;
+    for (std::size_t column = 1; column < lines_.size(); ++column) {
+      const Result<Vertex> vertex = read_vertex(column);
+      if (!vertex) return tl::unexpected(vertex.error());
+      vertices.push_back(*vertex);
+    }
+    const std::size_t size = vertices.size();
+    const std::string kind =
+        shape == ElementShape::kPolygon ? name + " of " + std::to_string(size) + " vertices" : name;
+    const auto fault = add_element(file_, shape, std::move(vertices), kind, lines_.line());
+    if (!fault) return {};
+    return lines_.fail(
+        name + (shape == ElementShape::kPolygon ? " of 3" : " of 2") + " vertices or more",
+        std::to_string(size));
+  }
+
+  Lines lines_;
+  NumberReading reading_;
+  ElementFile file_;
+};
+
+}  // namespace
+
+Result<ElementFile> read_obj(const Source& source, NumberReading reading) {
+  if (source.text.find('\\') == std::string::npos) return ObjReader(source, reading).read();
+  const Source joined = with_lines_joined(source);
+  return ObjReader(joined, reading).read();
+}
+
+}  // namespace circumspect::formats

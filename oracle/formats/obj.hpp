@@ -1,0 +1,20 @@
+// Surfaces and lines in Wavefront's format, as text: .obj.
+//
+//     v x y z                                     further numbers, weights or colours, are skipped
+//     f 1 2 3 …                                   or 1/t, 1//n, 1/t/n; −1 is the last point so far
+//     l 1 2 …                                     a line of edges end to end
+//     vt, vn, g, o, s, usemtl, mtllib, …          read over
+//
+// A backslash at the end of a line joins it with the next one.
+#pragma once
+
+#include "oracle/formats/element_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::formats {
+
+// Points are counted from 1.
+Result<ElementFile> read_obj(const Source& source, NumberReading reading);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,122 @@
+#include "oracle/formats/tet.hpp"
+
+#include <algorithm>
+
+#include "oracle/formats/mixed_text.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+constexpr NumberType kUint32{NumberType::Kind::kUnsigned, 4};
+
+struct TetCounts {
+  std::size_t vertices = 0;
+  std::size_t tetrahedra = 0;
+  std::size_t outer = 0;
+};
+
+// "8 vertices".
+Result<std::size_t> read_labelled_count(MixedText& text, std::string_view word) {
+  const std::string what = "the number of " + std::string(word);
+  const Result<std::size_t> count = text.count_in_text(what);
+  if (!count) return count;
+  if (text.word() != word) return text.fail_at_word("\"" + std::string(word) + "\"");
+  return count;
+}
+
+Result<TetCounts> read_tet_counts(MixedText& text) {
+  TetCounts counts;
+  const Result<std::size_t> vertices = read_labelled_count(text, "vertices");
+  if (!vertices) return tl::unexpected(vertices.error());
+  counts.vertices = *vertices;
+  const Result<std::size_t> tetrahedra = text.count_in_text("the number of tets");
+  if (!tetrahedra) return tl::unexpected(tetrahedra.error());
+  counts.tetrahedra = *tetrahedra;
+  const bool has_outer = text.peek() == "inner";
+  if (has_outer) text.word();
+  if (text.word() != "tets") return text.fail_at_word("\"tets\" or \"inner tets\"");
+  if (has_outer) {
+    const Result<std::size_t> outer = read_labelled_count(text, "outer");
+    if (!outer) return tl::unexpected(outer.error());
+    counts.outer = *outer;
+    if (text.word() != "tets") return text.fail_at_word("\"tets\"");
+  }
+  text.rest_of_line();
+  return counts;
+}
+
+// Is there a byte that no text has? Vertices have a byte 0, unless there are more than 16 million.
+bool has_bytes_of_no_text(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    const bool is_blank = c == ' ' || (c >= '\t' && c <= '\r');
+    return !is_blank && (c < '!' || c > '~');
+  });
+}
+
+Status read_tetrahedron(MixedText& text, const std::string& one, Simplex& vertices,
+                        std::size_t& line) {
+  if (!text.is_binary()) {
+    const Result<std::size_t> size = text.count(kUint32, "the number of vertices of " + one);
+    if (!size) return tl::unexpected(size.error());
+    if (*size != 4) return text.fail_at_word("4, the number of vertices of " + one);
+  }
+  line = text.line();
+  while (vertices.size() < 4) {
+    const Result<Vertex> vertex = text.integer(kUint32, "a vertex of " + one);
+    if (!vertex) return tl::unexpected(vertex.error());
+    vertices.push_back(*vertex);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<ElementFile> read_tet(const Source& source, NumberReading reading) {
+  MixedText text(source.name, source.text, reading);
+  const Result<TetCounts> counts = read_tet_counts(text);
+  if (!counts) return tl::unexpected(counts.error());
+  const std::string_view body = source.text;
+  if (has_bytes_of_no_text(body.substr(body.size() - text.bytes_left()))) {
+    text.set_binary(ByteOrder::kLittleEndian);
+  }
+  ElementFile file;
+  file.points.dimension = 3;
+  for (std::size_t i = 0; i < counts->vertices; ++i) {
+    const std::string what = "a coordinate of vertex " + std::to_string(i + 1) + " of " +
+                             std::to_string(counts->vertices);
+    Point point;
+    while (point.size() < 3) {
+      Result<Rational> number = text.number(kFloat64, what);
+      if (!number) return tl::unexpected(number.error());
+      point.push_back(std::move(*number));
+    }
+    file.points.points.push_back(std::move(point));
+  }
+  const auto read = [&](std::size_t count, const std::string& kind, bool is_kept) -> Status {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string one = kind + " " + std::to_string(i + 1) + " of " + std::to_string(count);
+      Simplex vertices;
+      std::size_t line = 0;
+      if (Status status = read_tetrahedron(text, one, vertices, line); !status) return status;
+      if (!is_kept) continue;
+      add_element(file, ElementShape::kTetrahedron, std::move(vertices), "a tetrahedron", line);
+    }
+    return {};
+  };
+  Status status = read(counts->tetrahedra, "tetrahedron", true);
+  if (status) status = read(counts->outer, "outer tetrahedron", false);
+  if (!status) return tl::unexpected(status.error());
+  if (!text.is_at_end()) {
+    const std::string more =
+        text.is_binary() ? std::to_string(text.bytes_left()) + " more bytes" : quote(text.word());
+    return text.fail("the end of the file after the last tetrahedron", more);
+  }
+  if (counts->outer > 0) {
+    file.notes.push_back(source.name + ": " + std::to_string(counts->outer) +
+                         " outer tetrahedra were left out");
+  }
+  finish_elements(file);
+  return file;
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,214 @@
+// VTK's legacy and XML files: surfaces, several pieces, what is refused and with which words. The forms of
+// the same mesh are in element_formats_test.cpp.
+#include "oracle/formats/vtk.hpp"
+
+#include <doctest/doctest.h>
+
+#include "oracle/formats/base64.hpp"
+#include "oracle/formats/vtu.hpp"
+#include "oracle/formats/written_elements_test.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+Result<ElementFile> vtk(const std::string& text) {
+  return read_vtk({"f", text}, NumberReading::kDouble);
+}
+Result<ElementFile> xml(const std::string& text) {
+  return read_vtu({"f", text}, NumberReading::kDouble);
+}
+std::string error_of(const Result<ElementFile>& file) {
+  return file ? "no error" : file.error().to_string();
+}
+
+std::string grid(const std::string& sections) {
+  return "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\n" + sections;
+}
+const std::string kPoints = "POINTS 4 float\n0 0 0 1 0 0\n0 1 0 0 0 1\n";
+
+std::string array(const std::string& name, const std::string& type, const std::string& values) {
+  return "<DataArray type=\"" + type + "\" Name=\"" + name +
+         "\" NumberOfComponents=\"3\" format=\"ascii\">" + values + "</DataArray>\n";
+}
+std::string piece(const std::string& points, const std::string& vertices) {
+  return "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n<Points>\n" +
+         array("p", "Float64", points) + "</Points>\n<Cells>\n" +
+         array("connectivity", "Int32", vertices) + array("offsets", "Int32", "3") +
+         array("types", "UInt8", "5") + "</Cells>\n</Piece>\n";
+}
+std::string document(const std::string& pieces, const std::string& type = "UnstructuredGrid",
+                     const std::string& more = "") {
+  return "<VTKFile type=\"" + type + "\"" + more + ">\n<" + type + ">\n" + pieces + "</" + type +
+         ">\n</VTKFile>\n";
+}
+const std::string kThree = "0 0 0 1 0 0 0 1 0";
+
+}  // namespace
+
+TEST_CASE("vtk: surfaces list their cells by type") {
+  const auto file = vtk("# vtk DataFile Version 2.0\n\nascii\ndataset polydata\n" + kPoints +
+                        "VERTICES 1 2\n1 0\nLINES 1 4\n3 0 1 3\nPOLYGONS 2 9\n3 0 1 2\n4 0 1 2 "
+                        "3\nTRIANGLE_STRIPS 1 5\n"
+                        "4 0 1 2 3\nPOINT_DATA 4\nSCALARS a float\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->edges.simplices == std::vector<Simplex>{{0, 1}, {1, 3}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 1, 2}, {2, 1, 3}});
+  CHECK(file->triangles.lines == std::vector<std::size_t>{13, 16, 16});
+  CHECK(file->polygons.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+}
+
+TEST_CASE("vtk: numbers in text are what is written; binary floats are exact") {
+  const auto text = vtk(grid("POINTS 1 float\n0.1 1/3 0\n"));
+  REQUIRE_MESSAGE(text, error_of(text));
+  CHECK(text->points.points == std::vector<Point>{{exact_value(0.1), Rational(1, 3), 0}});
+  const std::string header =
+      "# vtk DataFile Version 3.0\ntitle\nBINARY\nDATASET POLYDATA\nPOINTS 1 ";
+  const auto floats = [&](std::uint64_t x) {
+    return vtk(header + "float\n" + stored(x, 4, ByteOrder::kBigEndian) +
+               stored(1, 4, ByteOrder::kBigEndian) + stored(0, 4, ByteOrder::kBigEndian));
+  };
+  const auto third = floats(0x3eaaaaab);
+  REQUIRE_MESSAGE(third, error_of(third));
+  CHECK(third->points.points.front()[0] == Rational(11184811, 33554432));
+  CHECK(third->points.points.front()[1] == exact_value(std::ldexp(1, -149)));
+  CHECK(error_of(floats(0x7fc00000)) ==
+        "f: expected a coordinate of point 1 of 1, a finite number, found NaN or an infinity at "
+        "byte 72");
+}
+
+TEST_CASE("vtk: what is refused") {
+  CHECK(error_of(vtk("vtk")) == "f:1: expected \"# vtk DataFile Version …\", found \"vtk\"");
+  CHECK(error_of(vtk("# vtk DataFile Version 3.0\n\nTEXT\n")) ==
+        "f:3: expected ASCII or BINARY, found \"TEXT\"");
+  CHECK(error_of(vtk("# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n")) ==
+        "f:4: expected UNSTRUCTURED_GRID or POLYDATA, found \"STRUCTURED_POINTS\"");
+  CHECK(error_of(vtk(grid(""))) == "f:4: expected the section POINTS, found the end of the file");
+  CHECK(error_of(vtk(grid("POINTS 2 bit\n"))) ==
+        "f:5: expected a type of numbers, as double, found \"bit\"");
+  CHECK(error_of(vtk(grid("POINTS 999999999999 double\n0 0\n"))) ==
+        "f:6: expected a coordinate of point 1 of 999999999999, found the end of the file");
+  CHECK(error_of(vtk(grid(kPoints + kPoints))) ==
+        "f:8: expected one section POINTS, found \"POINTS\"");
+  CHECK(error_of(vtk(grid(kPoints + "CELLS 1 5\n4 0 1 2 3\n"))) ==
+        "f:9: expected as many CELL_TYPES as CELLS, 1, found 0");
+  CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n4 0 1 2 3\nCELL_TYPES 1\n10\n"))) ==
+        "f:9: expected 4 numbers of 1 cells, found 5");
+  CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"))) ==
+        "f:9: expected a tetrahedron of 4 vertices, found type 10 of 3 vertices");
+  CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n0\n"))) ==
+        "f:9: expected a type of cells that VTK knows, found type 0 of 3 vertices");
+  CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n-3 0 1 2\n"))) ==
+        "f:9: expected the number of vertices of cell 1 of 1, 0 or more, found -3");
+  CHECK(error_of(vtk(grid(kPoints + "SCALARS a float\n"))) ==
+        "f:8: expected a section, as POINTS or CELLS, found \"SCALARS\"");
+  const std::string five = "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET POLYDATA\n" + kPoints;
+  CHECK(
+      error_of(vtk(
+          five + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2\n")) ==
+      "f:8: expected an offset from 0 to 3, found 4");
+  CHECK(
+      error_of(vtk(
+          five + "POLYGONS 2 3\nOFFSETS vtktypeint64\n1 3\nCONNECTIVITY vtktypeint64\n0 1 2\n")) ==
+      "f:12: expected the first offset 0, found 1");
+  CHECK(
+      error_of(vtk(
+          five + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1 2\n")) ==
+      "f:8: expected offsets up to 3, the end of the vertices of cells, found 2");
+  CHECK(error_of(vtk(
+            five + "POLYGONS 2 2\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1\n")) ==
+        "f:8: expected a polygon of 3 vertices or more, found one of 2");
+}
+
+TEST_CASE("vtu: points of several pieces follow one another") {
+  const auto file = xml(document(piece(kThree, "0 1 2") + piece("5 0 0 6 0 0 5 1 0", "2 1 0")));
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points.size() == 6);
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}, {5, 4, 3}});
+  CHECK(error_of(xml(document(piece(kThree, "0 1 3") + piece(kThree, "2 1 0")))) ==
+        "f:7: expected a point of this piece in cell 1, found 3");
+  // Of one piece alone it is the mesh's fault.
+  CHECK(xml(document(piece(kThree, "0 1 3"))));
+}
+
+TEST_CASE("vtp: surfaces") {
+  const auto file =
+      xml(document("<Piece NumberOfPoints=\"3\" NumberOfVerts=\"0\" NumberOfLines=\"1\" "
+                   "NumberOfPolys=\"1\">\n<Points>\n" +
+                       array("p", "Float64", kThree) + "</Points>\n<Lines>\n" +
+                       array("connectivity", "Int64", "0 2") + array("offsets", "Int64", "2") +
+                       "</Lines>\n<Polys>\n" + array("connectivity", "Int64", "2 1 0") +
+                       array("offsets", "Int64", "3") + "</Polys>\n</Piece>\n",
+                   "PolyData"));
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->edges.simplices == std::vector<Simplex>{{0, 2}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{2, 1, 0}});
+}
+
+TEST_CASE("vtu: what is refused") {
+  CHECK(error_of(xml("<VTKFile>\n<a>\n</b>\n</VTKFile>"))
+            .starts_with("f:3: expected XML, found a fault: "));
+  CHECK(error_of(xml("<html/>")) == "f:1: expected the element VTKFile, found \"html\"");
+  CHECK(error_of(xml("\n<VTKFile type=\"ImageData\"/>")) ==
+        "f:2: expected type=\"UnstructuredGrid\" or \"PolyData\", found \"ImageData\"");
+  CHECK(error_of(xml(document("", "UnstructuredGrid", " byte_order=\"PDP\""))) ==
+        "f:1: expected byte_order=\"LittleEndian\" or \"BigEndian\", found \"PDP\"");
+  CHECK(error_of(xml(document("", "UnstructuredGrid", " compressor=\"vtkLZ4DataCompressor\""))) ==
+        "f:1: expected no compressor or vtkZLibDataCompressor, found \"vtkLZ4DataCompressor\"");
+  CHECK(error_of(xml(document(""))) ==
+        "f:1: expected an element UnstructuredGrid with a Piece, found none");
+  CHECK(error_of(xml(document("<Piece NumberOfCells=\"1\"/>\n"))) ==
+        "f:3: expected NumberOfPoints=\"N\", an integer, 0 or more, found none");
+  CHECK(error_of(xml(document(piece("0 0 0 1 0 0 0 1", "0 1 2")))) ==
+        "f:5: expected a coordinate of point 3 of 3, found the end of the file");
+  CHECK(error_of(xml(document(piece(kThree + " 7", "0 1 2")))) ==
+        "f:5: expected the end of the points, found \"7\"");
+  CHECK(error_of(xml(document(piece("0 0 0\n1 0 0\n0 x 0", "0 1 2")))) ==
+        "f:7: expected a coordinate of point 3 of 3, a finite number, found \"x\"");
+  CHECK(error_of(xml(document(piece(kThree, "0 1")))) ==
+        "f:8: expected one of 3 connectivity, found the end of the file");
+}
+
+TEST_CASE("vtu: bytes that are not what their lengths promise") {
+  using enum VtuForm::Place;
+  const WrittenMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const std::string raw = vtu(mesh, {kAppendedRaw});
+  const auto with_length = [&](const std::string& length) {
+    std::string text = raw;
+    return error_of(xml(text.replace(text.find("\n_") + 2, 4, length)));
+  };
+  CHECK(with_length(std::string("\x48\0\0\0", 4)) == "no error");
+  CHECK(with_length("\xff\xff\xff\xff")
+            .starts_with("f:6: expected 4294967295 bytes of the array, found "));
+  CHECK(with_length(std::string("\x40\0\0\0", 4)) ==
+        "f:6: expected a coordinate of point 3 of 3, found the end of the data at byte 64");
+  std::string inline_text = vtu(mesh, {kInline});
+  inline_text.replace(inline_text.find("binary\">\n  ") + 11, 4, "~~~~");
+  CHECK(error_of(xml(inline_text)) == "f:6: expected bytes in base 64, found other characters");
+  std::string packed = vtu(mesh, {kAppendedRaw, true});
+  const std::size_t head = packed.find("\n_") + 2;
+  std::string many = packed;
+  CHECK(error_of(xml(many.replace(head, 4, "\xff\xff\xff\xff"))) ==
+        "f:6: expected compressed blocks, found 4294967295, more than there are bytes");
+  std::string large = packed;
+  CHECK(error_of(xml(large.replace(head + 4, 4, "\xff\xff\xff\xff")))
+            .starts_with("f:6: expected block 1 of 2, compressed, of 4294967295 bytes, found "));
+  std::string broken = packed;
+  CHECK(error_of(xml(broken.replace(head + 20, 4, "abcd"))) ==
+        "f:6: expected block 1 of 2, compressed, of 50 bytes, found other data");
+  std::string far = raw;
+  CHECK(error_of(xml(far.replace(far.find("offset=\"0\""), 10, "offset=\"999\"")))
+            .starts_with("f:6: expected an offset within the "));
+}
+
+TEST_CASE("base 64: padding within, blanks, faults") {
+  CHECK(decode_base64("QUJD", 3) == "ABC");
+  CHECK(decode_base64("QQ==QkM=", 9) == "ABC");
+  CHECK(decode_base64(" Q\nUJ D", 2) == "AB");
+  CHECK(decode_base64("", 5) == "");
+  CHECK(!decode_base64("QUJ", 3));
+  CHECK(!decode_base64("QU*D", 3));
+  CHECK(!decode_base64("Q=BD", 3));
+  CHECK(!decode_base64("Q===", 3));
+}
+
+}  // namespace circumspect::formats

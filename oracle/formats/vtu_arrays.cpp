@@ -1,0 +1,244 @@
+#include "oracle/formats/vtu_arrays.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <zlib.h>
+
+#include "oracle/formats/base64.hpp"
+#include "oracle/formats/lines.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+constexpr std::string_view kAppended = "<AppendedData";
+
+// zlib makes at most this of a byte.
+constexpr std::size_t kLargestGrowth = 1032;
+
+// Where the bytes stand that are no XML; none: begin is the end of the text.
+struct Appended {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t size() const { return end - begin; }
+};
+
+Appended find_appended(std::string_view text) {
+  const std::size_t element = text.find(kAppended);
+  const Appended none{text.size(), text.size()};
+  if (element == std::string_view::npos) return none;
+  const std::size_t tag_end = text.find('>', element);
+  const std::size_t begin = text.find('_', tag_end);
+  if (tag_end == std::string_view::npos || begin == std::string_view::npos) return none;
+  const std::size_t end = text.rfind("</AppendedData");
+  if (end == std::string_view::npos || end < begin) return {begin + 1, text.size()};  // cut off
+  return {begin + 1, end};
+}
+
+std::size_t line_at(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+}
+
+// The bytes from `begin` on, at most `count`.
+std::optional<std::string> first_bytes(std::string_view stored, bool is_base64, std::size_t count) {
+  if (is_base64) return decode_base64(stored, count);
+  return std::string(stored.substr(0, count));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<VtuDocument>> VtuDocument::parse(const Source& source,
+                                                        NumberReading reading) {
+  std::unique_ptr<VtuDocument> file(new VtuDocument(source, reading));
+  const std::string_view text = source.text;
+  const Appended appended = find_appended(text);
+  file->appended_ = text.substr(appended.begin, appended.size());
+  std::string without_bytes;
+  if (appended.size() > 0) {
+    without_bytes = source.text;
+    without_bytes.erase(appended.begin, appended.size());
+  }
+  const std::string& xml = appended.size() > 0 ? without_bytes : source.text;
+  const pugi::xml_parse_result parsed =
+      file->document_.load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!parsed) {
+    auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
+    if (offset >= appended.begin) offset += appended.size();
+    return tl::unexpected(FormatError{source.name, line_at(xml, offset), "XML",
+                                      "a fault: " + std::string(parsed.description())});
+  }
+  if (Status attributes = file->read_attributes(); !attributes) {
+    return tl::unexpected(attributes.error());
+  }
+  return file;
+}
+
+std::size_t VtuDocument::line_of(pugi::xml_node node) const {
+  const std::ptrdiff_t offset = node.offset_debug();
+  return offset < 0 ? 0 : line_at(source_.text, static_cast<std::size_t>(offset));
+}
+
+tl::unexpected<FormatError> VtuDocument::fail(pugi::xml_node node, std::string expected,
+                                              std::string found) const {
+  return tl::unexpected(
+      FormatError{source_.name, line_of(node), std::move(expected), std::move(found)});
+}
+
+Result<std::size_t> VtuDocument::count(pugi::xml_node node, const char* attribute) const {
+  const std::string text = node.attribute(attribute).value();
+  Vertex value = 0;
+  const std::errc error = parse_integer(text, value);
+  if (error == std::errc() && value >= 0) return static_cast<std::size_t>(value);
+  return fail(node, std::string(attribute) + "=\"N\", an integer, 0 or more",
+              text.empty() ? "none" : quote(text));
+}
+
+Status VtuDocument::read_attributes() {
+  if (!root()) {
+    return tl::unexpected(
+        FormatError{source_.name, 1, "the element VTKFile", quote(document_.first_child().name())});
+  }
+  const std::string order = root().attribute("byte_order").as_string("LittleEndian");
+  if (order != "LittleEndian" && order != "BigEndian") {
+    return fail(root(), "byte_order=\"LittleEndian\" or \"BigEndian\"", quote(order));
+  }
+  if (order == "BigEndian") order_ = ByteOrder::kBigEndian;
+  const std::string lengths = root().attribute("header_type").as_string("UInt32");
+  if (lengths != "UInt32" && lengths != "UInt64") {
+    return fail(root(), "header_type=\"UInt32\" or \"UInt64\"", quote(lengths));
+  }
+  if (lengths == "UInt64") size_of_lengths_ = 8;
+  const std::string compressor = root().attribute("compressor").value();
+  is_compressed_ = compressor == "vtkZLibDataCompressor";
+  if (!is_compressed_ && !compressor.empty()) {
+    return fail(root(), "no compressor or vtkZLibDataCompressor", quote(compressor));
+  }
+  is_appended_base64_ =
+      std::string_view(root().child("AppendedData").attribute("encoding").value()) == "base64";
+  return {};
+}
+
+// Behind one length: so many bytes.
+Result<std::string> VtuDocument::decode(pugi::xml_node node, std::string_view stored,
+                                        bool is_base64) const {
+  const auto head = first_bytes(stored, is_base64, size_of_lengths_);
+  if (!head) return fail(node, "bytes in base 64", "other characters");
+  const auto length = Bytes(*head, order_).unsigned_integer(size_of_lengths_);
+  if (!length) return fail(node, "the number of bytes of the array", "the end of the data");
+  const std::size_t most = stored.size();  // base 64 never holds more
+  auto bytes =
+      first_bytes(stored, is_base64, size_of_lengths_ + std::min<std::size_t>(*length, most));
+  if (!bytes) return fail(node, "bytes in base 64", "other characters");
+  if (bytes->size() - size_of_lengths_ < *length) {
+    return fail(node, std::to_string(*length) + " bytes of the array",
+                std::to_string(bytes->size() - size_of_lengths_));
+  }
+  bytes->erase(0, size_of_lengths_);
+  return std::move(*bytes);
+}
+
+// Behind the number of blocks, their size, that of the last and the size of each when compressed.
+Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view stored,
+                                         bool is_base64) const {
+  const std::size_t most = stored.size();  // base 64 never holds more
+  const auto beginning = first_bytes(stored, is_base64, size_of_lengths_);
+  if (!beginning) return fail(node, "bytes in base 64", "other characters");
+  const auto blocks = Bytes(*beginning, order_).unsigned_integer(size_of_lengths_);
+  if (!blocks) return fail(node, "the number of compressed blocks", "the end of the data");
+  if (*blocks == 0) return std::string();
+  if (*blocks > most / size_of_lengths_) {
+    return fail(node, "compressed blocks", std::to_string(*blocks) + ", more than there are bytes");
+  }
+  const std::size_t head_size = (3 + *blocks) * size_of_lengths_;
+  const auto head = first_bytes(stored, is_base64, head_size);
+  if (!head) return fail(node, "bytes in base 64", "other characters");
+  if (head->size() < head_size) {
+    return fail(node, "the sizes of " + std::to_string(*blocks) + " compressed blocks",
+                "the end of the data");
+  }
+  Bytes lengths(*head, order_);
+  lengths.skip(size_of_lengths_);
+  const std::size_t whole = *lengths.unsigned_integer(size_of_lengths_);
+  const std::size_t last = *lengths.unsigned_integer(size_of_lengths_);
+  std::vector<std::size_t> sizes;
+  std::size_t total = 0;
+  while (sizes.size() < *blocks) {
+    sizes.push_back(*lengths.unsigned_integer(size_of_lengths_));
+    if (sizes.back() > most - total) return fail(node, "compressed blocks", "the end of the data");
+    total += sizes.back();
+  }
+  const auto all = first_bytes(stored, is_base64, head_size + total);
+  if (!all) return fail(node, "bytes in base 64", "other characters");
+  if (all->size() < head_size + total) {
+    return fail(node, "compressed blocks", "the end of the data");
+  }
+  std::string_view rest = std::string_view(*all).substr(head_size);
+  std::string bytes;
+  for (std::size_t i = 0; i < *blocks; ++i) {
+    const std::string block =
+        "block " + std::to_string(i + 1) + " of " + std::to_string(*blocks) + ", compressed";
+    const std::size_t size = sizes[i];
+    const std::size_t wanted = i + 1 == *blocks && last != 0 ? last : whole;
+    if (wanted / kLargestGrowth > size) {
+      return fail(node, block + ", of " + std::to_string(wanted) + " bytes",
+                  std::to_string(size) + " bytes, which cannot hold as many");
+    }
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + wanted);
+    uLongf made = wanted;
+    const int status = ::uncompress(reinterpret_cast<Bytef*>(bytes.data() + begin), &made,
+                                    reinterpret_cast<const Bytef*>(rest.data()), size);
+    if (status != Z_OK || made != wanted) {
+      return fail(node, block + ", of " + std::to_string(wanted) + " bytes", "other data");
+    }
+    rest.remove_prefix(size);
+  }
+  return bytes;
+}
+
+Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) const {
+  using enum NumberType::Kind;
+  static const std::map<std::string, NumberType, std::less<>> types = {
+      {"Int8", {kSigned, 1}},     {"UInt8", {kUnsigned, 1}},  {"Int16", {kSigned, 2}},
+      {"UInt16", {kUnsigned, 2}}, {"Int32", {kSigned, 4}},    {"UInt32", {kUnsigned, 4}},
+      {"Int64", {kSigned, 8}},    {"UInt64", {kUnsigned, 8}}, {"Float32", {kFloating, 4}},
+      {"Float64", {kFloating, 8}}};
+  const std::string_view type_name = node.attribute("type").value();
+  const auto type = types.find(type_name);
+  if (type == types.end()) {
+    return fail(node, "a type of numbers, as Float64", quote(type_name));
+  }
+  const std::string_view format = node.attribute("format").value();
+  const pugi::xml_node content =
+      node.find_child([](pugi::xml_node child) { return child.type() == pugi::node_pcdata; });
+  const std::string_view own = content.value();
+  if (format == "ascii") {
+    const std::size_t line = content ? line_of(content) : line_of(node);
+    return Array{type->second, nullptr, MixedText(source_.name, own, reading_, line)};
+  }
+  std::string_view stored = own;
+  if (format == "appended") {
+    const Result<std::size_t> offset = count(node, "offset");
+    if (!offset) return tl::unexpected(offset.error());
+    if (*offset > appended_.size()) {
+      return fail(
+          node,
+          "an offset within the " + std::to_string(appended_.size()) + " bytes of AppendedData",
+          std::to_string(*offset));
+    }
+    stored = appended_.substr(*offset);
+  } else if (format != "binary") {
+    return fail(node, "format=\"ascii\", \"binary\" or \"appended\"", quote(format));
+  }
+  const bool is_base64 = format == "binary" || is_appended_base64_;
+  Result<std::string> bytes =
+      is_compressed_ ? inflate(node, stored, is_base64) : decode(node, stored, is_base64);
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto kept = std::make_unique<std::string>(std::move(*bytes));
+  MixedText text(source_.name + ":" + std::to_string(line_of(node)), *kept, reading_);
+  text.set_binary(order_);
+  return Array{type->second, std::move(kept), std::move(text)};
+}
+
+}  // namespace circumspect::formats

@@ -1,0 +1,58 @@
+// Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind the
+// document, as they are or in base 64, compressed by zlib or not.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <pugixml.hpp>
+
+#include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/source.hpp"
+
+namespace circumspect::formats {
+
+// The document, and the bytes that are behind it.
+class VtuDocument {
+ public:
+  // Errors: no XML; attributes of the element VTKFile that say what is not read. Requires: the source
+  // outlives this object.
+  static Result<std::unique_ptr<VtuDocument>> parse(const Source& source, NumberReading reading);
+
+  pugi::xml_node root() const { return document_.child("VTKFile"); }
+  const std::string& name() const { return source_.name; }
+  // The line on which an element begins.
+  std::size_t line_of(pugi::xml_node node) const;
+  // An error about an element.
+  tl::unexpected<FormatError> fail(pugi::xml_node node, std::string expected,
+                                   std::string found) const;
+  // An attribute that is a count.
+  Result<std::size_t> count(pugi::xml_node node, const char* attribute) const;
+
+  // The numbers of a DataArray. They are read by `text`.
+  struct Array {
+    NumberType type;
+    std::unique_ptr<std::string> bytes;  // where `text` looks at, unless that is the document
+    MixedText text;
+  };
+  Result<Array> array(pugi::xml_node node) const;
+
+ private:
+  VtuDocument(const Source& source, NumberReading reading) : source_(source), reading_(reading) {}
+
+  Status read_attributes();
+  Result<std::string> decode(pugi::xml_node node, std::string_view stored, bool is_base64) const;
+  Result<std::string> inflate(pugi::xml_node node, std::string_view stored, bool is_base64) const;
+
+  const Source& source_;
+  NumberReading reading_;
+  pugi::xml_document document_;
+  std::string_view appended_ = {};  // behind the '_' of AppendedData
+  bool is_appended_base64_ = false;
+  ByteOrder order_ = ByteOrder::kLittleEndian;
+  std::size_t size_of_lengths_ = 4;  // of those in front of bytes
+  bool is_compressed_ = false;
+};
+
+}  // namespace circumspect::formats
