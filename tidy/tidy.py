@@ -15,8 +15,8 @@ import sys
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages"])]
 COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
-           "oracle/certificate", "oracle/judge/domain", "oracle/judge", "oracle/report",
-           "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
+           "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
+           "oracle/report", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "reference/kernel/exact": [],
     "reference/kernel/predicates": ["reference/kernel/exact"],
@@ -33,6 +33,7 @@ ARROWS = {
     "oracle/formats": ["oracle/model"],
     "oracle/judge/points": ["oracle/model"],
     "oracle/judge/domain": ["oracle/judge/points"],
+    "oracle/judge/within": ["oracle/judge/domain"],
     "oracle/judge/fast": ["reference/kernel/exact"],
     "oracle/judge": ["oracle/judge/domain", "oracle/judge/fast", "oracle/formats"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],

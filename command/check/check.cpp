@@ -10,6 +10,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/judge_file.hpp"
+#include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
@@ -19,6 +20,7 @@
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/judge/judge_domain_quickly.hpp"
+#include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -31,6 +33,7 @@ struct CheckOptions {
   std::optional<Claim> claim;
   std::optional<std::string> domain;
   std::optional<DomainKind> domain_kind;
+  std::optional<Distance> within;
   std::optional<std::string> certificate;
   check::Options check;
   InputOptions input;
@@ -49,10 +52,12 @@ bool has_same_points(const PointSet& a, const PointSet& b) {
 }
 
 // What is claimed where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
-// the domain.
+// the domain; more of them, if they may have been moved.
 Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
   if (options.claim) return *options.claim;
-  const bool same = has_same_points(mesh.points, domain.domain.complex.points);
+  const PointSet& points = domain.domain.complex.points;
+  const bool same =
+      options.within ? mesh.points.size() == points.size() : has_same_points(mesh.points, points);
   return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
 
@@ -122,9 +127,34 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     return;
   }
   const Claim claim = claim_of(options, mesh, domain);
-  const Verdict verdict = check::judge_domain_quickly(claim, mesh, domain.domain, options.check,
-                                                      thread_count(options.threads));
-  report_verdict(path, verdict, mesh, loaded->notes, options, &domain, output);
+  const auto known =
+      check::known_volume(claim, mesh, domain.domain, options.check, thread_count(options.threads));
+  const auto within = [&](const Distance& distance) {
+    return check::judge_within(claim, mesh, domain.domain, distance.squared(domain.domain.complex),
+                               options.check, known ? &*known : nullptr);
+  };
+  std::vector<std::string> notes = loaded->notes;
+  if (options.within) {
+    const auto verdict = within(*options.within);
+    if (!verdict) {
+      const auto& [reason, is_input_fault] = verdict.error();
+      output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
+                   path + ": " + reason);
+      return;
+    }
+    report_verdict(path, *verdict, mesh, notes, options, &domain, output);
+    return;
+  }
+  const Verdict verdict =
+      check::judge_domain(claim, mesh, domain.domain, options.check, known ? &*known : nullptr);
+  if (may_be_rounded(verdict)) {
+    const auto moved = within({Rational(1, kRoundedParts), true});
+    if (moved && moved->within) {
+      notes.push_back(rounding_note(verdict, *moved));
+      output.note(notes.back());
+    }
+  }
+  report_verdict(path, verdict, mesh, notes, options, &domain, output);
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
@@ -152,6 +182,9 @@ std::string usage_fault(const CheckOptions& options) {
   }
   if (options.claim && !about_domain && options.domain) {
     return fmt::format("expected no --domain for the claim {}, found one", name(*options.claim));
+  }
+  if (options.within && !options.domain) {
+    return "expected --domain FILE beside --within, found none";
   }
   if (options.domain_kind && !options.domain) {
     return "expected --domain FILE beside --domain-kind, found none";
@@ -215,6 +248,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "the .ele")
       ->option_text("FILE");
   add_domain_kind_option(*command, options->domain_kind);
+  add_within_option(*command, options->within);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},

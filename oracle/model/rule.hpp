@@ -26,6 +26,8 @@ enum class Rule {
   kVertexInEdge,
   kSegmentMissing,
   kPolygonNotTiled,
+  kImagesMeet,
+  kSidesDiffer,
   kUncovered,
   kOutside,
   kFacetNotLocal,

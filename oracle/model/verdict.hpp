@@ -58,6 +58,13 @@ struct ExtraVertices {
   std::vector<Vertex> first = {};  // ascending
 };
 
+// By how much the cells of a domain were moved to be unions of faces of a mesh: docs/theory/within.md.
+struct Within {
+  Rational squared_reach = 0;
+  // Polygons with no inside beside them that are no longer flat: their triangles were not compared.
+  std::size_t not_compared = 0;
+};
+
 class Verdict {
  public:
   Verdict(Claim claim, const Mesh& mesh, std::size_t max_violations);
@@ -89,6 +96,11 @@ class Verdict {
   // For a claim about a domain that holds: how many of the listed triangles and edges are faces of no
   // larger simplex, listed ones included.
   std::size_t dangling = 0;
+
+  // For a claim about a domain that may be moved: by how much it was. `beyond`: no distance whose square is
+  // at most this lets every cell of the domain be a union of faces.
+  std::optional<Within> within = {};
+  std::optional<Rational> beyond = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;
