@@ -1,10 +1,12 @@
 #include "oracle/judge/within/judge_within.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/within/image_complex.hpp"
+#include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
@@ -46,13 +48,14 @@ NotJudged not_judged(const ReachAnswer& answer, const Mesh& mesh, const Domain& 
         ": flat simplices lie between several choices, and none of the two that the definition "
         "allows is an image."};
   }
-  if (answer.vertices.empty()) {
+  if (answer.vertices.empty() && !answer.cells.empty()) {
     return {
         "No distance below about " + reach + " will do, and from there on " +
         cell_name(answer.cells[0], domain) + " and " + cell_name(answer.cells[1], domain) +
         " of the domain, which do not meet, are at most three distances apart and cannot be told "
         "apart: name a smaller distance to see what is missing."};
   }
+  if (answer.cells.empty()) return {"Some distances do not tell cells of the domain apart."};
   std::string text = "At a distance of about " + reach + " ";
   if (answer.cells.size() == 1) {
     return {text + "vertices " + std::to_string(mesh.label(answer.vertices[0])) + " and " +
@@ -194,7 +197,17 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const Mesh& mesh, con
   const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
   const Cells cells(domain.complex);
   const Regions regions(domain.complex);
-  const ReachAnswer answer = answer_up_to(mesh, used, cells, regions, squared_distance);
+  const bool by_definition = options.by == By::kDefinition;
+  if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
+    return tl::unexpected(
+        NotJudged{"By definition every set of triangles near a polygon is tried, and here there "
+                  "are too many: "
+                  "judge by lemma.",
+                  false});
+  }
+  const ReachAnswer answer =
+      by_definition ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
+                    : answer_up_to(mesh, used, cells, regions, squared_distance);
   switch (answer.kind) {
     case ReachAnswer::Kind::kAmbiguous:
     case ReachAnswer::Kind::kOpen:
@@ -210,6 +223,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const Mesh& mesh, con
   }
   Verdict verdict(claim, mesh, options.max_violations);
   for (const Violation& breach : answer.breaches) verdict.add(breach.rule, breach.witness);
+  assert(!verdict.holds());
   verdict.beyond = squared_distance;
   return verdict;
 }

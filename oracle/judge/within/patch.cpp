@@ -114,21 +114,40 @@ class PatchSearch {
   ImageOr<Patch> found(const std::vector<Vertex>& must_have, const IsFlatAbove& is_flat_above) {
     lowest_.clear();
     for (const Simplex& own : own_) lowest_.push_back(is_flat_above(own));
-    auto first = flooded(must_have, false);
-    if (first || !chose_) return first;
-    auto second = flooded(must_have, true);
-    if (second) return second;
-    first.error().is_open = true;
+    choices_.clear();
+    auto first = flooded(must_have);
+    if (first) return first;
+    // Every other series of choices, one after another.
+    for (std::size_t tries = 1; next_choices(); ++tries) {
+      if (tries == kMostTries) {
+        first.error().is_open = true;
+        return first;
+      }
+      if (auto other = flooded(must_have)) return other;
+    }
     return first;
   }
 
  private:
-  ImageOr<Patch> flooded(const std::vector<Vertex>& must_have, bool opposite) {
+  static constexpr std::size_t kMostTries = 1000;
+
+  // Of so many triangles beside an edge the one at this place, in their order from the first that is wanted.
+  struct Choice {
+    std::size_t of;
+    std::size_t place;
+  };
+
+  // The next series of choices in lexicographic order, as far as it is known.
+  bool next_choices() {
+    while (!choices_.empty() && ++choices_.back().place == choices_.back().of) choices_.pop_back();
+    return !choices_.empty();
+  }
+
+  ImageOr<Patch> flooded(const std::vector<Vertex>& must_have) {
     chosen_.assign(candidates_.size(), false);
     reached_.clear();
     reference_.clear();
-    opposite_ = opposite;
-    chose_ = false;
+    chosen_so_far_ = 0;
     for (const auto& [edge, link] : links_) {
       if (link.has_own && !reach(edge, link.own)) return fault(edge);
     }
@@ -160,11 +179,16 @@ class PatchSearch {
     const auto at = at_.find(edge);
     if (at == at_.end()) return false;
     std::size_t best = at->second.front();
-    for (const std::size_t other : at->second) {
-      if (other == best) continue;
-      chose_ = true;
-      const int above = side(edge, apex(candidates_[best], edge), apex(candidates_[other], edge));
-      if (above != 0 && (above < 0) == (lowest_[own] != opposite_)) best = other;
+    if (at->second.size() > 1) {
+      std::vector<std::size_t> order = at->second;
+      const auto is_wanted_before = [&](std::size_t a, std::size_t b) {
+        if (a == b) return false;
+        const int above = side(edge, apex(candidates_[a], edge), apex(candidates_[b], edge));
+        return lowest_[own] ? above > 0 : above < 0;
+      };
+      std::stable_sort(order.begin(), order.end(), is_wanted_before);
+      if (chosen_so_far_ == choices_.size()) choices_.push_back({order.size(), 0});
+      best = order[choices_[chosen_so_far_++].place];
     }
     if (!chosen_[best]) {
       chosen_[best] = true;
@@ -244,8 +268,8 @@ class PatchSearch {
   std::vector<bool> lowest_;
   std::vector<bool> chosen_;
   std::vector<std::size_t> reached_, reference_;
-  bool opposite_ = false;
-  bool chose_ = false;
+  std::vector<Choice> choices_;
+  std::size_t chosen_so_far_ = 0;
 };
 
 }  // namespace

@@ -37,10 +37,12 @@ class ReachSearch {
     settle_cells();
     if (answer_ || squared_ > before) return;
     if (std::find(has_none_.begin(), has_none_.end(), true) != has_none_.end()) return give_up();
-    if (!carriers_are_single() || answer_) return;
     ImageSet images = image_set(images_, cells_, squared_);
     const auto found = misplaced(images, mesh_, cells_);
-    if (!found) return finish(std::move(images));
+    if (!found) {
+      if (carriers_are_single()) finish(std::move(images));
+      return;
+    }
     auto next = images_.next_change(found->a, squared_);
     const auto other = images_.next_change(found->b, squared_);
     if (!next || (other && *other < *next)) next = other;
