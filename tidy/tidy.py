@@ -51,7 +51,7 @@ ARROWS = {
                    "oracle/certificate", "oracle/judge/domain", "oracle/report",
                    "inputs", "properties/mutations", "inputs/triangulated",
                    "properties/faulty", "properties/adapters", "fuzz/harness"],
-    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/domain",
+    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/within",
                "fuzz/harness"],
     "proofs": ["oracle/certificate", "oracle/judge/points", "oracle/formats", "reference/delaunay",
                "inputs", "properties/mutations", "corpus"],

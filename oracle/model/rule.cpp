@@ -46,10 +46,6 @@ constexpr std::array kRules = {
         Rule::kImagesMeet, "domain.images-meet",
         "under --within, two cells of the domain have faces of the mesh in common for images that "
         "are no image of a common face, or polygons stand in another order about a segment"},
-    RuleEntry{
-        Rule::kSidesDiffer, "domain.sides-differ",
-        "under --within, one region has triangles of the mesh around it that have the inside of "
-        "the domain on that side, and others that have not"},
     RuleEntry{Rule::kUncovered, "domain.uncovered",
               "part of the domain is covered by no simplex of the mesh"},
     RuleEntry{Rule::kOutside, "domain.outside",

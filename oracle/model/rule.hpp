@@ -27,7 +27,6 @@ enum class Rule {
   kSegmentMissing,
   kPolygonNotTiled,
   kImagesMeet,
-  kSidesDiffer,
   kUncovered,
   kOutside,
   kFacetNotLocal,

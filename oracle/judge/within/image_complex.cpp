@@ -65,7 +65,7 @@ class Building {
     PiecewiseLinearComplex complex{PointSet(points_), {}, {}, {}, DomainKind::kEnclosed};
     ImageComplex built{{std::move(complex)}, in_mesh_, {}, 0};
     add_cells(built);
-    if (auto breach = add_seeds(built.domain.complex)) return tl::unexpected(std::move(*breach));
+    if (const auto side = add_seeds(built.domain.complex)) built.sides_differ = side->vertices;
     return built;
   }
 
@@ -197,11 +197,12 @@ class Building {
   }
 
   // Inside or not, as the sides of the walls say, is said by a seed in each region that is not.
-  std::optional<Violation> add_seeds(PiecewiseLinearComplex& complex) const {
+  // If that is not one answer, here is such a side.
+  std::optional<OrientedFacet> add_seeds(PiecewiseLinearComplex& complex) const {
     const Regions regions(complex);
     struct Label {
       bool inside;
-      OrientedFacet side;
+      OrientedFacet side;  // where it was seen
     };
     std::vector<std::optional<Label>> labels(regions.size());
     labels[Regions::kUnbounded] = Label{false, {}};
@@ -215,11 +216,7 @@ class Building {
         std::optional<Label>& label = labels[regions.in_front_of(side)];
         if (!label) label = Label{inside, side};
         if (label->inside == inside) continue;
-        Witness witness{.simplices = {in_mesh(side.vertices)}};
-        if (!label->side.vertices.empty()) {
-          witness.simplices.push_back(in_mesh(label->side.vertices));
-        }
-        return Violation{Rule::kSidesDiffer, witness};
+        return side;
       }
     }
     for (std::size_t region = 0; region < labels.size(); ++region) {

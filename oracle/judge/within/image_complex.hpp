@@ -18,10 +18,13 @@ struct ImageComplex {
   // The polygons of the domain that have no inside beside them and no flat image: their triangles are not
   // held against each other.
   std::size_t not_flat_and_dangling = 0;
+  // A wall, by its vertices in the complex, with a region on one side that has inside and outside on its
+  // walls, if there is one; then the complex has no seeds.
+  std::optional<Simplex> sides_differ = {};
 };
 
-// complex.overlap if images intersect (then the mesh is no complex either), domain.sides-differ if a region
-// has inside and outside of the domain on its walls. `regions` are those of the domain's complex.
+// complex.overlap if images intersect: then the mesh is no complex either. `regions` are those of the domain's
+// complex.
 tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images, const Mesh& mesh,
                                                     const Cells& cells, const Regions& regions);
 

@@ -158,15 +158,23 @@ ReachAnswer answer_up_to(const Mesh& mesh, const std::vector<bool>& used, const 
   return least_reach(mesh, used, cells, regions, squared_distance);
 }
 
-Verdict judge_images(Claim claim, const Mesh& mesh, const std::vector<bool>& used,
-                     const Cells& cells, const Regions& regions, const ReachAnswer& answer,
-                     const Options& options, const KnownVolume* known) {
+tl::expected<Verdict, NotJudged> judge_images(Claim claim, const Mesh& mesh,
+                                              const std::vector<bool>& used, const Cells& cells,
+                                              const Regions& regions, const ReachAnswer& answer,
+                                              const Options& options, const KnownVolume* known) {
   Verdict verdict(claim, mesh, options.max_violations);
   verdict.within = Within{.squared_reach = answer.squared_reach};
   const auto image = image_complex(answer.images, mesh, cells, regions);
   if (!image) {
     verdict.add(image.error().rule, image.error().witness);
     return verdict;
+  }
+  if (image->sides_differ) {
+    return tl::unexpected(
+        NotJudged{"The images of the cells part space otherwise than the cells do: a region has "
+                  "walls around it "
+                  "with the inside of the domain on that side, and others that have not.",
+                  false});
   }
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
