@@ -8,7 +8,8 @@
 
 #include "corpus/expected_table.hpp"
 #include "oracle/formats/domain_files.hpp"
-#include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/within/judge_within.hpp"
+#include "reference/kernel/exact/number_text.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -22,6 +23,7 @@ struct DomainRow {
   std::optional<DomainKind> kind = {};
   Claim claim = Claim::kCdt;
   check::Options options = {.max_violations = 1};
+  std::optional<Rational> within = {};  // a distance
   std::set<std::string> broken = {};
   std::string text = {};  // the line, for messages
 };
@@ -47,6 +49,9 @@ inline DomainRow domain_row_of(const std::string& line) {
   }
   row.claim = claim_about_a_domain(claim.at(0));
   if (claim.back() == "definition") row.options.by = check::By::kDefinition;
+  if (claim.size() == 3 && claim[1] == "--within") {
+    row.within = *read_number(claim[2], NumberReading::kDecimal);
+  }
   if (cells.at(3) != "holds") {
     const std::vector<std::string> rules = split(cells.at(3), ',');
     row.broken = {rules.begin(), rules.end()};

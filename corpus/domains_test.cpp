@@ -21,8 +21,13 @@ std::string cause_in_name(const std::string& path) {
 }
 
 Verdict judge(const DomainRow& row) {
-  return check::judge_domain(row.claim, mesh_with_faces(kDomainFolder + row.mesh),
-                             domain_of(kDomainFolder + row.domain, row.kind), row.options);
+  const Mesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
+  const Domain domain = domain_of(kDomainFolder + row.domain, row.kind);
+  if (!row.within) return check::judge_domain(row.claim, mesh, domain, row.options);
+  const Rational squared = *row.within * *row.within;
+  auto verdict = check::judge_within(row.claim, mesh, domain, squared, row.options);
+  if (!verdict) throw std::runtime_error(verdict.error().reason);
+  return std::move(*verdict);
 }
 
 std::set<std::string> files_in(std::initializer_list<const char*> folders,

@@ -15,8 +15,8 @@ import sys
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages"])]
 COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
-           "oracle/certificate", "oracle/judge/domain", "oracle/judge", "oracle/report",
-           "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
+           "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
+           "oracle/report", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "reference/kernel/exact": [],
     "reference/kernel/predicates": ["reference/kernel/exact"],
@@ -33,6 +33,7 @@ ARROWS = {
     "oracle/formats": ["oracle/model"],
     "oracle/judge/points": ["oracle/model"],
     "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/fast"],
+    "oracle/judge/within": ["oracle/judge/domain"],
     "oracle/judge/fast": ["reference/kernel/exact"],
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
@@ -50,7 +51,7 @@ ARROWS = {
                    "oracle/certificate", "oracle/judge/domain", "oracle/report",
                    "inputs", "properties/mutations", "inputs/triangulated",
                    "properties/faulty", "properties/adapters", "fuzz/harness"],
-    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/domain",
+    "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/within",
                "fuzz/harness"],
     "proofs": ["oracle/certificate", "oracle/judge/points", "oracle/formats", "reference/delaunay",
                "inputs", "properties/mutations", "corpus"],

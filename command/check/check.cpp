@@ -10,6 +10,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/judge_loaded.hpp"
+#include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
@@ -18,6 +19,7 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -30,6 +32,7 @@ struct CheckOptions {
   std::optional<Claim> claim;
   std::optional<std::string> domain;
   std::optional<DomainKind> domain_kind;
+  std::optional<Distance> within;
   std::optional<std::string> certificate;
   check::Options check;
   InputOptions input;
@@ -48,10 +51,11 @@ bool has_same_points(const Mesh& a, const PointSet& b) {
 }
 
 // What is claimed where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
-// the domain.
+// the domain; more of them, if they may have been moved.
 Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
   if (options.claim) return *options.claim;
-  const bool same = has_same_points(mesh, domain.domain.complex.points);
+  const PointSet& points = domain.domain.complex.points;
+  const bool same = options.within ? mesh.points() == points.size() : has_same_points(mesh, points);
   return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
 
@@ -107,6 +111,15 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   }
 }
 
+// The verdict for the domain with its cells moved by no more than `distance`. Requires: no equal points.
+tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
+                                                      const Mesh& mesh, const Domain& domain,
+                                                      const CheckOptions& options) {
+  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options.check);
+  return check::judge_within(claim, exact(mesh), domain, distance.squared(domain.complex),
+                             options.check, known ? &*known : nullptr);
+}
+
 void check_with_domain(const std::string& path, const CheckOptions& options,
                        const LoadedDomain& domain, Output& output) {
   const std::size_t dimension = domain.domain.complex.ambient_dimension();
@@ -128,13 +141,38 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     return;
   }
   const Claim claim = claim_of(options, mesh, domain);
+  if (options.within) {
+    if (const std::string fault = settle_equal_points(*loaded, options.input.duplicates);
+        !fault.empty()) {
+      output.error(ExitCode::kInputFault, "mesh", path, fault);
+      return;
+    }
+    const auto verdict = judged_within(*options.within, claim, mesh, domain.domain, options);
+    if (!verdict) {
+      const auto& [reason, is_input_fault] = verdict.error();
+      output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
+                   path + ": " + reason);
+      return;
+    }
+    report_verdict(path, *verdict, mesh, loaded->notes, options, &domain, output);
+    return;
+  }
   const auto verdict =
       judge_loaded(claim, *loaded, options.input.duplicates, options.check, &domain.domain);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
-  report_verdict(path, *verdict, mesh, loaded->notes, options, &domain, output);
+  std::vector<std::string> notes = loaded->notes;
+  if (may_be_rounded(*verdict)) {
+    const auto moved =
+        judged_within({Rational(1, kRoundedParts), true}, claim, mesh, domain.domain, options);
+    if (moved && moved->within) {
+      notes.push_back(rounding_note(*verdict, *moved));
+      output.note(notes.back());
+    }
+  }
+  report_verdict(path, *verdict, mesh, notes, options, &domain, output);
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
@@ -162,6 +200,9 @@ std::string usage_fault(const CheckOptions& options) {
   }
   if (options.claim && !about_domain && options.domain) {
     return fmt::format("expected no --domain for the claim {}, found one", name(*options.claim));
+  }
+  if (options.within && !options.domain) {
+    return "expected --domain FILE beside --within, found none";
   }
   if (options.domain_kind && !options.domain) {
     return "expected --domain FILE beside --domain-kind, found none";
@@ -226,6 +267,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "file beside the .ele")
       ->option_text("FILE");
   add_domain_kind_option(*command, options->domain_kind);
+  add_within_option(*command, options->within);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   const std::map<std::string, check::By> ways = {{"lemma", check::By::kLemma},

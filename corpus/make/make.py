@@ -9,6 +9,7 @@ import domain_invalid
 import domain_meshes
 import domain_reject
 import domain_tables
+import domain_within
 import domains
 import files
 import reject
@@ -24,7 +25,7 @@ for name, _, points in inputs():
     files.write_node(target, points, len(points[0]))
 tables.write(entries)
 
-domain_entries = [*domain_accept.entries(), *domain_reject.entries()]
+domain_entries = [*domain_accept.entries(), *domain_reject.entries(), *domain_within.entries()]
 domains.write()
 domain_invalid.write()
 for entry in domain_entries:

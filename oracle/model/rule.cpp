@@ -42,6 +42,10 @@ constexpr std::array kRules = {
               "a segment of the domain is not a union of edges of the mesh"},
     RuleEntry{Rule::kPolygonNotTiled, "domain.polygon-not-tiled",
               "a polygon of the domain is not a union of triangles of the mesh"},
+    RuleEntry{
+        Rule::kImagesMeet, "domain.images-meet",
+        "under --within, two cells of the domain have faces of the mesh in common for images that "
+        "are no image of a common face, or polygons stand in another order about a segment"},
     RuleEntry{Rule::kUncovered, "domain.uncovered",
               "part of the domain is covered by no simplex of the mesh"},
     RuleEntry{Rule::kOutside, "domain.outside",

@@ -26,6 +26,7 @@ enum class Rule {
   kVertexInEdge,
   kSegmentMissing,
   kPolygonNotTiled,
+  kImagesMeet,
   kUncovered,
   kOutside,
   kFacetNotLocal,

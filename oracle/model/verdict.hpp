@@ -69,6 +69,13 @@ struct Course {
   std::uint64_t exact_signs = 0;
 };
 
+// By how much the cells of a domain were moved to be unions of faces of a mesh: docs/theory/within.md.
+struct Within {
+  Rational squared_reach = 0;
+  // Polygons with no inside beside them that are no longer flat: their triangles were not compared.
+  std::size_t not_compared = 0;
+};
+
 class Verdict {
  public:
   Verdict(Claim claim, std::size_t max_violations)
@@ -106,6 +113,11 @@ class Verdict {
   // For a claim about a domain that holds: how many of the listed triangles and edges are faces of no
   // larger simplex, listed ones included.
   std::size_t dangling = 0;
+
+  // For a claim about a domain that may be moved: by how much it was. `beyond`: no distance whose square is
+  // at most this lets every cell of the domain be a union of faces.
+  std::optional<Within> within = {};
+  std::optional<Rational> beyond = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;

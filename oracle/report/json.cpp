@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
+#include "oracle/report/rounded_up.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
@@ -143,6 +144,13 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
   if (verdict.extra_vertices) {
     object["steiner_vertices"] = extra_vertices(*verdict.extra_vertices, mesh);
   }
+  if (verdict.within) {
+    object["within"] = {
+        {"squared_distance", value(verdict.within->squared_reach)},
+        {"distance_rounded_up", square_root_rounded_up(verdict.within->squared_reach)},
+        {"polygons_not_compared", verdict.within->not_compared}};
+  }
+  if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
   Json tallies = Json::array();

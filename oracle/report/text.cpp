@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
+#include "oracle/report/rounded_up.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
@@ -109,6 +110,21 @@ std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain
   return "";
 }
 
+// By how much the domain was moved, if it might be: " within 0", " within ~ 2.1e-14 3 not-compared"; or that
+// no distance will do, " beyond ~ 1.0e-12".
+std::string moved_text(const Verdict& verdict) {
+  const auto distance = [](const Rational& squared) {
+    return (sign(squared) == 0 ? "" : "~ ") + square_root_rounded_up(squared);
+  };
+  if (verdict.beyond) return " beyond " + distance(*verdict.beyond);
+  if (!verdict.within) return "";
+  std::string text = " within " + distance(verdict.within->squared_reach);
+  if (verdict.within->not_compared > 0) {
+    text += fmt::format(" {} not-compared", counted(verdict.within->not_compared, "polygon"));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
@@ -129,7 +145,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
                           counted(steiner.count(), "steiner-point"), steiner.on_segments,
                           steiner.in_polygons, steiner.in_polyhedra);
     }
-    return line;
+    return line + moved_text(verdict);
   }
   std::string line =
       fmt::format("fails: {} {}", circumspect::name(verdict.claim()), on_one_line(mesh_name));
@@ -139,7 +155,7 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
     if (first) line += first_witness(verdict, mesh, domain, rule);
     first = false;
   }
-  return line;
+  return line + moved_text(verdict);
 }
 
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain) {

@@ -1,0 +1,94 @@
+#include "command/check/within_option.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "oracle/report/rounded_up.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+// Empty, or what is wrong with the text.
+std::string read_distance(const std::string& text, Distance& distance) {
+  distance.relative = !text.empty() && text.back() == 'x';
+  const std::string number = distance.relative ? text.substr(0, text.size() - 1) : text;
+  const auto value = read_number(number, NumberReading::kDecimal);
+  if (!value || sign(*value) < 0) {
+    return fmt::format(
+        "expected a distance of at least 0, such as 1e-9, 1/3, or 1e-12x for so many times the "
+        "longest side of the bounding box of the domain, found {}",
+        text);
+  }
+  distance.number = *value;
+  return "";
+}
+
+Rational longest_side(const std::vector<Point>& points) {
+  Rational longest = 0;
+  for (std::size_t axis = 0; !points.empty() && axis < points.front().size(); ++axis) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(),
+                            [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; });
+    longest = std::max(longest, Rational((*high)[axis] - (*low)[axis]));
+  }
+  return longest;
+}
+
+}  // namespace
+
+Rational Distance::squared(const PiecewiseLinearComplex& complex) const {
+  const Rational distance = relative ? number * longest_side(complex.points.points()) : number;
+  return distance * distance;
+}
+
+void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
+  const auto read = [&distance](const CLI::results_t& texts) {
+    Distance found;
+    if (const std::string fault = read_distance(texts.front(), found); !fault.empty()) {
+      throw CLI::ValidationError("--within", fault);
+    }
+    distance = found;
+    return true;
+  };
+  command
+      .add_option(
+          "--within", read,
+          "Judge, exactly, the claim for the domain with its vertices, segments and polygons "
+          "moved by at most so much, as rounded coordinates move them: a number, or 1e-12x for "
+          "so many times the longest side of the domain's bounding box; the verdict ends with "
+          "the distance that was needed")
+      ->option_text("DISTANCE");
+}
+
+bool may_be_rounded(const Verdict& verdict) {
+  return !verdict.holds() &&
+         std::all_of(verdict.tallies().begin(), verdict.tallies().end(), [](const auto& tally) {
+           return tally.first == Rule::kDomainVertexMissing ||
+                  tally.first == Rule::kSegmentMissing || tally.first == Rule::kPolygonNotTiled;
+         });
+}
+
+std::string rounding_note(const Verdict& exact, const Verdict& moved) {
+  std::string missing;
+  for (const auto& [rule, tally] : exact.tallies()) {
+    missing += fmt::format("{}{} {}", missing.empty() ? "" : ", ", identifier(rule), tally.count);
+  }
+  const std::string distance = report::square_root_rounded_up(moved.within->squared_reach);
+  if (moved.holds()) {
+    return fmt::format(
+        "rounded coordinates may be all that is wrong ({}): with --within {} it holds", missing,
+        distance);
+  }
+  std::string left;
+  for (const auto& [rule, tally] : moved.tallies()) {
+    left += fmt::format("{}{} {}", left.empty() ? "" : ", ", identifier(rule), tally.count);
+  }
+  return fmt::format(
+      "coordinates may have been rounded ({}), but that is not all: with --within {} what is left "
+      "is {}",
+      missing, distance, left);
+}
+
+}  // namespace circumspect::cli

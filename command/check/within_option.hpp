@@ -1,0 +1,33 @@
+// --within DISTANCE: by how much the cells of a domain may have been moved.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "oracle/model/domain.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::cli {
+
+// An exact number: a distance, or how many times the longest side of the bounding box of the domain.
+struct Distance {
+  Rational number = 0;
+  bool relative = false;
+
+  Rational squared(const PiecewiseLinearComplex& complex) const;
+};
+
+// Adds --within; nothing if it is not given.
+void add_within_option(CLI::App& command, std::optional<Distance>& distance);
+
+// Is all that is wrong that vertices, segments and polygons of the domain are not in the mesh? Then they may
+// have been rounded.
+bool may_be_rounded(const Verdict& verdict);
+// What to say of such a mesh, if its cells were moved by no more than this: the number of breaches, and what is
+// left of them. `moved` is the verdict under --within.
+inline constexpr long kRoundedParts = 1'000'000'000;  // of the longest side of the bounding box
+std::string rounding_note(const Verdict& exact, const Verdict& moved);
+
+}  // namespace circumspect::cli

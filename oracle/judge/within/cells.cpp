@@ -1,0 +1,69 @@
+#include "oracle/judge/within/cells.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace circumspect::check {
+
+Cells::Cells(const PiecewiseLinearComplex& complex) : complex_(complex) {
+  for (const Polygon& polygon : complex.polygons) {
+    std::vector<std::size_t>& places = segments_of_.emplace_back();
+    for (const Simplex& segment : polygon.segments) {
+      const auto at = std::lower_bound(complex.segments.begin(), complex.segments.end(), segment);
+      places.push_back(static_cast<std::size_t>(at - complex.segments.begin()));
+    }
+    std::sort(places.begin(), places.end());
+  }
+}
+
+std::vector<Cell> Cells::all() const {
+  std::vector<Cell> cells;
+  for (std::size_t v = 0; v < complex_.points.size(); ++v) cells.push_back({0, v});
+  for (std::size_t s = 0; s < complex_.segments.size(); ++s) cells.push_back({1, s});
+  for (std::size_t p = 0; p < complex_.polygons.size(); ++p) cells.push_back({2, p});
+  return cells;
+}
+
+std::vector<Vertex> Cells::vertices(Cell cell) const {
+  if (cell.dimension == 0) return {static_cast<Vertex>(cell.place)};
+  if (cell.dimension == 1) return complex_.segments[cell.place];
+  return complex_.polygons[cell.place].vertices;
+}
+
+std::vector<Simplex> Cells::simplices(Cell cell) const {
+  if (cell.dimension == 2) return complex_.polygons[cell.place].triangles;
+  return {vertices(cell)};
+}
+
+std::vector<Cell> Cells::closure(Cell cell) const {
+  std::vector<Cell> cells = {cell};
+  if (cell.dimension == 0) return cells;
+  for (const Vertex v : vertices(cell)) cells.push_back({0, static_cast<std::size_t>(v)});
+  if (cell.dimension == 2) {
+    for (const std::size_t s : segments_of_[cell.place]) cells.push_back({1, s});
+  }
+  return cells;
+}
+
+bool Cells::is_in_closure(Cell face, Cell cell) const {
+  if (face.dimension >= cell.dimension) return face == cell;
+  if (face.dimension == 1) {
+    const std::vector<std::size_t>& segments = segments_of_[cell.place];
+    return std::binary_search(segments.begin(), segments.end(), face.place);
+  }
+  const auto v = static_cast<Vertex>(face.place);
+  if (cell.dimension == 1) return contains(complex_.segments[cell.place], v);
+  const std::vector<Vertex>& vertices = complex_.polygons[cell.place].vertices;
+  return std::binary_search(vertices.begin(), vertices.end(), v);
+}
+
+bool Cells::meet(Cell a, Cell b) const {
+  const std::vector<Vertex> of_a = vertices(a);
+  const std::vector<Vertex> of_b = vertices(b);
+  std::vector<Vertex> both;
+  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                        std::back_inserter(both));
+  return !both.empty();
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,48 @@
+// The cells of a domain whose images a mesh is to have, and their faces.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::check {
+
+// A vertex (dimension 0), a segment (1) or a polygon (2) of a domain, by its place among them.
+struct Cell {
+  int dimension = 0;
+  std::size_t place = 0;
+
+  auto operator<=>(const Cell&) const = default;
+};
+
+class Cells {
+ public:
+  explicit Cells(const PiecewiseLinearComplex& complex);
+
+  const PiecewiseLinearComplex& complex() const { return complex_; }
+  // All, vertices first, polygons last.
+  std::vector<Cell> all() const;
+
+  // The cell itself and all its faces: the ends of a segment; the vertices and segments in a polygon,
+  // slits among them.
+  std::vector<Cell> closure(Cell cell) const;
+  bool is_in_closure(Cell face, Cell cell) const;
+  // By the places of its segments, ascending.
+  const std::vector<std::size_t>& segments_of(std::size_t polygon) const {
+    return segments_of_[polygon];
+  }
+  // Has a vertex in common with it: two cells of a valid complex meet only so.
+  bool meet(Cell a, Cell b) const;
+
+  // The vertices in the cell, ascending; the simplices it is made of, each by its vertices.
+  std::vector<Vertex> vertices(Cell cell) const;
+  std::vector<Simplex> simplices(Cell cell) const;
+
+ private:
+  const PiecewiseLinearComplex& complex_;
+  std::vector<std::vector<std::size_t>> segments_of_;
+};
+
+}  // namespace circumspect::check

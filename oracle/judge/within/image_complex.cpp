@@ -1,0 +1,265 @@
+#include "oracle/judge/within/image_complex.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <optional>
+
+#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// A wall of the image by the mesh's vertices, in an order such that its front has the sides of the front of
+// `own`, a wall of the domain.
+struct ImageWall {
+  Simplex wall;
+  Simplex own;
+};
+
+std::vector<ImageWall> image_walls(const ImageSet& images, const PiecewiseLinearComplex& complex) {
+  std::vector<ImageWall> walls;
+  if (complex.ambient_dimension() == 2) {
+    for (std::size_t s = 0; s < images.paths.size(); ++s) {
+      const std::vector<Vertex>& path = images.paths[s];
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        walls.push_back({{path[i], path[i + 1]}, complex.segments[s]});
+      }
+    }
+  }
+  for (const Patch& patch : images.patches) {
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+      walls.push_back({patch.triangles[t], patch.own[t]});
+    }
+  }
+  return walls;
+}
+
+bool is_flat_patch(const PointSet& points, const Patch& patch) {
+  const std::vector<std::size_t> space = {0, 1, 2};
+  const Simplex& first = patch.triangles.front();
+  for (const Simplex& triangle : patch.triangles) {
+    for (const Vertex v : triangle) {
+      if (contains(first, v)) continue;
+      const Simplex four = {first[0], first[1], first[2], v};
+      if (orientation(points.configuration(), space, four) != 0) return false;
+    }
+  }
+  return true;
+}
+
+class Building {
+ public:
+  Building(const ImageSet& images, const ExactMesh& mesh, const Cells& cells,
+           const Regions& regions)
+      : images_(images),
+        mesh_(mesh),
+        cells_(cells),
+        given_(cells.complex()),
+        regions_(regions),
+        number_(mesh.points.size(), -1) {}
+
+  tl::expected<ImageComplex, Violation> result() {
+    number_points();
+    if (auto breach = intersection_of_images()) return tl::unexpected(std::move(*breach));
+    PiecewiseLinearComplex complex{PointSet(points_), {}, {}, {}, DomainKind::kEnclosed};
+    ImageComplex built{{std::move(complex)}, in_mesh_, {}, 0};
+    add_cells(built);
+    if (const auto side = add_seeds(built.domain.complex)) built.sides_differ = side->vertices;
+    return built;
+  }
+
+ private:
+  Vertex number(Vertex in_mesh) const { return number_[static_cast<std::size_t>(in_mesh)]; }
+  Simplex renumbered(Simplex simplex) const {
+    for (Vertex& v : simplex) v = number(v);
+    return simplex;
+  }
+  Simplex in_mesh(Simplex simplex) const {
+    for (Vertex& v : simplex) v = in_mesh_[static_cast<std::size_t>(v)];
+    return simplex;
+  }
+
+  void number_points() {
+    const auto add = [&](Vertex v) {
+      if (number(v) >= 0) return;
+      number_[static_cast<std::size_t>(v)] = static_cast<Vertex>(in_mesh_.size());
+      in_mesh_.push_back(v);
+      points_.push_back(mesh_.points[v]);
+    };
+    for (const Vertex v : images_.vertices) add(v);
+    for (const auto& path : images_.paths) std::for_each(path.begin(), path.end(), add);
+    for (const Patch& patch : images_.patches) {
+      for (const Simplex& triangle : patch.triangles) {
+        std::for_each(triangle.begin(), triangle.end(), add);
+      }
+    }
+  }
+
+  std::vector<Simplex> links() const {
+    std::vector<Simplex> links;
+    for (const std::vector<Vertex>& path : images_.paths) {
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        links.push_back(sorted(renumbered({path[i], path[i + 1]})));
+      }
+    }
+    std::sort(links.begin(), links.end());
+    return links;
+  }
+
+  // The images are faces of the mesh, which is a complex only if they are one.
+  std::optional<Violation> intersection_of_images() const {
+    PiecewiseLinearInput input;
+    input.points = points_;
+    for (const Simplex& link : links()) input.segments.push_back(link);
+    for (const Patch& patch : images_.patches) {
+      for (const Simplex& triangle : patch.triangles) {
+        input.polygons.push_back({{renumbered(triangle)}, {}});
+      }
+    }
+    const auto valid = validated(input, 1);
+    if (valid) return std::nullopt;
+    const Breach& breach = valid.error().front();
+    Witness witness{.vertices = in_mesh(breach.vertices), .point = breach.point};
+    for (const Simplex& segment : breach.segments) {
+      witness.simplices.push_back(in_mesh(segment));
+    }
+    for (const std::size_t p : breach.polygons) {
+      witness.simplices.push_back(in_mesh(input.polygons[p].lines.front()));
+    }
+    return Violation{Rule::kOverlap, witness};
+  }
+
+  void add_cells(ImageComplex& built) const {
+    PiecewiseLinearComplex& complex = built.domain.complex;
+    complex.segments = links();
+    for (std::size_t p = 0; p < images_.patches.size(); ++p) {
+      const Patch& patch = images_.patches[p];
+      if (is_flat_patch(mesh_.points, patch)) {
+        complex.polygons.push_back(flat_polygon(p, complex.points));
+        built.polygons.push_back(p);
+        continue;
+      }
+      for (const Simplex& triangle : patch.triangles) {
+        complex.polygons.push_back(one_triangle(triangle, complex.points));
+        built.polygons.push_back(p);
+        for (const Simplex& edge : complex.polygons.back().segments) {
+          complex.segments.push_back(edge);
+        }
+      }
+      if (is_dangling(p)) ++built.not_flat_and_dangling;
+    }
+    std::sort(complex.segments.begin(), complex.segments.end());
+    complex.segments.erase(std::unique(complex.segments.begin(), complex.segments.end()),
+                           complex.segments.end());
+  }
+
+  bool is_dangling(std::size_t p) const {
+    const std::vector<Simplex>& own = images_.patches[p].own;
+    return std::any_of(own.begin(), own.end(), [&](const Simplex& triangle) {
+      const OrientedFacet facet = OrientedFacet::of(triangle);
+      return regions_.where(regions_.in_front_of(facet)) != Where::kInside &&
+             regions_.where(regions_.in_front_of(facet.reverse())) != Where::kInside;
+    });
+  }
+
+  Polygon flat_polygon(std::size_t p, const PointSet& points) const {
+    Polygon polygon;
+    for (const Simplex& triangle : images_.patches[p].triangles) {
+      polygon.triangles.push_back(sorted(renumbered(triangle)));
+      const Simplex& added = polygon.triangles.back();
+      polygon.vertices.insert(polygon.vertices.end(), added.begin(), added.end());
+    }
+    std::sort(polygon.triangles.begin(), polygon.triangles.end());
+    std::sort(polygon.vertices.begin(), polygon.vertices.end());
+    polygon.vertices.erase(std::unique(polygon.vertices.begin(), polygon.vertices.end()),
+                           polygon.vertices.end());
+    for (const std::size_t s : cells_.segments_of(p)) {
+      const std::vector<Vertex>& path = images_.paths[s];
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        polygon.segments.push_back(sorted(renumbered({path[i], path[i + 1]})));
+      }
+    }
+    std::sort(polygon.segments.begin(), polygon.segments.end());
+    polygon.axes = axes_of(points.configuration(), polygon.triangles.front());
+    return polygon;
+  }
+
+  Polygon one_triangle(const Simplex& triangle, const PointSet& points) const {
+    const Simplex corners = sorted(renumbered(triangle));
+    Polygon polygon;
+    polygon.vertices = corners;
+    polygon.segments = {
+        {corners[0], corners[1]}, {corners[0], corners[2]}, {corners[1], corners[2]}};
+    polygon.triangles = {corners};
+    polygon.axes = axes_of(points.configuration(), corners);
+    return polygon;
+  }
+
+  // Inside or not, as the sides of the walls say, is said by a seed in each region that is not.
+  // If that is not one answer, here is such a side.
+  std::optional<OrientedFacet> add_seeds(PiecewiseLinearComplex& complex) const {
+    const Regions regions(complex);
+    struct Label {
+      bool inside;
+      OrientedFacet side;  // where it was seen
+    };
+    std::vector<std::optional<Label>> labels(regions.size());
+    labels[Regions::kUnbounded] = Label{false, {}};
+    for (const ImageWall& wall : image_walls(images_, given_)) {
+      const OrientedFacet front = OrientedFacet::of(renumbered(wall.wall));
+      const OrientedFacet own = OrientedFacet::of(wall.own);
+      for (const bool reversed : {false, true}) {
+        const OrientedFacet side = reversed ? front.reverse() : front;
+        const bool inside =
+            regions_.where(regions_.in_front_of(reversed ? own.reverse() : own)) == Where::kInside;
+        std::optional<Label>& label = labels[regions.in_front_of(side)];
+        if (!label) label = Label{inside, side};
+        if (label->inside == inside) continue;
+        return side;
+      }
+    }
+    for (std::size_t region = 0; region < labels.size(); ++region) {
+      if (region == Regions::kUnbounded || labels[region]->inside) continue;
+      complex.hole_seeds.push_back(seed_before(regions, labels[region]->side, complex.points));
+    }
+    return std::nullopt;
+  }
+
+  // A point before a wall with nothing in between.
+  static Point seed_before(const Regions& regions, const OrientedFacet& side,
+                           const PointSet& points) {
+    const std::vector<Point> corners = coordinates(points, side.vertices);
+    const Point centre = barycentre(corners);
+    const Point u = corners[1] - corners[0];
+    Point step = {-u[1], u[0]};  // on the left, where the front of an edge is
+    if (corners.size() == 3) {
+      const Point v = corners[2] - corners[0];
+      step = {u[2] * v[1] - u[1] * v[2], u[0] * v[2] - u[2] * v[0], u[1] * v[0] - u[0] * v[1]};
+    }
+    if (side.reversed) step = Rational(-1) * step;
+    for (;; step = Rational(1, 2) * step) {
+      const auto crossed = regions.walls().crossings(centre, centre + step);
+      if (crossed && crossed->size() == 1) return centre + step;
+    }
+  }
+
+  const ImageSet& images_;
+  const ExactMesh& mesh_;
+  const Cells& cells_;
+  const PiecewiseLinearComplex& given_;
+  const Regions& regions_;
+  std::vector<Vertex> number_;  // by the points of the mesh
+  std::vector<Vertex> in_mesh_;
+  std::vector<Point> points_;
+};
+
+}  // namespace
+
+tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images, const ExactMesh& mesh,
+                                                    const Cells& cells, const Regions& regions) {
+  return Building(images, mesh, cells, regions).result();
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,191 @@
+#include "oracle/judge/within/image_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace circumspect::check {
+namespace {
+
+Point cross_product(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// The edge or triangle of a patch, or nothing but the polygon, that a fault is about.
+Misplaced fault(const Cells& cells, Cell a, Cell b, const Simplex& face) {
+  Witness witness{.face = face, .polygon = b.place};
+  if (a.dimension == 1) witness.domain_cell = cells.complex().segments[a.place];
+  return {a, b, {Rule::kImagesMeet, witness}};
+}
+
+// Half a plane at an axis: on which side of which polygon it is, and a direction in it.
+struct HalfPlane {
+  std::size_t polygon;
+  bool left;
+  Point direction;
+};
+
+// The half planes in order about the axis, from the first of them; nothing if two are the same.
+std::optional<std::vector<std::pair<std::size_t, bool>>> order_about(
+    const Point& axis, const std::vector<HalfPlane>& planes) {
+  const auto turn = [&](const HalfPlane& a, const HalfPlane& b) {
+    return sign(inner_product(axis, cross_product(a.direction, b.direction)));
+  };
+  // The part of a direction that is at right angles to the axis.
+  const auto across = [&](const Point& p) {
+    return p - (inner_product(p, axis) / squared_length(axis)) * axis;
+  };
+  const HalfPlane& first = planes.front();
+  const Point ahead = across(first.direction);
+  const auto part = [&](const HalfPlane& plane) {
+    if (&plane == &first) return 0;
+    const int side = turn(first, plane);
+    if (side != 0) return side > 0 ? 2 : 4;
+    return sign(inner_product(ahead, across(plane.direction))) > 0 ? 1 : 3;
+  };
+  std::vector<std::pair<int, const HalfPlane*>> order;
+  for (const HalfPlane& plane : planes) order.emplace_back(part(plane), &plane);
+  const auto before = [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    return a.second != b.second && turn(*a.second, *b.second) > 0;
+  };
+  std::sort(order.begin(), order.end(), before);
+  std::vector<std::pair<std::size_t, bool>> names;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i].first == 1) return std::nullopt;
+    if (i > 0 && !before(order[i - 1], order[i])) return std::nullopt;
+    names.emplace_back(order[i].second->polygon, order[i].second->left);
+  }
+  return names;
+}
+
+class Placing {
+ public:
+  Placing(const ImageSet& images, const ExactMesh& mesh, const Cells& cells)
+      : images_(images), points_(mesh.points), cells_(cells), complex_(cells.complex()) {
+    for (std::size_t s = 0; s < images.paths.size(); ++s) {
+      const std::vector<Vertex>& path = images.paths[s];
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        links_[sorted({path[i], path[i + 1]})] = s;
+      }
+    }
+  }
+
+  std::optional<Misplaced> shared_faces() const {
+    std::map<Simplex, std::size_t> polygon_of;  // of triangles, and of edges that are no links
+    for (std::size_t p = 0; p < images_.patches.size(); ++p) {
+      for (const Simplex& triangle : images_.patches[p].triangles) {
+        for (std::size_t place = 0; place <= 3; ++place) {
+          const Simplex face = sorted(place == 3 ? triangle : facet_opposite(triangle, place));
+          const auto link = links_.find(face);
+          if (link == links_.end()) {
+            const std::size_t other = polygon_of.emplace(face, p).first->second;
+            if (other != p) return fault(cells_, {2, other}, {2, p}, face);
+          } else if (!cells_.is_in_closure({1, link->second}, {2, p})) {
+            return fault(cells_, {1, link->second}, {2, p}, face);
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Misplaced> order_at_segments() const {
+    std::vector<std::vector<HalfPlane>> own(complex_.segments.size());
+    std::map<Simplex, std::vector<HalfPlane>> at_link;
+    for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
+      const Point normal = normal_of(complex_, p);
+      for (const Simplex& triangle : complex_.polygons[p].triangles) {
+        add_own(p, normal, triangle, own);
+      }
+      for (const Simplex& triangle : images_.patches[p].triangles) {
+        for (std::size_t place = 0; place < 3; ++place) {
+          const Vertex a = triangle[(place + 1) % 3], b = triangle[(place + 2) % 3];
+          const auto link = links_.find(sorted({a, b}));
+          if (link == links_.end()) continue;
+          // On the left of its counterclockwise edge: is that the direction of the path?
+          const std::vector<Vertex>& path = images_.paths[link->second];
+          const auto at = std::find(path.begin(), path.end(), a);
+          const bool left = at + 1 != path.end() && *(at + 1) == b;
+          at_link[link->first].push_back({p, left, points_[triangle[place]] - points_[a]});
+        }
+      }
+    }
+    for (const auto& [edge, planes] : at_link) {
+      if (planes.size() < 3) continue;
+      const std::size_t s = links_.at(edge);
+      if (!agree(s, edge, own[s], planes)) {
+        return fault(cells_, {1, s}, {2, planes.front().polygon}, edge);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void add_own(std::size_t p, const Point& normal, const Simplex& triangle,
+               std::vector<std::vector<HalfPlane>>& own) const {
+    for (std::size_t place = 0; place < 3; ++place) {
+      const Simplex edge = sorted(facet_opposite(triangle, place));
+      const auto at = std::lower_bound(complex_.segments.begin(), complex_.segments.end(), edge);
+      if (at == complex_.segments.end() || *at != edge) continue;
+      const Point direction = complex_.points[triangle[place]] - complex_.points[edge[0]];
+      const Point along = complex_.points[edge[1]] - complex_.points[edge[0]];
+      const bool left = sign(inner_product(normal, cross_product(along, direction))) > 0;
+      own[static_cast<std::size_t>(at - complex_.segments.begin())].push_back({p, left, direction});
+    }
+  }
+
+  // Is the cyclic order the same?
+  bool agree(std::size_t s, const Simplex& edge, const std::vector<HalfPlane>& own,
+             const std::vector<HalfPlane>& planes) const {
+    const Simplex& segment = complex_.segments[s];
+    const auto expected =
+        order_about(complex_.points[segment[1]] - complex_.points[segment[0]], own);
+    const std::vector<Vertex>& path = images_.paths[s];
+    const auto at = std::find(path.begin(), path.end(), edge[0]);
+    const bool forward = at + 1 != path.end() && *(at + 1) == edge[1];
+    const Point axis =
+        forward ? points_[edge[1]] - points_[edge[0]] : points_[edge[0]] - points_[edge[1]];
+    auto found = order_about(axis, planes);
+    if (!expected || !found || expected->size() != found->size()) return false;
+    const auto start = std::find(found->begin(), found->end(), expected->front());
+    if (start == found->end()) return false;
+    std::rotate(found->begin(), start, found->end());
+    return *found == *expected;
+  }
+
+  const ImageSet& images_;
+  const PointSet& points_;
+  const Cells& cells_;
+  const PiecewiseLinearComplex& complex_;
+  std::map<Simplex, std::size_t> links_;  // which segment's path has the edge
+};
+
+}  // namespace
+
+ImageSet image_set(const Images& images, const Cells& cells, const Rational& squared_reach) {
+  const PiecewiseLinearComplex& complex = cells.complex();
+  ImageSet set;
+  for (std::size_t v = 0; v < complex.points.size(); ++v) {
+    set.vertices.push_back(*images.vertex(v, squared_reach));
+  }
+  for (std::size_t s = 0; s < complex.segments.size(); ++s) {
+    set.paths.push_back(*images.path(s, squared_reach));
+  }
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    set.patches.push_back(*images.patch(p, squared_reach));
+  }
+  return set;
+}
+
+// In the plane, and wherever only vertices are shared, there is nothing to ask: a vertex of the mesh has one
+// carrier, which is a face of every cell that has the vertex in its image.
+std::optional<Misplaced> misplaced(const ImageSet& images, const ExactMesh& mesh,
+                                   const Cells& cells) {
+  if (images.patches.empty()) return std::nullopt;
+  const Placing placing(images, mesh, cells);
+  if (auto found = placing.shared_faces()) return found;
+  return placing.order_at_segments();
+}
+
+}  // namespace circumspect::check

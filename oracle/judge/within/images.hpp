@@ -1,0 +1,67 @@
+// The images of the cells of a domain in a mesh, at a given reach. docs/theory/within.md, 1 to 3.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/judge/within/mesh_faces.hpp"
+#include "oracle/judge/within/reaches.hpp"
+#include "oracle/model/verdict.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+
+namespace circumspect::check {
+
+// The triangles that are the image of a polygon, and for each a triangle of the domain of the same part of
+// the polygon: its sides are those of that. All are in the order that is counterclockwise seen from above
+// (see `normal_of`), so that the front of OrientedFacet::of is below.
+struct Patch {
+  std::vector<Simplex> triangles;
+  std::vector<Simplex> own;
+};
+
+// Why a cell has no image. `is_open`: there is a choice of triangles that the definition does not decide.
+struct NoImage {
+  Violation violation;
+  bool is_open = false;
+};
+template <class Image>
+using ImageOr = tl::expected<Image, NoImage>;
+
+// The normal of a polygon whose first coordinate that is not zero is positive. Above is where it points.
+Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon);
+
+class Images {
+ public:
+  // All must outlive this. In the plane `regions` are not looked at.
+  Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions, const Reaches& reaches,
+         const MeshFaces& faces)
+      : mesh_(mesh), cells_(cells), regions_(regions), reaches_(reaches), faces_(faces) {}
+
+  // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs.
+  // The one vertex of the mesh that a vertex of the domain carries.
+  ImageOr<Vertex> vertex(std::size_t v, const Rational& squared_reach) const;
+  // From the image of its first end to that of its second. Requires: the ends have images.
+  ImageOr<std::vector<Vertex>> path(std::size_t segment, const Rational& squared_reach) const;
+  // Requires: all faces of the polygon have images.
+  ImageOr<Patch> patch(std::size_t polygon, const Rational& squared_reach) const;
+
+  // Why a cell has no image; nothing if it has one, or if one of its faces has none.
+  std::optional<NoImage> fault(Cell cell, const Rational& squared_reach) const;
+  // The least distance beyond the reach at which the carriers of the vertices in the image of the cell
+  // change, or there are others; nothing if there is none.
+  std::optional<Rational> next_change(Cell cell, const Rational& squared_reach) const;
+
+ private:
+  bool has_image(Cell cell, const Rational& squared_reach) const;
+
+  const ExactMesh& mesh_;
+  const Cells& cells_;
+  const Regions& regions_;
+  const Reaches& reaches_;
+  const MeshFaces& faces_;
+};
+
+}  // namespace circumspect::check

@@ -1,0 +1,242 @@
+#include "oracle/judge/within/judge_within.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/image_complex.hpp"
+#include "oracle/judge/within/reach_by_definition.hpp"
+#include "oracle/judge/within/reach_search.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::check {
+namespace {
+
+bool forbids_steiner_points(Claim claim) {
+  return claim == Claim::kPlcTriangulation || claim == Claim::kCdt;
+}
+// The same claim, of the image with all its vertices.
+Claim with_steiner_points(Claim claim) {
+  if (claim == Claim::kPlcTriangulation) return Claim::kSteinerTriangulation;
+  return claim == Claim::kCdt ? Claim::kSteinerCdt : claim;
+}
+
+// Is a simplex or a listed face at fault by itself?
+bool is_unsound(const Verdict& verdict) {
+  return std::any_of(verdict.tallies().begin(), verdict.tallies().end(), [](const auto& tally) {
+    return tally.first < Rule::kOverlap && tally.first != Rule::kOrientation;
+  });
+}
+
+std::string cell_name(Cell cell, const Domain& domain) {
+  if (cell.dimension == 0) {
+    return "vertex " + std::to_string(domain.label(static_cast<Vertex>(cell.place)));
+  }
+  if (cell.dimension == 2) return "polygon " + domain.polygon_name(cell.place);
+  const Simplex& ends = domain.complex.segments[cell.place];
+  return "segment " + std::to_string(domain.label(ends[0])) + " " +
+         std::to_string(domain.label(ends[1]));
+}
+
+NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh, const Domain& domain) {
+  const std::string reach = square_root_to_decimal(answer.squared_reach);
+  if (answer.kind == ReachAnswer::Kind::kOpen) {
+    return {
+        "Which triangles of the mesh are the image of " + cell_name(answer.cells.front(), domain) +
+        " of the domain is not forced, where vertices are carried at a distance of about " + reach +
+        ": flat simplices lie between several choices, and none of the two that the definition "
+        "allows is an image."};
+  }
+  if (answer.vertices.empty() && !answer.cells.empty()) {
+    return {
+        "No distance below about " + reach + " will do, and from there on " +
+        cell_name(answer.cells[0], domain) + " and " + cell_name(answer.cells[1], domain) +
+        " of the domain, which do not meet, are at most three distances apart and cannot be told "
+        "apart: name a smaller distance to see what is missing."};
+  }
+  if (answer.cells.empty()) return {"Some distances do not tell cells of the domain apart."};
+  std::string text = "At a distance of about " + reach + " ";
+  if (answer.cells.size() == 1) {
+    return {text + "vertices " + std::to_string(mesh.label(answer.vertices[0])) + " and " +
+            std::to_string(mesh.label(answer.vertices[1])) +
+            " of the mesh both are within reach of " + cell_name(answer.cells[0], domain) +
+            " of the domain, and no smaller distance will do: name a smaller one to see what is "
+            "missing."};
+  }
+  return {
+      text + "vertex " + std::to_string(mesh.label(answer.vertices[0])) +
+      " of the mesh is within reach of " + cell_name(answer.cells[0], domain) + " and of " +
+      cell_name(answer.cells[1], domain) +
+      " of the domain but of nothing that these have in common, and no smaller distance will do: "
+      "name a smaller one to see what is missing."};
+}
+
+// A witness against the image, in the words of the domain.
+Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer& answer,
+                   const PiecewiseLinearComplex& complex) {
+  if (witness.polygon) witness.polygon = image.polygons[*witness.polygon];
+  if (!witness.domain_cell) return witness;
+  Simplex in_mesh;
+  for (const Vertex v : *witness.domain_cell) {
+    in_mesh.push_back(image.in_mesh[static_cast<std::size_t>(v)]);
+  }
+  witness.domain_cell.reset();
+  if (witness.vertices.empty()) witness.vertices = in_mesh;
+  std::vector<Cell> carriers;
+  for (const Vertex v : in_mesh) {
+    const auto& carrier = answer.carriers[static_cast<std::size_t>(v)];
+    if (carrier.is_one()) carriers.push_back(*carrier.cell);
+  }
+  for (const Cell& cell : carriers) {
+    if (cell.dimension == 1) witness.domain_cell = complex.segments[cell.place];
+    if (cell.dimension == 2) witness.polygon = cell.place;
+  }
+  if (!witness.domain_cell && !witness.polygon) {
+    Simplex vertices;
+    for (const Cell& cell : carriers) vertices.push_back(static_cast<Vertex>(cell.place));
+    if (!vertices.empty()) witness.domain_cell = sorted(vertices);
+  }
+  return witness;
+}
+
+// The vertices of the mesh that are no image of a vertex of the domain.
+void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
+                        const ReachAnswer& answer, Verdict& verdict) {
+  SteinerPoints count;
+  ExtraVertices extra;
+  for (Vertex v = 0; mesh.points.names(v); ++v) {
+    const std::size_t place = static_cast<std::size_t>(v);
+    const auto& cell = answer.carriers[place].cell;
+    if (!used[place] || (cell && cell->dimension == 0)) continue;
+    if (!cell) ++count.in_polyhedra;
+    if (cell && cell->dimension == 1) ++count.on_segments;
+    if (cell && cell->dimension == 2) ++count.in_polygons;
+    const std::size_t limit = verdict.max_violations();
+    if (limit == 0 || extra.count < limit) extra.first.push_back(v);
+    ++extra.count;
+    if (forbids_steiner_points(verdict.claim())) {
+      verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
+    }
+  }
+  verdict.steiner_points = count;
+  verdict.extra_vertices = std::move(extra);
+}
+
+void add_all(const Verdict& inner, const ImageComplex& image, const ReachAnswer& answer,
+             const PiecewiseLinearComplex& complex, Verdict& verdict) {
+  std::map<Rule, std::size_t> kept;
+  for (const Violation& violation : inner.violations()) {
+    ++kept[violation.rule];
+    verdict.add(violation.rule, translated(violation.witness, image, answer, complex),
+                inner.tallies().at(violation.rule).worst_margin);
+  }
+  for (const auto& [rule, tally] : inner.tallies()) {
+    for (std::size_t i = kept[rule]; i < tally.count; ++i) verdict.count(rule, tally.worst_margin);
+  }
+  verdict.dangling = inner.dangling;
+  if (!verdict.holds()) return;
+  verdict.unique = inner.unique;
+  verdict.canonical = inner.canonical;
+}
+
+// At some small reaches first: the answer does not depend on the limit once there is one, and a limit that is
+// large for the mesh makes everything near everything.
+ReachAnswer answer_up_to(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
+                         const Regions& regions, const Rational& squared_distance) {
+  Rational largest = 0;
+  for (const Point& point : cells.complex().points.points()) {
+    for (const Rational& x : point) largest = std::max(largest, Rational(abs(x)));
+  }
+  for (const long parts :
+       {1'000'000'000'000'000L, 1'000'000'000'000L, 1'000'000'000L, 1'000'000L}) {
+    const Rational limit = largest / Rational(parts);
+    if (limit * limit >= squared_distance) break;
+    ReachAnswer answer = least_reach(mesh, used, cells, regions, limit * limit);
+    if (answer.kind == ReachAnswer::Kind::kFound) return answer;
+  }
+  return least_reach(mesh, used, cells, regions, squared_distance);
+}
+
+tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh,
+                                              const std::vector<bool>& used, const Cells& cells,
+                                              const Regions& regions, const ReachAnswer& answer,
+                                              const Options& options,
+                                              const fast::SimplexFacts* known) {
+  Verdict verdict(claim, mesh, options.max_violations);
+  verdict.within = Within{.squared_reach = answer.squared_reach};
+  const auto image = image_complex(answer.images, mesh, cells, regions);
+  if (!image) {
+    verdict.add(image.error().rule, image.error().witness);
+    return verdict;
+  }
+  if (image->sides_differ) {
+    return tl::unexpected(
+        NotJudged{"The images of the cells part space otherwise than the cells do: a region has "
+                  "walls around it "
+                  "with the inside of the domain on that side, and others that have not.",
+                  false});
+  }
+  verdict.within->not_compared = image->not_flat_and_dangling;
+  add_steiner_points(mesh, used, answer, verdict);
+  const Verdict inner =
+      judge_domain(with_steiner_points(claim), mesh, image->domain, options, known);
+  add_all(inner, *image, answer, cells.complex(), verdict);
+  return verdict;
+}
+
+}  // namespace
+
+tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh,
+                                              const Domain& domain,
+                                              const Rational& squared_distance,
+                                              const Options& options,
+                                              const fast::SimplexFacts* known) {
+  Verdict exact = judge_domain(claim, mesh, domain, options, known);
+  if (exact.holds()) {
+    exact.within = Within{};
+    return exact;
+  }
+  if (domain.complex.points.empty() || is_unsound(exact)) return exact;
+  if (domain.complex.kind == DomainKind::kHull) {
+    return tl::unexpected(
+        NotJudged{"The claim does not hold exactly, and of a domain that is a convex hull no other "
+                  "distance is judged yet: give the domain with the polygons of its hull, as "
+                  "--domain-kind enclosed.",
+                  false});
+  }
+  const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
+  const Cells cells(domain.complex);
+  const Regions regions(domain.complex);
+  const bool by_definition = options.by == By::kDefinition;
+  if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
+    return tl::unexpected(
+        NotJudged{"By definition every set of triangles near a polygon is tried, and here there "
+                  "are too many: "
+                  "judge by lemma.",
+                  false});
+  }
+  const ReachAnswer answer =
+      by_definition ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
+                    : answer_up_to(mesh, used, cells, regions, squared_distance);
+  switch (answer.kind) {
+    case ReachAnswer::Kind::kAmbiguous:
+    case ReachAnswer::Kind::kOpen:
+      return tl::unexpected(not_judged(answer, mesh, domain));
+    case ReachAnswer::Kind::kNone:
+      break;
+    case ReachAnswer::Kind::kFound:
+      if (sign(answer.squared_reach) == 0) {
+        exact.within = Within{};
+        return exact;
+      }
+      return judge_images(claim, mesh, used, cells, regions, answer, options, known);
+  }
+  Verdict verdict(claim, mesh, options.max_violations);
+  for (const Violation& breach : answer.breaches) verdict.add(breach.rule, breach.witness);
+  assert(!verdict.holds());
+  verdict.beyond = squared_distance;
+  return verdict;
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,30 @@
+// Judging a mesh of a domain whose vertices were rounded: the claim is of a complex that is the domain with
+// its cells moved by no more than a given distance. docs/theory/within.md is the definition.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "oracle/judge/domain/judge_domain.hpp"
+
+namespace circumspect::check {
+
+// Why there is no verdict: the distance reaches beyond what tells the cells of the domain apart, the images
+// of the cells are not forced, or the kind of the domain is not handled.
+struct NotJudged {
+  std::string reason;          // whole sentences
+  bool is_input_fault = true;  // else: what is asked is not implemented
+};
+
+// The verdict on the claim for the domain moved by no more than the square root of `squared_distance`,
+// exactly; Verdict::within says by how much it is moved. If there is no such move, the verdict says which
+// cells have no image. A mesh for which the claim holds as it stands is moved by 0.
+// Requires: as judge_domain; squared_distance >= 0.
+tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh,
+                                              const Domain& domain,
+                                              const Rational& squared_distance,
+                                              const Options& options = {},
+                                              const fast::SimplexFacts* known = nullptr);
+
+}  // namespace circumspect::check

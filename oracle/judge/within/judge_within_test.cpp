@@ -1,0 +1,305 @@
+// The cases that the definition was made for: docs/theory/within.md.
+#include "oracle/judge/within/judge_within.hpp"
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/within/moved_meshes_test.hpp"
+
+namespace circumspect::check {
+namespace {
+
+constexpr Claim kTriangulates = Claim::kSteinerTriangulation;
+
+// "holds 4" (moved by 4 bits, its square root rounded down), "fails domain.outside", "not judged".
+std::string answer(const MovedMesh& moved, Claim claim = kTriangulates,
+                   const Rational& distance = 100 * kBit) {
+  const auto verdict = judge_within(claim, moved.mesh, moved.domain, distance * distance);
+  if (!verdict) return verdict.error().is_input_fault ? "not judged" : "not handled";
+  if (!verdict->holds()) {
+    std::string text = "fails";
+    for (const auto& [rule, tally] : verdict->tallies()) {
+      text += " " + std::string(identifier(rule));
+    }
+    return text;
+  }
+  int bits = 0;
+  while (kBit * (bits + 1) * (kBit * (bits + 1)) <= verdict->within->squared_reach) ++bits;
+  return "holds " + std::to_string(bits);
+}
+
+// By definition it is the same.
+std::string both_answers(const MovedMesh& moved, const Rational& distance = 100 * kBit) {
+  const auto slow = judge_within(kTriangulates, moved.mesh, moved.domain, distance * distance,
+                                 {.by = By::kDefinition});
+  const std::string quick = answer(moved, kTriangulates, distance);
+  if (slow) {
+    CHECK(slow->holds() == quick.starts_with("holds"));
+  } else {
+    CHECK(slow.error().is_input_fault);
+    CHECK(quick == "not judged");
+  }
+  return quick;
+}
+
+ExactMesh moved_vertex(const ExactMesh& mesh, const Point& at, const Point& by) {
+  std::vector<Point> points = mesh.points.points();
+  const Vertex v = vertex_at(mesh.points, at);
+  REQUIRE(v >= 0);
+  points[static_cast<std::size_t>(v)] = at + by;
+  return with_points(mesh, points);
+}
+
+Rational bits(long number) { return number * kBit; }
+
+// A box of 4 × 4 × 4, meshed with vertices in the middles of edges along x.
+MovedMesh box_with_steiner_points() {
+  return {grid({0, 2, 4}, {0, 4}, {0, 4}, every_cell), domain_of(cuboid({0, 0, 0}, {4, 4, 4}))};
+}
+MovedMesh square_with_steiner_points() {
+  return {grid({0, 2, 4}, {0, 2, 4}, {0}, every_cell), domain_of(cuboid({0, 0}, {4, 4}))};
+}
+
+MovedMesh soup(const std::vector<Point>& domain_points, const std::vector<Simplex>& polygons,
+               const std::vector<Point>& points, const std::vector<Simplex>& faces) {
+  PiecewiseLinearInput input;
+  input.points = domain_points;
+  for (const Simplex& corners : polygons) input.polygons.push_back({{corners}, {}});
+  ExactMesh mesh{PointSet(points), {}};
+  mesh.faces = faces;
+  return {mesh, domain_of(input)};
+}
+
+}  // namespace
+
+TEST_CASE("within: a mesh for which the claim holds is moved by nothing, whatever the distance") {
+  for (const Rational& distance : {Rational(0), bits(1), Rational(1)}) {
+    CHECK(answer(box_with_steiner_points(), kTriangulates, distance) == "holds 0");
+    CHECK(answer(square_with_steiner_points(), kTriangulates, distance) == "holds 0");
+  }
+}
+
+TEST_CASE("within: vertices of segments, of polygons and of the domain that were moved") {
+  for (const Point& at : {Point{2, 0, 0}, Point{0, 0, 0}, Point{4, 4, 0}}) {
+    MovedMesh box = box_with_steiner_points();
+    box.mesh = moved_vertex(box.mesh, at, {0, bits(3), bits(4)});
+    CHECK(both_answers(box) == "holds 5");
+    CHECK(answer(box, kTriangulates, bits(5)) == "holds 5");
+    CHECK(answer(box, kTriangulates, bits(5) - bits(1) / 1000).starts_with("fails"));
+    CHECK(answer(box, kTriangulates, 0).starts_with("fails"));
+  }
+  MovedMesh square = square_with_steiner_points();
+  square.mesh = moved_vertex(square.mesh, {2, 0}, {0, bits(7)});
+  CHECK(both_answers(square) == "holds 7");
+}
+
+TEST_CASE("within: what is wrong besides is named by its rule") {
+  MovedMesh box = box_with_steiner_points();
+  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+  const ExactMesh whole = box.mesh;
+  for (std::size_t s = 0; s < whole.simplices.size(); ++s) {
+    box.mesh = whole;
+    box.mesh.simplices.erase(box.mesh.simplices.begin() + static_cast<std::ptrdiff_t>(s));
+    CHECK(both_answers(box).starts_with("fails domain."));
+  }
+  box.mesh = whole;
+  box.mesh.simplices.push_back(box.mesh.simplices.front());
+  CHECK(answer(box) == "fails complex.duplicate-simplex");
+  box.mesh = whole;  // a tetrahedron upon a face
+  std::vector<Point> points = whole.points.points();
+  points.push_back({1, 1, -1});
+  box.mesh = with_points(whole, points);
+  const Vertex far = static_cast<Vertex>(points.size()) - 1;
+  box.mesh.simplices.push_back({vertex_at(whole.points, {0, 0, 0}),
+                                vertex_at(whole.points, {2 + 0, bits(3), bits(4)}),
+                                vertex_at(whole.points, {2, 4, 0}), far});
+  CHECK(both_answers(box) == "fails domain.outside");
+}
+
+TEST_CASE("within: Steiner points in walls are Steiner points") {
+  MovedMesh box = box_with_steiner_points();
+  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+  CHECK(answer(box, Claim::kPlcTriangulation) == "fails domain.steiner-forbidden");
+  CHECK(answer(box, Claim::kCdt).starts_with("fails domain.steiner-forbidden"));
+  const auto verdict =
+      judge_within(kTriangulates, box.mesh, box.domain, Rational(100 * kBit) * (100 * kBit));
+  REQUIRE(verdict);
+  CHECK(verdict->steiner_points->on_segments == 4);
+  CHECK(verdict->steiner_points->in_polygons == 0);
+}
+
+TEST_CASE("within: a flat tetrahedron at a wall belongs to the inside") {
+  // One diagonal of the floor dips inward, so that there is room for a tetrahedron below it.
+  MovedMesh box = {grid({0, 4}, {0, 4}, {0, 4}, every_cell),
+                   domain_of(cuboid({0, 0, 0}, {4, 4, 4}))};
+  box.mesh = moved_vertex(box.mesh, {0, 0, 0}, {0, 0, bits(3)});
+  box.mesh = moved_vertex(box.mesh, {4, 4, 0}, {0, 0, bits(3)});
+  CHECK(both_answers(box) == "holds 3");
+  const auto at = [&](int x, int y, const Rational& z) {
+    return vertex_at(box.mesh.points, {x, y, z});
+  };
+  const Simplex flat = {at(0, 0, bits(3)), at(4, 0, 0), at(4, 4, bits(3)), at(0, 4, 0)};
+  box.mesh.simplices.push_back(flat);
+  CHECK(both_answers(box) == "holds 3");
+  // On the other side there is no room: it overlaps what is there.
+  MovedMesh other = {grid({0, 4}, {0, 4}, {0, 4}, every_cell),
+                     domain_of(cuboid({0, 0, 0}, {4, 4, 4}))};
+  other.mesh = moved_vertex(other.mesh, {0, 0, 0}, {0, 0, -bits(3)});
+  other.mesh = moved_vertex(other.mesh, {4, 4, 0}, {0, 0, -bits(3)});
+  CHECK(both_answers(other) == "holds 3");
+  other.mesh.simplices.push_back(
+      {vertex_at(other.mesh.points, {0, 0, -bits(3)}), vertex_at(other.mesh.points, {4, 0, 0}),
+       vertex_at(other.mesh.points, {4, 4, -bits(3)}), vertex_at(other.mesh.points, {0, 4, 0})});
+  CHECK(both_answers(other).starts_with("fails complex.overlap"));
+}
+
+TEST_CASE(
+    "within: a flat tetrahedron at a wall that has the inside on both sides is on one of them") {
+  const std::vector<int> two = {0, 4, 8};
+  MovedMesh boxes = {
+      grid({0, 4}, {0, 4}, two, every_cell),
+      domain_of(cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; }))};
+  CHECK(boxes.domain.complex.polygons.size() == 11);
+  // The cube above turned over, so that its diagonal in the wall is the other one; then the diagonal below
+  // dips, and there is room.
+  std::vector<Point> points = boxes.mesh.points.points();
+  for (Simplex& simplex : boxes.mesh.simplices) {
+    bool above = false;
+    for (const Vertex v : simplex) above |= boxes.mesh.points[v][2] > 4;
+    if (!above) continue;
+    for (Vertex& v : simplex) {
+      const Point& p = boxes.mesh.points[v];
+      v = vertex_at(boxes.mesh.points, {4 - p[0], p[1], p[2]});
+    }
+  }
+  boxes.mesh = moved_vertex(boxes.mesh, {0, 0, 4}, {0, 0, -bits(3)});
+  boxes.mesh = moved_vertex(boxes.mesh, {4, 4, 4}, {0, 0, -bits(3)});
+  CHECK(both_answers(boxes).starts_with("fails domain.uncovered"));
+  boxes.mesh.simplices.push_back(
+      {vertex_at(boxes.mesh.points, {0, 0, 4 - bits(3)}), vertex_at(boxes.mesh.points, {4, 0, 4}),
+       vertex_at(boxes.mesh.points, {4, 4, 4 - bits(3)}), vertex_at(boxes.mesh.points, {0, 4, 4})});
+  CHECK(both_answers(boxes) == "holds 3");
+}
+
+TEST_CASE("within: a vertex near a segment that is not on it is free, whatever the distance") {
+  const Domain square = square_with_steiner_points().domain;
+  // A fan about a vertex 20 bits above the lower side.
+  const Point low = {2, bits(20)};
+  std::vector<Point> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, low};
+  ExactMesh fan{PointSet(points), {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+  const MovedMesh exact{fan, square};
+  CHECK(both_answers(exact, bits(10)) == "holds 0");
+  CHECK(both_answers(exact, bits(30)) == "holds 0");
+  const MovedMesh moved{moved_vertex(fan, {4, 4}, {bits(1), 0}), square};
+  CHECK(both_answers(moved, bits(10)) == "holds 1");
+  CHECK(both_answers(moved, bits(30)) == "holds 1");
+}
+
+TEST_CASE("within: cells that the distance does not tell apart are no matter of guessing") {
+  // A segment of 5 bits: its ends moved by 2 are more than a third of that apart.
+  PiecewiseLinearInput input = cuboid({0, 0}, {4, 4});
+  input.points.push_back({2 + bits(5), 0});
+  input.points.push_back({2, 0});
+  input.segments = {{0, 5}, {5, 4}, {4, 1}, {1, 2}, {2, 3}, {0, 3}};
+  const std::vector<Point> moved = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2 + bits(5), bits(2)}, {2, 0}};
+  const std::vector<Simplex> fan = {{3, 0, 5}, {3, 5, 4}, {3, 4, 2}, {4, 1, 2}};
+  CHECK(both_answers({{PointSet(moved), fan}, domain_of(input)}) == "not judged");
+  std::vector<Point> less = moved;
+  less[4] = {2 + bits(5), bits(1)};
+  CHECK(both_answers({{PointSet(less), fan}, domain_of(input)}) == "holds 1");
+}
+
+TEST_CASE("within: a vertex across a wall that is nearer than three distances") {
+  // A lone vertex 2 bits inside; in the mesh it is outside.
+  PiecewiseLinearInput input = cuboid({0, 0}, {4, 4});
+  input.points.push_back({2, bits(2)});
+  const std::vector<Point> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, -bits(1)}};
+  const std::vector<Simplex> mesh = {{0, 4, 3}, {4, 2, 3}, {4, 1, 2}};
+  CHECK(both_answers({{PointSet(points), mesh}, domain_of(input)}) == "not judged");
+}
+
+TEST_CASE("within: a slot that a mesh bridges") {
+  // A square with a slot of `width` from above, and a mesh that knows nothing of it.
+  const auto bridged = [](const Rational& width) {
+    PiecewiseLinearInput input;
+    input.points = {{0, 0}, {4, 0}, {4, 4}, {2 + width, 4}, {2, 1}, {2, 4}, {0, 4}};
+    for (Vertex v = 0; v < 7; ++v) input.segments.push_back({v, (v + 1) % 7});
+    const ExactMesh mesh{PointSet(input.points),
+                         {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 5, 4}, {5, 6, 4}, {6, 0, 4}}};
+    return MovedMesh{mesh, domain_of(input)};
+  };
+  CHECK(both_answers(bridged(1)) == "fails domain.outside");
+  MovedMesh narrow = bridged(bits(9));
+  CHECK(both_answers(narrow) == "fails domain.outside");
+  narrow.mesh = moved_vertex(narrow.mesh, {4, 4}, {bits(2), 0});
+  CHECK(both_answers(narrow) == "fails domain.outside");
+  narrow.mesh = moved_vertex(narrow.mesh, {4 + bits(2), 4}, {bits(2), 0});
+  CHECK(both_answers(narrow) ==
+        "not judged");  // the ends of the slot are less than 3 times 4 bits apart
+}
+
+TEST_CASE("within: a thin polygon that is mirrored") {
+  const auto thin = [](const Rational& y) {
+    return soup({{0, 0, 0}, {4, 0, 0}, {2, bits(4), 0}}, {{0, 1, 2}},
+                {{0, 0, 0}, {4, 0, 0}, {2, y, 0}}, {{0, 1, 2}});
+  };
+  CHECK(both_answers(thin(bits(4))) == "holds 0");
+  CHECK(both_answers(thin(bits(3))) == "holds 1");
+  CHECK(both_answers(thin(-bits(4))) == "not judged");
+  // Two layers of triangles on one polygon are one too many.
+  MovedMesh twice = soup({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}},
+                         {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, bits(2)}, {1, 1, -bits(2)}},
+                         {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}});
+  CHECK(both_answers(twice) == "fails domain.polygon-not-tiled");
+}
+
+TEST_CASE("within: three polygons at one segment, in another order") {
+  // Two of them stand at a tiny angle; each has a vertex on its upper side, from which the order near the
+  // segment follows. The third is far away.
+  const auto book = [](long of_first, long of_second) {
+    const Rational e = bits(10);
+    const std::vector<Point> domain = {{0, 0, 0}, {0, 0, 4}, {8, 0, 0}, {8, 8 * e, 4}, {-4, 1, 2}};
+    std::vector<Point> points = domain;
+    points.push_back({1, bits(of_first), Rational(7, 2)});
+    points.push_back({1, bits(of_second), 4});
+    return soup(domain, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}, points,
+                {{0, 1, 5}, {0, 5, 2}, {0, 1, 6}, {0, 6, 3}, {0, 1, 4}});
+  };
+  CHECK(both_answers(book(0, 10), bits(10)) == "holds 0");
+  CHECK(both_answers(book(2, 8), bits(10)).starts_with("holds"));
+  CHECK(both_answers(book(6, 4), bits(10)) == "fails domain.images-meet");
+}
+
+TEST_CASE("within: dangling polygons that are not flat any more are counted") {
+  MovedMesh sheet =
+      soup({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3}},
+           {{0, 0, bits(1)}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  CHECK(both_answers(sheet) == "holds 1");
+  const auto verdict = judge_within(Claim::kCdt, sheet.mesh, sheet.domain, kSquaredLimit);
+  REQUIRE(verdict);
+  CHECK(verdict->holds());
+  CHECK(verdict->within->not_compared == 1);
+}
+
+TEST_CASE("within: holes and regions keep the side that they had") {
+  // A square ring, meshed exactly but for a vertex of the hole; then the hole filled.
+  const auto keep = [](std::size_t i, std::size_t j, std::size_t) { return i != 1 || j != 1; };
+  PiecewiseLinearInput input = cells_domain({0, 4, 8, 12}, {0, 4, 8, 12}, {0}, keep);
+  input.hole_seeds = {{6, 6}};
+  MovedMesh ring = {grid({0, 4, 8, 12}, {0, 4, 8, 12}, {0}, keep), domain_of(input)};
+  ring.mesh = moved_vertex(ring.mesh, {4, 4}, {bits(2), 0});
+  CHECK(both_answers(ring) == "holds 2");
+  ring.mesh = grid({0, 4, 8, 12}, {0, 4, 8, 12}, {0}, every_cell);
+  ring.mesh = moved_vertex(ring.mesh, {4, 4}, {bits(2), 0});
+  CHECK(both_answers(ring) == "fails domain.outside");
+}
+
+TEST_CASE("within: a domain that is a convex hull is judged if the claim holds exactly") {
+  PiecewiseLinearInput input = cuboid({0, 0, 0}, {4, 4, 4});
+  input.kind = DomainKind::kHull;
+  MovedMesh box = {box_with_steiner_points().mesh, domain_of(input)};
+  CHECK(answer(box) == "holds 0");
+  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+  CHECK(answer(box) == "not handled");
+}
+
+}  // namespace circumspect::check

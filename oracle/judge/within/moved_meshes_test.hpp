@@ -1,0 +1,146 @@
+// Meshes of domains, slanted, whose vertices are then moved: what the tests of this folder draw from.
+#pragma once
+
+#include <random>
+
+#include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/within/judge_within.hpp"
+
+namespace circumspect::check {
+
+struct MovedMesh {
+  ExactMesh mesh;
+  Domain domain;
+};
+
+// One billionth: vertices are moved by a few of them.
+inline const Rational kBit = Rational(1, 1'000'000'000);
+inline const Rational kSquaredLimit = Rational(1, 100'000'000'000'000);  // of 1e-7
+
+inline Point slanted(const Point& p) {
+  if (p.size() == 2) return {3 * p[0] + p[1], 2 * p[1] - p[0]};
+  return {3 * p[0] + p[1], 4 * p[1] - p[0] + 2 * p[2], p[0] + 5 * p[2]};
+}
+
+inline ExactMesh with_points(const ExactMesh& mesh, std::vector<Point> points) {
+  return {PointSet(std::move(points)), mesh.simplices, {}, 0, {}, mesh.faces};
+}
+inline ExactMesh slanted(const ExactMesh& mesh) {
+  std::vector<Point> points;
+  for (const Point& p : mesh.points.points()) points.push_back(slanted(p));
+  return with_points(mesh, points);
+}
+inline PiecewiseLinearInput slanted(PiecewiseLinearInput input) {
+  for (Point& p : input.points) p = slanted(p);
+  for (Point& p : input.hole_seeds) p = slanted(p);
+  return input;
+}
+
+// Every vertex moved by a few billionths along each axis.
+template <class Random>
+ExactMesh shaken(const ExactMesh& mesh, Random& random, long most = 4) {
+  std::vector<Point> points = mesh.points.points();
+  for (Point& p : points) {
+    for (Rational& x : p) {
+      x += kBit *
+           Rational(static_cast<long>(random() % static_cast<unsigned long>(2 * most + 1)) - most);
+    }
+  }
+  return with_points(mesh, points);
+}
+
+inline Vertex vertex_at(const PointSet& points, const Point& at) {
+  for (Vertex v = 0; points.names(v); ++v) {
+    if (points[v] == at) return v;
+  }
+  return -1;
+}
+
+// The domain that some cells of a coarse grid fill: the faces of these that no two of them share, and those
+// of the others that `keep_wall` picks, each a polygon (in the plane a segment) of its own.
+using KeepWall = std::function<bool(std::size_t number)>;
+inline PiecewiseLinearInput cells_domain(
+    const std::vector<int>& xs, const std::vector<int>& ys, const std::vector<int>& zs,
+    const KeepCell& keep, const KeepWall& keep_wall = [](std::size_t) { return false; }) {
+  const bool flat = zs.size() == 1;
+  std::map<std::vector<Point>, int> walls;
+  const auto point = [&](std::size_t i, std::size_t j, std::size_t k) {
+    Point p = {xs[i], ys[j]};
+    if (!flat) p.push_back(zs[k]);
+    return p;
+  };
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+      for (std::size_t k = 0; flat ? k < 1 : k + 1 < zs.size(); ++k) {
+        if (!keep(i, j, k)) continue;
+        for (std::size_t side = 0; side < 2; ++side) {
+          if (flat) {
+            ++walls[{point(i + side, j, 0), point(i + side, j + 1, 0)}];
+            ++walls[{point(i, j + side, 0), point(i + 1, j + side, 0)}];
+            continue;
+          }
+          const std::size_t a = i + side, b = j + side, c = k + side;
+          ++walls[{point(a, j, k), point(a, j + 1, k), point(a, j + 1, k + 1), point(a, j, k + 1)}];
+          ++walls[{point(i, b, k), point(i + 1, b, k), point(i + 1, b, k + 1), point(i, b, k + 1)}];
+          ++walls[{point(i, j, c), point(i + 1, j, c), point(i + 1, j + 1, c), point(i, j + 1, c)}];
+        }
+      }
+    }
+  }
+  PiecewiseLinearInput input;
+  std::map<Point, Vertex> number;
+  std::size_t wall_number = 0;
+  for (const auto& [corners, times] : walls) {
+    if (times == 2 && !keep_wall(wall_number++)) continue;
+    std::vector<Vertex> line;
+    for (const Point& corner : corners) {
+      const auto [at, is_new] = number.insert({corner, static_cast<Vertex>(input.points.size())});
+      if (is_new) input.points.push_back(corner);
+      line.push_back(at->second);
+    }
+    if (flat) {
+      input.segments.push_back(line);
+    } else {
+      input.polygons.push_back({{line}, {}});
+    }
+  }
+  return input;
+}
+
+// With a value between every two.
+inline std::vector<int> refined(const std::vector<int>& values, bool refine) {
+  if (!refine) return values;
+  std::vector<int> result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) result.push_back((values[i - 1] + values[i]) / 2);
+    result.push_back(values[i]);
+  }
+  return result;
+}
+
+// Cells of a grid at random, all of its refinements, inner walls at random, slanted.
+template <class Random>
+MovedMesh random_mesh(Random& random, std::size_t dimension) {
+  const auto chance = [&] { return random() % 2 == 0; };
+  std::vector<int> xs = {0, 4}, ys = {0, 4}, zs = {0, 4};
+  if (chance()) xs.push_back(8);
+  if (dimension == 2 && chance()) ys.push_back(8);
+  if (dimension == 2 && chance()) ys.push_back(12);
+  const unsigned long without = random() % 6;
+  const auto keep = [&](std::size_t i, std::size_t j, std::size_t) {
+    return xs.size() == 2 || ys.size() == 2 || i + 2 * j != without;
+  };
+  const bool fine_x = chance(), fine_y = chance(), fine_z = chance();
+  const unsigned long walls = random();
+  if (dimension == 2) zs = {0};
+  const auto input =
+      cells_domain(xs, ys, zs, keep, [&](std::size_t n) { return (walls >> (n % 32)) % 2 == 1; });
+  const auto keep_fine = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return keep(fine_x ? i / 2 : i, fine_y ? j / 2 : j, k);
+  };
+  ExactMesh mesh = grid(refined(xs, fine_x), refined(ys, fine_y),
+                        dimension == 2 ? zs : refined(zs, fine_z), keep_fine);
+  return {slanted(mesh), domain_of(slanted(input))};
+}
+
+}  // namespace circumspect::check

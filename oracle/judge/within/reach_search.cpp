@@ -1,0 +1,170 @@
+#include "oracle/judge/within/reach_search.hpp"
+
+#include <algorithm>
+
+namespace circumspect::check {
+namespace {
+
+using Kind = ReachAnswer::Kind;
+
+// Each step goes to the least reach that is not certain to fail: what is wrong with a cell stays wrong until
+// a vertex of its image, or one that would be, is carried by another cell.
+class ReachSearch {
+ public:
+  ReachSearch(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
+              const Regions& regions, const Rational& squared_limit)
+      : mesh_(mesh),
+        used_(used),
+        cells_(cells),
+        all_(cells.all()),
+        apart_(least_apart(cells, 9 * squared_limit)),
+        limit_(apart_ ? std::min(squared_limit, Rational(apart_->squared / 9)) : squared_limit),
+        reaches_(mesh, used, cells, limit_),
+        faces_(mesh, cells, reaches_),
+        images_(mesh, cells, regions, reaches_, faces_),
+        has_none_(all_.size(), false) {}
+
+  ReachAnswer answer() {
+    while (!answer_) step();
+    return std::move(*answer_);
+  }
+
+ private:
+  // Either answers or makes the reach larger.
+  void step() {
+    if (is_apart_no_more()) return;
+    const Rational before = squared_;
+    settle_cells();
+    if (answer_ || squared_ > before) return;
+    if (std::find(has_none_.begin(), has_none_.end(), true) != has_none_.end()) return give_up();
+    ImageSet images = image_set(images_, cells_, squared_);
+    const auto found = misplaced(images, mesh_, cells_);
+    if (!found) {
+      if (carriers_are_single()) finish(std::move(images));
+      return;
+    }
+    auto next = images_.next_change(found->a, squared_);
+    const auto other = images_.next_change(found->b, squared_);
+    if (!next || (other && *other < *next)) next = other;
+    if (next) {
+      squared_ = *next;
+    } else {
+      breaches_.push_back(found->violation);
+      give_up();
+    }
+  }
+
+  // Two cells that do not meet are at most three reaches apart?
+  bool is_apart_no_more() {
+    if (!apart_ || sign(squared_) == 0 || 9 * squared_ < apart_->squared) return false;
+    answer_ = {.kind = Kind::kAmbiguous,
+               .squared_reach = apart_->squared / 9,
+               .cells = {apart_->a, apart_->b}};
+    return true;
+  }
+
+  // The least reach at which each cell, seen alone, has an image.
+  void settle_cells() {
+    const Rational from = squared_;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (has_none_[i]) continue;
+      Rational squared = from;
+      while (const auto fault = images_.fault(all_[i], squared)) {
+        if (fault->is_open) open_.push_back(all_[i]);
+        const bool doubled = all_[i].dimension == 0 && fault->violation.witness.vertices.size() > 1;
+        if (doubled) {
+          answer_ = {.kind = Kind::kAmbiguous,
+                     .squared_reach = squared,
+                     .cells = {all_[i]},
+                     .vertices = fault->violation.witness.vertices};
+          return;
+        }
+        const auto next = images_.next_change(all_[i], squared);
+        if (!next) {
+          has_none_[i] = true;
+          break;
+        }
+        squared = *next;
+      }
+      if (!has_none_[i]) squared_ = std::max(squared_, squared);
+    }
+  }
+
+  // Where two cells of the lowest dimension are within reach of a vertex, only one of lower dimension, farther
+  // away, can make it clear.
+  bool carriers_are_single() {
+    std::optional<Rational> least;
+    for (Vertex v = 0; mesh_.points.names(v); ++v) {
+      if (!used_[static_cast<std::size_t>(v)]) continue;
+      const Carrier carrier = reaches_.carrier(v, squared_);
+      if (!carrier.second) continue;
+      std::optional<Rational> next;
+      for (const Reaches::ToCell& to : reaches_.of(v)) {
+        if (to.squared <= squared_ || to.cell.dimension >= carrier.cell->dimension) continue;
+        if (!next || to.squared < *next) next = to.squared;
+      }
+      if (!next) {
+        answer_ = {.kind = Kind::kAmbiguous,
+                   .squared_reach = squared_,
+                   .cells = {*carrier.cell, *carrier.second},
+                   .vertices = {v}};
+        return false;
+      }
+      if (!least || *next > *least) least = next;
+    }
+    if (least) squared_ = *least;
+    return !least;
+  }
+
+  // No reach up to the limit of the search will do.
+  void give_up() {
+    if (apart_) {
+      // Beyond it all reaches are ambiguous.
+      answer_ = {.kind = Kind::kAmbiguous,
+                 .squared_reach = apart_->squared / 9,
+                 .cells = {apart_->a, apart_->b}};
+    } else if (!open_.empty()) {
+      answer_ = {.kind = Kind::kOpen, .squared_reach = squared_, .cells = open_};
+    } else {
+      answer_ = {.kind = Kind::kNone, .squared_reach = squared_};
+    }
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (!has_none_[i]) continue;
+      if (const auto fault = images_.fault(all_[i], squared_)) {
+        breaches_.push_back(fault->violation);
+      }
+    }
+    answer_->breaches = std::move(breaches_);
+  }
+
+  void finish(ImageSet images) {
+    answer_ = {.kind = Kind::kFound, .squared_reach = squared_, .images = std::move(images)};
+    for (Vertex v = 0; mesh_.points.names(v); ++v) {
+      answer_->carriers.push_back(reaches_.carrier(v, squared_));
+    }
+  }
+
+  const ExactMesh& mesh_;
+  const std::vector<bool>& used_;
+  const Cells& cells_;
+  std::vector<Cell> all_;
+  std::optional<ApartCells> apart_;
+  Rational limit_;
+  Reaches reaches_;
+  MeshFaces faces_;
+  Images images_;
+  std::vector<bool> has_none_;  // of each cell: at no reach up to the limit
+  std::vector<Cell> open_;
+  std::vector<Violation> breaches_;
+  Rational squared_ = 0;
+  std::optional<ReachAnswer> answer_;
+};
+
+}  // namespace
+
+ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
+                        const Regions& regions, const Rational& squared_limit) {
+  return ReachSearch(mesh, used, cells, regions, squared_limit).answer();
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,62 @@
+// How far the vertices of a mesh are from the cells of a domain, and which cell carries each.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "oracle/judge/within/cells.hpp"
+#include "oracle/model/exact_mesh.hpp"
+
+namespace circumspect::check {
+
+// The cell of lowest dimension that is within reach of a vertex; no cell: the vertex is free. If a second
+// cell of the same dimension is within reach as well, the vertex has no carrier either, and the reach
+// is ambiguous.
+struct Carrier {
+  std::optional<Cell> cell = {};
+  std::optional<Cell> second = {};
+
+  bool is(Cell c) const { return cell == c && !second; }
+  bool is_one() const { return cell && !second; }
+};
+
+class Reaches {
+ public:
+  // All distances up to a limit. `used`: which points are vertices of the mesh.
+  Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
+          const Rational& squared_limit);
+
+  struct ToCell {
+    Cell cell;
+    Rational squared;
+  };
+  struct ToVertex {
+    Rational squared;
+    Vertex vertex;
+  };
+
+  // The cells near a vertex, those of lower dimension first, each dimension from near to far.
+  const std::vector<ToCell>& of(Vertex v) const { return of_[static_cast<std::size_t>(v)]; }
+  // The vertices near a cell, from near to far.
+  const std::vector<ToVertex>& near(Cell cell) const {
+    return near_[static_cast<std::size_t>(cell.dimension)][cell.place];
+  }
+
+  Carrier carrier(Vertex v, const Rational& squared_reach) const;
+
+ private:
+  std::vector<std::vector<ToCell>> of_;
+  std::vector<std::vector<ToVertex>> near_[3];
+};
+
+// Two cells that do not meet, and how far they are apart.
+struct ApartCells {
+  Cell a;
+  Cell b;
+  Rational squared;
+};
+
+// The two that are least apart, if any are at most so far apart.
+std::optional<ApartCells> least_apart(const Cells& cells, const Rational& squared_limit);
+
+}  // namespace circumspect::check
