@@ -2,42 +2,72 @@
 open Extracted
 open Reading
 
+(* What may stand in millions of places is made once. *)
+let naturals = Array.init 6 natural
+let some_naturals = Array.map Option.some naturals
+
+(* Vertices, facets and ridges: greater numbers than d name nothing. *)
+let place c expected = min (Text.read_count c.source expected) (c.d + 1)
+let index c expected = naturals.(place c expected)
+let number c expected = named c (Text.read_count c.source expected)
+let unless_dash c expected =
+  if Text.read_dash c.source expected then None else some_naturals.(place c expected)
+
+(* Things are read in their order, however the list is built. *)
+let rec listed n read = if n = 0 then [] else let thing = read () in thing :: listed (n - 1) read
+
+(* `NAME COUNT`, and that many lines, each by [read]. *)
+let section c name expected read =
+  let header, tokens = line c name "COUNT" in
+  let counts, rest = take c count 1 header tokens in
+  no_more c header rest;
+  let rec lines n read_so_far =
+    if n = 0 then List.rev read_so_far
+    else begin
+      Text.start_line c.source expected;
+      let thing = read () in
+      Text.end_line c.source expected;
+      lines (n - 1) (thing :: read_so_far)
+    end in
+  lines (List.hd counts) []
+
 (* `T J` or `- H`. *)
-let wall c expected = function
-  | "-" :: rest ->
-    let h, rest = take c number 1 expected rest in
-    (OnHull (List.hd h), rest)
-  | tokens ->
-    let (t, j), rest = pair c expected number index tokens in
-    (Neighbour (t, j), rest)
+let wall c expected () =
+  if Text.read_dash c.source expected then OnHull (number c expected)
+  else
+    let t = number c expected in
+    Neighbour (t, index c expected)
 
 (* The certificate, and the labels of its points. *)
 let read c claimed =
   let numerator, denominator = scale c in
   let expected = "the coordinates of a point, its simplex, its vertex there and a label" in
-  let points = section c "points" expected (fun tokens ->
-      let position, rest = site c expected c.weighted tokens in
-      let (home, home_vertex), rest = pair c expected number (unless_dash index) rest in
-      let label, rest = label c expected rest in
-      (({ position; home; home_vertex }, label), rest)) in
+  let integer () = Text.read_integer c.source expected in
+  let labels = ref [] in
+  let points = section c "points" expected (fun () ->
+      let coordinates = listed c.d integer in
+      let weight = if c.weighted then integer () else Big.zero in
+      let home = number c expected in
+      let home_vertex = unless_dash c expected in
+      labels := new_label c (integer ()) :: !labels;
+      { position = { coordinates; weight }; home; home_vertex }) in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
-  let simplices = section c "simplices" expected (fun tokens ->
-      let corners, rest = take c number (c.d + 1) expected tokens in
-      let walls, rest = times (c.d + 1) (wall c expected) rest in
-      let away, rest = take c (unless_dash index) 1 expected rest in
-      ({ corners; walls; away = List.hd away }, rest)) in
+  let corner () = number c expected and wall = wall c expected in
+  let simplices = section c "simplices" expected (fun () ->
+      let corners = listed (c.d + 1) corner in
+      let walls = listed (c.d + 1) wall in
+      { corners; walls; away = unless_dash c expected }) in
   let expected = "a simplex, a facet, and what is across the ridges" in
-  let hull = section c "hull" expected (fun tokens ->
-      let (carrier, apex), rest = pair c expected number index tokens in
-      let ridges, rest = times c.d (pair c expected number index) rest in
-      ({ carrier; apex; ridges }, rest)) in
+  let ridge () = let g = number c expected in (g, index c expected) in
+  let hull = section c "hull" expected (fun () ->
+      let carrier = number c expected in
+      let apex = index c expected in
+      { carrier; apex; ridges = listed c.d ridge }) in
   let expected, tokens = line c "sample" "SIMPLEX COORDINATES W" in
-  let simplex, rest = take c number 1 expected tokens in
+  let simplex, rest = take c Reading.number 1 expected tokens in
   let sample, rest = site c expected false rest in
-  let sample_denominator, rest = take c integer 1 expected rest in
+  let sample_denominator, rest = take c Reading.integer 1 expected rest in
   no_more c expected rest;
   ending c;
-  let labels = List.rev (List.rev_map snd points) in
-  let points = List.rev (List.rev_map fst points) in
   ({ claimed; numerator; denominator; points; simplices; hull; sample_simplex = List.hd simplex;
-     sample; sample_denominator = List.hd sample_denominator }, labels)
+     sample; sample_denominator = List.hd sample_denominator }, List.rev !labels)

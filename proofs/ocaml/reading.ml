@@ -52,12 +52,13 @@ let line c name rest_expected =
 
 (* By which index the user knows a point; no two points have the same. *)
 exception Repeated_label of string
-let label c expected tokens =
-  let values, rest = take c integer 1 expected tokens in
-  let label = List.hd values in
+let new_label c label =
   if Hashtbl.mem c.labels label then raise (Repeated_label (Big.to_string label));
   Hashtbl.add c.labels label ();
-  (label, rest)
+  label
+let label c expected tokens =
+  let values, rest = take c integer 1 expected tokens in
+  (new_label c (List.hd values), rest)
 
 (* `NAME COUNT` and that many lines. *)
 let section c name expected read =
