@@ -35,7 +35,7 @@ list(APPEND CMAKE_MODULE_PATH "${CMAKE_SOURCE_DIR}/cmake")
 enable_testing()
 # The targets are made in a folder of this one, and have to be seen here.
 add_subdirectory(judge)
-add_executable(replay fuzz/triangulate_fuzz.cpp fuzz/targets/replay.cpp triangulate.cpp)
+add_executable(replay fuzz/triangulate_fuzz.cpp fuzz/replay.cpp triangulate.cpp)
 target_link_libraries(replay PRIVATE circumspect::harness)
 get_property(default_type CACHE CMAKE_BUILD_TYPE PROPERTY VALUE)
 file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/asked-of-users" CONTENT "\

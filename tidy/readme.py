@@ -34,6 +34,8 @@ SCRATCH = ("reference", "proof", "drawn", "certificate")
 SESSION = "/tmp/try$ "
 # What differs from run to run.
 SECONDS = re.compile(r"\bin \d+\.\d s$", re.MULTILINE)
+# What a campaign says about its time while it works; no page shows it.
+NARRATION = re.compile(r"^campaign: \d.*\n", re.MULTILINE)
 FILE = re.compile(r"<!-- file: (\S+) -->")
 
 
@@ -91,8 +93,8 @@ class Page:
 
     def session_output(self, line):
         """What the shell prints in the page's own folder, which is shown as /tmp/try."""
-        return self.printed(["bash", "-c", line], self.session_folder).replace(
-            self.session_folder, SESSION[:-2]).splitlines()
+        printed = self.printed(["bash", "-c", line], self.session_folder)
+        return NARRATION.sub("", printed).replace(self.session_folder, SESSION[:-2]).splitlines()
 
     def printed(self, command, where):
         path = os.path.dirname(self.programs["circumspect"]) + os.pathsep + os.environ["PATH"]

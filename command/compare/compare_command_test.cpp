@@ -71,20 +71,18 @@ TEST_CASE("compare: the weights of JSON tell points apart") {
   const std::string zero = folder.write("zero.json", weighted_triangle(R"("weights":[0,0,0],)"));
   const Run differ = run({"compare", a, b});
   CHECK(differ.exit_code == 1);
-  CHECK(differ.out == "only in " + a + ": point 0 (0, 0; weight 5)\n" + "only in " + a +
-                          ": simplex 0 1 2\n" + "only in " + b + ": point 0 (0, 0; weight 6)\n" +
-                          "only in " + b + ": simplex 0 1 2\n" +
-                          "differ: 1 points 1 simplices only in " + a +
-                          ", 1 points 1 simplices only in " + b + "\n");
+  CHECK(differ.out ==
+        "only in " + a + ": point 0 (0, 0; weight 5)\n" + "only in " + a + ": simplex 0 1 2\n" +
+            "only in " + b + ": point 0 (0, 0; weight 6)\n" + "only in " + b + ": simplex 0 1 2\n" +
+            "differ: 1 point 1 simplex only in " + a + ", 1 point 1 simplex only in " + b + "\n");
   auto json = document(run({"compare", a, b, "--format", "json"}))["results"][0];
   CHECK(json["weighted"] == true);
   CHECK(json["only_in_a"]["points"][0]["weight"] == "5");
-  CHECK(run({"compare", a, a}).out == "same: " + a + " " + a + " 3 points 1 simplices weighted\n");
+  CHECK(run({"compare", a, a}).out == "same: " + a + " " + a + " 3 points 1 simplex weighted\n");
   // What has no weights has the weights 0.
   CHECK(run({"compare", a, none}).exit_code == 1);
   CHECK(run({"compare", zero, none}).exit_code == 0);
-  CHECK(run({"compare", none, none}).out ==
-        "same: " + none + " " + none + " 3 points 1 simplices\n");
+  CHECK(run({"compare", none, none}).out == "same: " + none + " " + none + " 3 points 1 simplex\n");
   // Unless they are asked for.
   CHECK(run({"compare", a, none, "--weighted"}).exit_code == 3);
 }
@@ -100,9 +98,9 @@ TEST_CASE("compare: the first attributes of .node are weights if --weighted says
   CHECK(differ.exit_code == 1);
   CHECK(has(differ.out, "only in " + a + ": point 1 (0, 0; weight 5)\n"));
   CHECK(has(differ.out, "only in " + b + ": point 1 (0, 0; weight 6)\n"));
-  CHECK(has(differ.out, "differ: 1 points 1 simplices only in "));
+  CHECK(has(differ.out, "differ: 1 point 1 simplex only in "));
   CHECK(run({"compare", a, a, "--weighted"}).out ==
-        "same: " + a + " " + a + " 3 points 1 simplices weighted\n");
+        "same: " + a + " " + a + " 3 points 1 simplex weighted\n");
   CHECK(run({"compare", b, json, "--weighted"}).exit_code == 0);
   const Run guessed = run({"compare", b, json});
   CHECK(guessed.exit_code == 1);

@@ -15,7 +15,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 std::vector<const CLI::App*> subcommands(const CLI::App& command) {
-  return command.get_subcommands([](const CLI::App*) { return true; });
+  // Those without a group are for the build, not for people.
+  return command.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
 }
 
 Words names_of(const std::vector<const CLI::App*>& commands) {
