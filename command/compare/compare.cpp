@@ -184,9 +184,9 @@ void compare(const CompareOptions& options, Output& output) {
     output.error(ExitCode::kUsage, "mesh", "-", "expected one mesh on standard input, found two");
     return;
   }
-  auto a = load_mesh(options.a, options.input);
+  auto a = load_mesh(options.a, options.input, thread_count(0));
   if (!a) output.error(ExitCode::kInputFault, "mesh", options.a, a.error());
-  auto b = load_mesh(options.b, options.input);
+  auto b = load_mesh(options.b, options.input, thread_count(0));
   if (!b) output.error(ExitCode::kInputFault, "mesh", options.b, b.error());
   if (!a || !b) return;
   std::optional<check::Difference> found = check::difference(a->mesh, b->mesh);
