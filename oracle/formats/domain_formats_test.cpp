@@ -208,6 +208,18 @@ TEST_CASE("medit: sections in any order, those of no interest read over") {
   CHECK(again->tetrahedra.simplices == medit->tetrahedra.simplices);
 }
 
+TEST_CASE("medit: the last keyword may be missing, as in what CDT writes") {
+  const std::string text = "MeshVersionFormatted 2\nDimension\n3\nVertices\n1\n0 0 0 1\n";
+  const auto file = read_medit({"f", text}, NumberReading::kDouble);
+  REQUIRE(file);
+  CHECK(file->notes ==
+        std::vector<std::string>{
+            "f: no keyword End; if the file was cut off, it is in between sections"});
+  CHECK(read_medit({"f", text + "End\n"}, NumberReading::kDouble)->notes.empty());
+  CHECK(read_medit({"f", text + "End\n1\n"}, NumberReading::kDouble).error().to_string() ==
+        "f:8: expected the end of the file after End, found \"1\"");
+}
+
 TEST_CASE("medit in the plane: edges are the domain, else those of the triangles") {
   const std::string vertices = "MeshVersionFormatted 1 Dimension 2 Vertices 3 0 0 0 1 0 0 0 1 0 ";
   const auto with_edges = domain_of(

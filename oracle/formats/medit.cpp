@@ -219,12 +219,17 @@ Status MeditReader::read_section() {
 Result<ElementFile> MeditReader::read() {
   if (Status header = read_header(); !header) return tl::unexpected(header.error());
   while (true) {
-    if (!next()) return fail("a keyword, at last End");
+    if (!next()) {
+      if (!has_vertices_) return fail("a keyword, as Vertices");
+      file_.notes.push_back(lines_.file() +
+                            ": no keyword End; if the file was cut off, it is in between sections");
+      break;
+    }
     if (token() == "End") break;
     if (Status section = read_section(); !section) return tl::unexpected(section.error());
   }
   if (!has_vertices_) return fail("Vertices before the end");
-  if (next()) return fail("the end of the file after End");
+  if (file_.notes.empty() && next()) return fail("the end of the file after End");
   file_.points.first_index = 1;
   finish_elements(file_);
   return std::move(file_);

@@ -6,7 +6,7 @@
 //     Edges 12                                    for each: v0 v1 reference
 //     Triangles, Quadrilaterals, Tetrahedra …     likewise; indices from 1
 //     …                                           other sections are read over
-//     End
+//     End                                         which may be missing: that is noted
 //
 // Numbers follow one another, wherever lines end.
 #pragma once

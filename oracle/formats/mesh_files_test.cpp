@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/domain_files.hpp"
 #include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
@@ -197,6 +198,45 @@ TEST_CASE("files without a telling name are known by what they hold") {
   const std::string points = folder.write("p.node", kSquareFrom1);
   CHECK(mesh_of(folder.write("e", kTwoFrom1), points)->mesh.simplices.lists() == kTwo);
   CHECK(mesh_of(folder.write("f", kTwoQhull), points));
+}
+
+TEST_CASE("formats of elements: faces, points of the plane, points alone, names that say nothing") {
+  const ScratchFolder folder;
+  const std::string obj = "v 0 0 5\nv 1 0 5\nv 1 1 5\nv 0 1 5\nf 1 2 3\nf 1 3 4\nl 2 4\n";
+  const std::string gmsh =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 "
+      "0\n$EndNodes\n"
+      "$Elements\n3\n1 1 0 2 4\n2 2 0 1 2 3\n3 2 0 1 3 4\n$EndElements\n";
+  for (const std::string& path :
+       {folder.write("x.obj", obj), folder.write("x.msh", gmsh), folder.write("y", gmsh)}) {
+    MeshRequest request{path};
+    request.with_faces = true;
+    const auto mesh = read_mesh(request);
+    REQUIRE_MESSAGE(mesh.has_value(), error_of(mesh));
+    CHECK(mesh->points.dimension == 2);
+    CHECK(mesh->notes.size() == 1);
+    CHECK(mesh->simplices.simplices == kTwo);
+    CHECK(mesh->faces == std::vector<Simplex>{{1, 3}});
+    CHECK(mesh->first_index == 1);
+    // A domain of space says that they are points of space.
+    request.domain_dimension = 3;
+    CHECK(read_mesh(request)->points.dimension == 3);
+    CHECK(read_points(path, NumberReading::kDouble)->points.dimension == 2);
+    const auto domain = read_domain(path, NumberReading::kDouble);
+    REQUIRE(domain);
+    CHECK(domain->dimension == 2);
+    // What belongs to triangles alone is the mesh's, not the domain's.
+    CHECK(domain->input.segments == std::vector<Simplex>{{0, 1}});
+    CHECK(domain->labels == std::vector<Vertex>{2, 4});
+  }
+  const std::string ply =
+      folder.write("x.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\n"
+                   "property int z\nend_header\n1 2 3\n");
+  CHECK(read_points(ply, NumberReading::kDouble)->points.points.size() == 1);
+  CHECK(!is_domain_file(ply));
+  CHECK(is_domain_file(folder.path("x.obj")));
+  CHECK(is_domain_file(folder.path("x.vtp")));
 }
 
 TEST_CASE("what cannot be found or judged") {

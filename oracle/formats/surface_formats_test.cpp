@@ -155,6 +155,33 @@ TEST_CASE("ply in binary, of either byte order") {
   }
 }
 
+TEST_CASE("ply: a cloud of points, and a surface as elements") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+      "property double y\nproperty double z\nproperty uchar red\n";
+  const Source cloud{"f", header + "end_header\n0 0 0 9\n1/3 0 0 9\n0 1 0 9\n"};
+  const auto points = read_ply_file(cloud, kDouble);
+  REQUIRE(points);
+  CHECK(points->points.points == std::vector<Point>{{0, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}});
+  CHECK(points->faces.simplices.empty());
+  CHECK(error_of(read_ply(cloud, kDouble)) ==
+        "f:8: expected elements vertex and face, found no element face");
+  const auto with_face = [&](const std::string& face) {
+    return read_ply_elements({"f", header +
+                                       "element face 1\nproperty list uchar int vertex_index\n"
+                                       "end_header\n0 0 0 9\n1 0 0 9\n0 1 0 9\n" +
+                                       face},
+                             kDouble);
+  };
+  CHECK(with_face("3 0 1 2\n")->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  CHECK(with_face("2 0 1\n").error().to_string() ==
+        "f:14: expected a face of 3 vertices or more, found 2");
+  CHECK(read_ply_file(
+            {"f", "ply\nformat ascii 1.0\nelement dot 1\nproperty int x\nend_header\n1\n"}, kDouble)
+            .error()
+            .to_string() == "f:5: expected an element vertex, found no element vertex");
+}
+
 TEST_CASE("ply: what is refused") {
   const auto with = [](const std::string& body) {
     return error_of(ply("ply\nformat ascii 1.0\n" + body));

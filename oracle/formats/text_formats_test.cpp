@@ -216,6 +216,20 @@ TEST_CASE("off: points and faces, with comments and colours") {
   CHECK(file->faces.vertices_per_simplex == 3);
 }
 
+TEST_CASE("off: the vertices of a face may go on over further lines") {
+  const std::string points = "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const auto file = read_off(named(points + "3\n0 1 2\n4 0 1\n2\n3\n3 0 2 3 0.5 1\n"), kDouble);
+  REQUIRE_MESSAGE(file, complaint(file));
+  CHECK(file->faces.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 1, 2, 3}, {0, 2, 3}});
+  CHECK(file->faces.lines == std::vector<std::size_t>{7, 9, 12});
+  // A vertex too few is no such file: it is said of the line on which it is missing.
+  CHECK(off_error(points + "3 0 1\n3 0 1 2\n3 0 2 3\n") ==
+        "f:7: expected a face of 3 vertices, found 2");
+  // Behind a face over several lines stands no colour, which would not be told from a vertex.
+  CHECK(off_error(points + "3 0 1\n2 0.5\n3 0 1 2\n3 0 2 3\n") ==
+        "f:7: expected a face of 3 vertices, found 2");
+}
+
 TEST_CASE("off: variants of the header") {
   CHECK(read_off(named("OFF 1 0\n1 2 3"), kDouble)->points.points.size() == 1);
   CHECK(read_off(named("nOFF\n2\n1 0 0\n1 2"), kDouble)->points.dimension == 2);

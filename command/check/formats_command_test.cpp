@@ -1,0 +1,112 @@
+// The same mesh gets the same verdict in every format, and against its domain in every format.
+#include <doctest/doctest.h>
+
+#include "command/run_command.hpp"
+#include "oracle/formats/written_elements_test.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+using formats::WrittenForm;
+using formats::WrittenMesh;
+
+// Two tetrahedra on one triangle, with their surface and an edge of it; the second apex is within the
+// circumsphere of the first, or it is not.
+WrittenMesh two_tetrahedra(double depth) {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 1.0 / 3}, {0.1, 0.1, -depth}},
+          {{0, 1},
+           {0, 3, 1},
+           {1, 3, 2},
+           {0, 2, 3},
+           {0, 1, 4},
+           {1, 2, 4},
+           {0, 4, 2},
+           {0, 1, 2, 3},
+           {0, 2, 1, 4}}};
+}
+
+std::string off_of(const WrittenMesh& mesh) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "OFF\n" << mesh.points.size() << " 6 0\n";
+  for (const auto& point : mesh.points)
+    text << point[0] << ' ' << point[1] << ' ' << point[2] << '\n';
+  for (const auto& cell : mesh.cells) {
+    if (cell.size() == 3) text << "3 " << cell[0] << ' ' << cell[1] << ' ' << cell[2] << '\n';
+  }
+  return text.str();
+}
+
+// The verdict without the name of the file.
+std::string without(std::string text, const std::string& name) {
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
+    text.replace(at, name.size(), "MESH");
+  }
+  return text;
+}
+
+// The first words of the verdict: the claim, and the rule that it breaks.
+std::string rule_of(const Run& result, const std::string& path) {
+  const std::string out = without(result.out, path);
+  const std::size_t last = out.rfind('\n', out.size() - 2);
+  const std::string line = out.substr(last == std::string::npos ? 0 : last + 1);
+  return begins_with(line, "fails: ")
+             ? line.substr(0, line.find(" MESH") + 5) +
+                   line.substr(line.find(" MESH") + 5,
+                               line.find(' ', line.find(" MESH") + 6) - line.find(" MESH") - 5)
+             : line;
+}
+
+}  // namespace
+
+TEST_CASE("the same verdict of a mesh in every format") {
+  const ScratchFolder folder;
+  for (const auto& [depth, exit_code, begins] :
+       {std::tuple{2.0, 0, "holds: delaunay MESH 5 points 2 tetrahedra"},
+        {0.01, 1, "fails: delaunay MESH delaunay.facet-not-local"},
+        {-0.25, 1, "fails: delaunay MESH complex.overlap"}}) {
+    std::size_t number = 0;
+    for (const WrittenForm& form : all_forms(two_tetrahedra(depth))) {
+      CAPTURE(form.name);
+      const std::string path =
+          folder.write("m" + std::to_string(++number) + form.extension, form.text);
+      const Run result = run({"check", path});
+      CHECK_MESSAGE(result.exit_code == exit_code, result.err);
+      CHECK_MESSAGE(begins_with(rule_of(result, path), begins), result.out);
+      CHECK(result.err.empty());
+    }
+  }
+}
+
+TEST_CASE("the same verdict against a domain, whatever the formats of both") {
+  const ScratchFolder folder;
+  const WrittenMesh mesh = two_tetrahedra(2);
+  const std::string off = folder.write("d.off", off_of(mesh));
+  const std::string ele = folder.write("m.tet", formats::tet(mesh, false));
+  std::size_t number = 0;
+  for (const WrittenForm& form : all_forms(mesh)) {
+    CAPTURE(form.name);
+    const std::string path =
+        folder.write("m" + std::to_string(++number) + form.extension, form.text);
+    const Run against_off = run({"check", path, "--domain", off});
+    CHECK_MESSAGE(against_off.exit_code == 0, (against_off.out + against_off.err));
+    CHECK(begins_with(rule_of(against_off, path), "holds: cdt MESH 5 points 2 tetrahedra"));
+    if (!form.has_faces) continue;
+    const Run against_form = run({"check", ele, "--domain", path});
+    CHECK_MESSAGE(against_form.exit_code == 0, (against_form.out + against_form.err));
+  }
+}
+
+TEST_CASE("build writes what check reads, in every format") {
+  const ScratchFolder folder;
+  const std::string domain = folder.write("d.off", off_of(two_tetrahedra(2)));
+  for (const std::string name : {"o.ele", "o.mesh", "o.msh", "o.vtu", "o.json"}) {
+    const std::string path = folder.path(name);
+    CHECK(run({"build", "cdt", domain, "-o", path}).exit_code == 0);
+    const Run result = run({"check", path, "--domain", domain});
+    CHECK_MESSAGE(result.exit_code == 0, (result.out + result.err));
+    CHECK(run({"compare", folder.path("o.ele"), path}).exit_code == 0);
+  }
+}
+
+}  // namespace circumspect::cli
