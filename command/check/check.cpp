@@ -149,7 +149,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       check::judge_domain(claim, mesh, domain.domain, options.check, known ? &*known : nullptr);
   if (may_be_rounded(verdict)) {
     const auto moved = within({Rational(1, kRoundedParts), true});
-    if (moved && moved->within) {
+    if (moved && moved->within && moved->within->squared_reach > 0) {
       notes.push_back(rounding_note(verdict, *moved));
       output.note(notes.back());
     }
