@@ -167,7 +167,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   if (may_be_rounded(*verdict)) {
     const auto moved =
         judged_within({Rational(1, kRoundedParts), true}, claim, mesh, domain.domain, options);
-    if (moved && moved->within) {
+    if (moved && moved->within && moved->within->squared_reach > 0) {
       notes.push_back(rounding_note(*verdict, *moved));
       output.note(notes.back());
     }

@@ -63,16 +63,21 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
 }
 
 bool may_be_rounded(const Verdict& verdict) {
-  return !verdict.holds() &&
-         std::all_of(verdict.tallies().begin(), verdict.tallies().end(), [](const auto& tally) {
-           return tally.first == Rule::kDomainVertexMissing ||
-                  tally.first == Rule::kSegmentMissing || tally.first == Rule::kPolygonNotTiled;
+  const auto is_missing = [](const auto& tally) {
+    return tally.first == Rule::kDomainVertexMissing || tally.first == Rule::kSegmentMissing ||
+           tally.first == Rule::kPolygonNotTiled;
+  };
+  const auto& tallies = verdict.tallies();
+  return std::any_of(tallies.begin(), tallies.end(), is_missing) &&
+         std::all_of(tallies.begin(), tallies.end(), [&](const auto& tally) {
+           return is_missing(tally) || tally.first == Rule::kSteinerForbidden;
          });
 }
 
 std::string rounding_note(const Verdict& exact, const Verdict& moved) {
   std::string missing;
   for (const auto& [rule, tally] : exact.tallies()) {
+    if (rule == Rule::kSteinerForbidden) continue;  // a vertex that is not where the domain has it
     missing += fmt::format("{}{} {}", missing.empty() ? "" : ", ", identifier(rule), tally.count);
   }
   const std::string distance = report::square_root_rounded_up(moved.within->squared_reach);

@@ -119,7 +119,7 @@ class Building {
       }
     }
     const auto valid = validated(input, 1);
-    if (valid) return std::nullopt;
+    if (valid) return vertex_in_triangle(input, *valid);
     const Breach& breach = valid.error().front();
     Witness witness{.vertices = in_mesh(breach.vertices), .point = breach.point};
     for (const Simplex& segment : breach.segments) {
@@ -128,6 +128,19 @@ class Building {
     for (const std::size_t p : breach.polygons) {
       witness.simplices.push_back(in_mesh(input.polygons[p].lines.front()));
     }
+    return Violation{Rule::kOverlap, witness};
+  }
+
+  // A vertex or a link that lies in a triangle without being a face of it. As a complex that would be valid:
+  // it would be a face of the triangle as a polygon.
+  std::optional<Violation> vertex_in_triangle(const PiecewiseLinearInput& input,
+                                              const PiecewiseLinearComplex& valid) const {
+    const std::vector<Adoption> adopted = adoptions(input, valid);
+    if (adopted.empty()) return std::nullopt;
+    const Adoption& first = adopted.front();
+    Witness witness{.simplices = {in_mesh(input.polygons[first.polygon].lines.front())},
+                    .vertices = in_mesh(first.vertices)};
+    for (const Simplex& segment : first.segments) witness.simplices.push_back(in_mesh(segment));
     return Violation{Rule::kOverlap, witness};
   }
 

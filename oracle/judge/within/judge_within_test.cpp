@@ -269,6 +269,24 @@ TEST_CASE("within: three polygons at one segment, in another order") {
   CHECK(both_answers(book(6, 4), bits(10)) == "fails domain.images-meet");
 }
 
+TEST_CASE("within: images that intersect though their cells do not") {
+  // A segment leaves a triangle steeply; its first vertex was moved into the triangle.
+  PiecewiseLinearInput input;
+  input.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {4, 4, 4}};
+  input.polygons = {{{{0, 1, 2}}, {}}};
+  input.segments = {{0, 3}};
+  const auto with_vertex = [&](const Point& at) {
+    std::vector<Point> points = input.points;
+    points.push_back(at);
+    ExactMesh mesh{PointSet(points), {}};
+    mesh.faces = {{0, 1, 2}, {0, 4}, {3, 4}};
+    return MovedMesh{mesh, domain_of(input)};
+  };
+  CHECK(both_answers(with_vertex({bits(4), bits(4), bits(4)}), bits(3)) == "holds 0");
+  CHECK(both_answers(with_vertex({bits(40), bits(40), bits(38)}), bits(3)).starts_with("holds"));
+  CHECK(both_answers(with_vertex({bits(2), bits(2), 0}), bits(3)) == "fails complex.overlap");
+}
+
 TEST_CASE("within: dangling polygons that are not flat any more are counted") {
   MovedMesh sheet =
       soup({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3}},

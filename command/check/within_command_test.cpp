@@ -1,0 +1,93 @@
+// check --within, as its users run it.
+#include <doctest/doctest.h>
+
+#include "command/run_command.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+const std::string kFolder = CIRCUMSPECT_CORPUS_DIR "/domains/";
+
+Run check_near(const std::string& name, const std::vector<std::string>& more) {
+  std::vector<std::string> words = {"check", kFolder + name + ".ele", "--domain",
+                                    kFolder + name + ".poly"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run(words);
+}
+
+}  // namespace
+
+TEST_CASE("check --within: the verdict ends with the distance that was needed") {
+  const Run moved = check_near("accept/within--segment", {"--within", "1e-8"});
+  CHECK(moved.exit_code == 0);
+  CHECK(has(moved.out, "holds: steiner-cdt"));
+  CHECK(has(moved.out, "within ~ 5."));
+  // 1e-8 of the longest side, which is 4: as much, or a half of what is needed.
+  CHECK(check_near("accept/within--segment", {"--within", "1e-8x"}).exit_code == 0);
+  CHECK(check_near("accept/within--segment", {"--within", "1/1000000000x"}).exit_code == 1);
+  const Run less = check_near("accept/within--segment", {"--within", "4e-9"});
+  CHECK(less.exit_code == 1);
+  CHECK(has(less.out, "fails: steiner-cdt"));
+  CHECK(has(less.out, "domain.segment-missing 1"));
+  CHECK(has(less.out, "beyond ~ 4.0e-09"));
+  const Run exact = check_near("accept/cube-five", {"--within", "1"});
+  CHECK(exact.exit_code == 0);
+  CHECK(has(exact.out, "within 0"));
+}
+
+TEST_CASE("check --within: JSON has the square of the distance, exactly") {
+  const auto json = document(check_near(
+      "accept/within--vertex",
+      {"--within", "1e-8", "--claim", "plc-triangulation", "--format", "json"}))["results"][0];
+  CHECK(json["verdict"] == "holds");
+  CHECK(json["claim"] == "plc-triangulation");
+  CHECK(json["within"].contains("squared_distance"));
+  CHECK(json["within"]["distance_rounded_up"] == "3.1e-09");
+  CHECK(json["within"]["polygons_not_compared"] == 0);
+}
+
+TEST_CASE("check --within: where the distance does not tell cells apart, there is no verdict") {
+  ScratchFolder folder;
+  const std::string domain = folder.write(
+      "d.poly",
+      "5 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 2 1e-9\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+  folder.write("m.node", "5 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 2 -1e-9\n");
+  const std::string mesh = folder.write("m.ele", "3 3 0\n0 0 4 3\n1 4 2 3\n2 4 1 2\n");
+  const Run result = run({"check", mesh, "--domain", domain, "--within", "1e-7"});
+  CHECK(result.exit_code == 3);
+  CHECK(has(result.err, "vertex 4"));
+  CHECK(has(result.err, "name a smaller distance"));
+  CHECK(result.out.find("holds") == std::string::npos);
+}
+
+TEST_CASE("check: without --within a note says what is left of a mesh of rounded coordinates") {
+  const std::vector<std::string> claim = {"--claim", "plc-triangulation"};
+  const Run holds = check_near("accept/within--vertex", claim);
+  CHECK(holds.exit_code == 1);
+  CHECK(has(holds.out + holds.err, "(domain.vertex-missing 1): with --within 3.1e-09 it holds"));
+  CHECK(check_near("accept/within--vertex", {"--claim", "plc-triangulation", "--within", "3.1e-09"})
+            .exit_code == 0);
+  CHECK(check_near("accept/within--vertex", {"--claim", "plc-triangulation", "--within", "2.9e-09"})
+            .exit_code == 1);
+  const Run more = check_near("reject/domain.outside--within-2d", {});
+  CHECK(more.exit_code == 1);
+  CHECK(has(more.out + more.err, "what is left is domain.outside 4"));
+}
+
+TEST_CASE(
+    "check --within: what is no distance, and a distance without a domain, are usage errors") {
+  for (const char* wrong : {"-1", "x", "near", "", "1e-9xx"}) {
+    const Run result = check_near("accept/cube-five", {"--within", wrong});
+    CHECK(result.exit_code == 2);
+  }
+  CHECK(run({"check", kFolder + "accept/cube-five.ele", "--within", "1"}).exit_code == 2);
+}
+
+TEST_CASE("check --within: of a convex hull only what holds exactly is judged") {
+  const Run hull =
+      check_near("accept/within--segment", {"--domain-kind", "hull", "--within", "1e-8"});
+  CHECK(hull.exit_code == 4);
+  CHECK(has(hull.err, "convex hull"));
+}
+
+}  // namespace circumspect::cli
