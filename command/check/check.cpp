@@ -164,7 +164,10 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     return;
   }
   std::vector<std::string> notes = loaded->notes;
-  if (may_be_rounded(*verdict)) {
+  if (may_be_rounded(*verdict) && mesh.simplices.size() > kMostSimplicesTriedMoved) {
+    notes.push_back("coordinates may have been rounded: --within 1e-9x tells whether that is all");
+    output.note(notes.back());
+  } else if (may_be_rounded(*verdict)) {
     const auto moved =
         judged_within({Rational(1, kRoundedParts), true}, claim, mesh, domain.domain, options);
     if (moved && moved->within && moved->within->squared_reach > 0) {

@@ -27,6 +27,8 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance);
 bool may_be_rounded(const Verdict& verdict);
 // What to say of such a mesh, if its cells were moved by no more than this: the number of breaches, and what is
 // left of them. `moved` is the verdict under --within.
+// Judging the moved domain takes longer than the verdict itself; of a larger mesh the note proposes it.
+inline constexpr std::size_t kMostSimplicesTriedMoved = 20'000;
 inline constexpr long kRoundedParts = 1'000'000'000;  // of the longest side of the bounding box
 std::string rounding_note(const Verdict& exact, const Verdict& moved);
 
