@@ -20,9 +20,6 @@ let number c token = named c (count c token)
 let integer c token = Text.integer c.source token
 (* An entry of a simplex as its author wrote it: there are no more than bytes in the file. *)
 let position c token = natural (min (count c token) (String.length c.source.text))
-(* A vertex, facet or ridge: greater numbers than d name nothing. *)
-let index c token = natural (min (count c token) (c.d + 1))
-let unless_dash read c token = if token = "-" then None else Some (read c token)
 
 (* The first [n] tokens, each read, and the others; a line may have millions. *)
 let take c read n expected tokens =
@@ -87,15 +84,3 @@ let ending c =
   match Text.next c.source with
   | None -> ()
   | Some tokens -> Text.fail c.source "nothing after 'end'" (Text.quote (List.hd tokens))
-
-let pair c expected first second tokens =
-  let a, rest = take c first 1 expected tokens in
-  let b, rest = take c second 1 expected rest in
-  ((List.hd a, List.hd b), rest)
-
-let rec times n read tokens =
-  if n = 0 then ([], tokens)
-  else
-    let value, rest = read tokens in
-    let values, rest = times (n - 1) read rest in
-    (value :: values, rest)
