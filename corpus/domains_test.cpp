@@ -21,7 +21,7 @@ std::string cause_in_name(const std::string& path) {
 }
 
 Verdict judge(const DomainRow& row) {
-  const Mesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
+  const ExactMesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
   const Domain domain = domain_of(kDomainFolder + row.domain, row.kind);
   if (!row.within) return check::judge_domain(row.claim, mesh, domain, row.options);
   const Rational squared = *row.within * *row.within;

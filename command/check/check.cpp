@@ -142,9 +142,9 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   }
   const Claim claim = claim_of(options, mesh, domain);
   if (options.within) {
-    if (const std::string fault = settle_equal_points(*loaded, options.input.duplicates);
-        !fault.empty()) {
-      output.error(ExitCode::kInputFault, "mesh", path, fault);
+    const std::string equal = settle_equal_points(*loaded, options.input.duplicates);
+    if (!equal.empty()) {
+      output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
     const auto verdict = judged_within(*options.within, claim, mesh, domain.domain, options);

@@ -213,14 +213,14 @@ TEST_CASE("formats of elements: faces, points of the plane, points alone, names 
     request.with_faces = true;
     const auto mesh = read_mesh(request);
     REQUIRE_MESSAGE(mesh.has_value(), error_of(mesh));
-    CHECK(mesh->points.dimension == 2);
+    CHECK(mesh->mesh.dimension() == 2);
     CHECK(mesh->notes.size() == 1);
-    CHECK(mesh->simplices.simplices == kTwo);
-    CHECK(mesh->faces == std::vector<Simplex>{{1, 3}});
-    CHECK(mesh->first_index == 1);
+    CHECK(mesh->mesh.simplices.lists() == kTwo);
+    CHECK(mesh->mesh.faces == std::vector<Simplex>{{1, 3}});
+    CHECK(mesh->mesh.first_index == 1);
     // A domain of space says that they are points of space.
     request.domain_dimension = 3;
-    CHECK(read_mesh(request)->points.dimension == 3);
+    CHECK(read_mesh(request)->mesh.dimension() == 3);
     CHECK(read_points(path, NumberReading::kDouble)->points.dimension == 2);
     const auto domain = read_domain(path, NumberReading::kDouble);
     REQUIRE(domain);
