@@ -125,8 +125,9 @@ bool is_domain_file(const std::string& path) {
   const std::string end = extension(path);
   if (end == ".ply") {  // unless it is a cloud of points
     const Result<Source> source = load(path);
-    return !source || read_ply(*source, NumberReading::kDouble).has_value() ||
-           !read_ply_file(*source, NumberReading::kDouble).has_value();
+    if (!source) return true;
+    const Result<PlyFile> file = read_ply_file(*source, NumberReading::kDouble);
+    return !file || !file->faces.simplices.empty();
   }
   return end != ".off" && domain_format_of(end) != nullptr;
 }
