@@ -96,7 +96,7 @@ test-builds: build-release
 
 build-release build-sanitize: build-%:
 	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_VERIFIED=$(VERIFIED)
-	@cmake --build --preset $* -j $(JOBS)
+	@cmake --build --preset $* -j $(JOBS) $(if $(filter sanitize,$*),--target circumspect_tests)
 
 test-release test-sanitize: test-%: build-%
 	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log

@@ -118,9 +118,15 @@ function(circumspect_compile_test target)
 endfunction()
 
 # `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
-# values: numbers, points and containers of them. `make soak` has them look everywhere.
+# values: numbers, points and containers of them. `make soak-sanitize` has them look everywhere.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
-set(sanitized_folders "(oracle/(formats|report|judge|judge/fast|judge/arrays)|fuzz/[a-z]+|command|command/[a-z]+|corpus)")
+set(sanitized_folders "(oracle/(formats|report|judge|judge/fast|judge/arrays)|fuzz/[a-z]+|corpus)")
+set(sanitized_in_part OFF)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
+  set(sanitized_in_part ON)
+endif()
+# All that the tests need and nothing else.
+add_custom_target(circumspect_tests)
 
 # circumspect_test(TARGET LABEL label SOURCES file... LINKS target... [DEFINES definition...])
 # makes one executable, and registers each source file as one test; does nothing without sources.
@@ -129,8 +135,8 @@ function(circumspect_test target)
   # What the sanitizers are not to run they need not compile.
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
     list(FILTER ARG_SOURCES EXCLUDE REGEX "_(slow|soak)_[a-z]+\\.cpp$")
-    if(NOT CIRCUMSPECT_SANITIZE_ALL)
-      list(FILTER ARG_SOURCES INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${sanitized_folders}/")
+    if(sanitized_in_part)
+      list(FILTER ARG_SOURCES INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${sanitized_folders}/[^/]+$")
     endif()
   endif()
   if(NOT CIRCUMSPECT_BUILD_TESTS OR NOT ARG_SOURCES)
@@ -143,6 +149,7 @@ function(circumspect_test target)
     circumspect_compile_quickly(circumspect_test_main)
   endif()
   add_executable(${target} ${ARG_SOURCES})
+  add_dependencies(circumspect_tests ${target})
   circumspect_compile_quickly(${target})
   circumspect_compile_test(${target})
   circumspect_precompile(${target} tests)
