@@ -31,7 +31,7 @@ done
 # The example of Definitions.v, as it stands there.
 sed -n '/^<<$/,/^>>$/p' ../Definitions.v | sed '1d;$d' >"$again/triangle"
 found=$("$program" "$again/triangle") || true
-[ "$found" = "verified: delaunay, 3 points, 1 triangles" ] || {
+[ "$found" = "verified: delaunay, 3 points, 1 triangle" ] || {
   echo "the triangle of Definitions.v: found '$found'" >&2
   failures=$((failures + 1))
 }
@@ -48,7 +48,7 @@ users() {  # what is expected, then options, MESH.node and MESH.ele
 }
 printf '3 2 1 1\n7 0 0 9 1\n8 1 0 9 1 # a comment\n9 0 5e-1 9 1\n' >own.node
 printf '1 3\n1 9 7 8\n' >own.ele
-users "verified: delaunay, 3 points, 1 triangles: own.node own.ele" own.node own.ele
+users "verified: delaunay, 3 points, 1 triangle: own.node own.ele" own.node own.ele
 sed 's/5e-1/1\/2/' own.node >fraction.node
 users "verified*" fraction.node own.ele
 sed 's/5e-1/0.50000000000000001/' own.node >nearest.node
