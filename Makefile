@@ -30,8 +30,8 @@ deps-proofs: ; @cmake/packages.sh proofs
 deps-test: ; @cmake/packages.sh demo proofs test
 deps-bench: ; @cmake/packages.sh demo bench
 
-# The command, and what `cmake --install` installs. A first build leaves the tests out; a build that has them keeps them, so that going back and
-# forth between `make demo` and `make test` compiles nothing twice.
+# The command, and what `cmake --install` installs. A first build leaves the tests out; a build that has them
+# keeps them, so that going back and forth between `make demo` and `make test` compiles nothing twice.
 build: deps-demo
 	@test -f build/release/build.ninja || $(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
 	@cmake --build --preset release --target circumspect_cli circumspect_archive -j $(JOBS)

@@ -14,7 +14,7 @@ namespace circumspect::check {
 // of the cells are not forced, or the kind of the domain is not handled.
 struct NotJudged {
   std::string reason;          // whole sentences
-  bool is_input_fault = true;  // else: what is asked is not implemented
+  bool is_input_fault = true;  // else: such domains are judged only where the claim holds exactly
 };
 
 // The verdict on the claim for the domain moved by no more than the square root of `squared_distance`,
