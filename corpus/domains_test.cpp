@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The definitions look at pairs of simplices and at visibility.
-constexpr std::size_t kFewSimplices = 30;
+constexpr std::size_t kFewCells = 30;
 
 // Up to "--", or all of it.
 std::string cause_in_name(const std::string& path) {
@@ -76,7 +76,7 @@ TEST_CASE("each mesh of a domain breaks exactly the rules that its table names")
 TEST_CASE("by definition, each small mesh of a domain holds or fails as its table says") {
   for (DomainRow row : domain_rows()) {
     INFO(row.text);
-    if (mesh_with_faces(kDomainFolder + row.mesh).simplices.size() > kFewSimplices) continue;
+    if (mesh_with_faces(kDomainFolder + row.mesh).simplices.size() > kFewCells) continue;
     row.options.by = check::By::kDefinition;
     CHECK(judge(row).holds() == row.broken.empty());
   }

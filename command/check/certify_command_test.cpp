@@ -8,14 +8,14 @@
 namespace circumspect::cli {
 namespace {
 
-constexpr const char* kSquare = "4 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n";
+constexpr const char* kSquareFrom5 = "4 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n";
 constexpr const char* kTwoTriangles = "2 3\n5 5 6 7\n6 5 8 7\n";
 constexpr const char* kOneTriangle = "1 3\n5 5 6 7\n";
 
-struct Meshes {
+struct CertifiedMeshes {
   ScratchFolder folder;
-  std::string good = write("good", kSquare, kTwoTriangles);
-  std::string bad = write("bad", kSquare, kOneTriangle);
+  std::string good = write("good", kSquareFrom5, kTwoTriangles);
+  std::string bad = write("bad", kSquareFrom5, kOneTriangle);
   std::string cert = folder.path("out.cert");
 
   std::string write(const std::string& name, const std::string& points,
@@ -27,7 +27,7 @@ struct Meshes {
 };
 
 TEST_CASE("certify: a certificate of what holds, a refutation of what does not") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   const Run holds = run({"certify", meshes.good, "-o", meshes.cert});
   CHECK(holds.exit_code == 0);
   CHECK(holds.out ==
@@ -46,7 +46,7 @@ TEST_CASE("certify: a certificate of what holds, a refutation of what does not")
 }
 
 TEST_CASE("certify: to standard output, which then holds nothing else") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   CHECK(run({"certify", meshes.good, "-o", meshes.cert}).exit_code == 0);
   const Run result = run({"certify", meshes.good, "-o", "-"});
   CHECK(result.exit_code == 0);
@@ -56,7 +56,7 @@ TEST_CASE("certify: to standard output, which then holds nothing else") {
 }
 
 TEST_CASE("certify: about a domain there are no certificates, and the answer says so") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& found) {
     const Run result = run(arguments);
     CHECK(result.exit_code == 2);
@@ -79,7 +79,7 @@ TEST_CASE("certify: about a domain there are no certificates, and the answer say
 }
 
 TEST_CASE("certify: JSON, and nothing at all") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   const auto json =
       document(run({"certify", meshes.good, "-o", meshes.cert, "--format", "json"}))["results"][0];
   CHECK(json["verdict"] == "holds");
@@ -88,7 +88,7 @@ TEST_CASE("certify: JSON, and nothing at all") {
 }
 
 TEST_CASE("certify: options of the input") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   const ScratchFolder folder;
   const std::string points = folder.write("other.node", "4 2\n1 0 0\n2 1 0\n3 1 1\n4 1 1\n");
   const std::string mesh = folder.write("other.ele", "1 3\n1 1 2 4\n");
@@ -96,7 +96,7 @@ TEST_CASE("certify: options of the input") {
   CHECK(!meshes.has_cert());
   CHECK(run({"certify", mesh, "-o", meshes.cert, "--duplicates", "merge"}).exit_code == 0);
   CHECK(has(contents(meshes.cert), "\npoints 3\n"));
-  CHECK(run({"certify", mesh, "--points", folder.write("p.node", kSquare), "-o", meshes.cert})
+  CHECK(run({"certify", mesh, "--points", folder.write("p.node", kSquareFrom5), "-o", meshes.cert})
             .exit_code == 1);
   const std::string weighted =
       folder.write("w.node", "4 2 1\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 1 1 -9.5\n");
@@ -107,7 +107,7 @@ TEST_CASE("certify: options of the input") {
 }
 
 TEST_CASE("certify: what has no certificate, and where none can be written") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   const ScratchFolder folder;
   folder.write("line.node", "3 2\n1 0 0\n2 1 1\n3 2 2\n");
   const std::string line = folder.write("line.ele", "2 2\n1 1 2\n2 2 3\n");
@@ -129,7 +129,7 @@ TEST_CASE("certify: what has no certificate, and where none can be written") {
 }
 
 TEST_CASE("check --certificate writes the same beside the verdict") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   for (const std::string& mesh : {meshes.good, meshes.bad}) {
     const Run plain = run({"check", mesh});
     const Run certified = run({"check", mesh, "--certificate", meshes.cert});
@@ -143,7 +143,7 @@ TEST_CASE("check --certificate writes the same beside the verdict") {
 }
 
 TEST_CASE("check --certificate: what it does not go with") {
-  const Meshes meshes;
+  const CertifiedMeshes meshes;
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"check", meshes.good, meshes.bad, "--certificate", meshes.cert},
            {"check", meshes.good, "--certificate", "-"},

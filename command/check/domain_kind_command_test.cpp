@@ -14,10 +14,10 @@ const std::string kClosed = "5 3\n" + kPoints + "4 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\
 const std::string kLeaky = "5 3\n" + kPoints + "3 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n0\n";
 
 // The hull of the five points, and the tetrahedron alone.
-struct Meshes {
+struct MeshesOfPrism {
   ScratchFolder folder;
   std::string hull, inner, triangles;
-  Meshes() {
+  MeshesOfPrism() {
     for (const char* name : {"h.node", "i.node", "t.node"}) folder.write(name, "5 3\n" + kPoints);
     hull = folder.write("h.ele", "2 4\n1 1 2 3 4\n2 2 3 4 5\n");
     inner = folder.write("i.ele", "1 4\n1 1 2 3 4\n");
@@ -33,7 +33,7 @@ std::string domain_kind_of(const Run& json) {
 }  // namespace
 
 TEST_CASE("a surface with a leak is refused, with an open edge, until its kind is said") {
-  const Meshes meshes;
+  const MeshesOfPrism meshes;
   const std::string leaky = meshes.folder.write("leaky.smesh", kLeaky);
   for (const std::string& mesh : {meshes.hull, meshes.inner, meshes.triangles}) {
     const Run refused = run({"check", mesh, "--domain", leaky});
@@ -63,7 +63,7 @@ TEST_CASE("a surface with a leak is refused, with an open edge, until its kind i
 }
 
 TEST_CASE("the kind that is said decides, and is shown in text and JSON") {
-  const Meshes meshes;
+  const MeshesOfPrism meshes;
   const std::string leaky = meshes.folder.write("leaky.smesh", kLeaky);
   const auto check = [&](const std::string& mesh, const std::string& kind,
                          const std::string& format = "text") {
@@ -122,7 +122,7 @@ TEST_CASE("segments of the plane that enclose nothing: an end of one alone is na
 }
 
 TEST_CASE("a leak beside something enclosed is noted, unless the kind is said") {
-  const Meshes meshes;
+  const MeshesOfPrism meshes;
   const std::string domain = meshes.folder.write(
       "beside.smesh", "5 3\n" + kPoints + "5 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n3 2 3 5\n0\n");
   meshes.folder.write("i.face", "1 0\n1 2 3 5\n");

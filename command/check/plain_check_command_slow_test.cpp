@@ -26,8 +26,8 @@ std::string with_plus(std::string text) {
 }
 
 // The meshes of the corpus that are read into flat arrays, in two folders.
-struct Meshes {
-  Meshes() {
+struct CorpusMeshes {
+  CorpusMeshes() {
     fs::create_directories(fast_folder);
     fs::create_directories(slow_folder);
     std::size_t count = 0;
@@ -68,7 +68,7 @@ std::string with_folder(std::string text, const std::string& from, const std::st
 }
 
 // All meshes in one run, with some options.
-void compare(const Meshes& meshes, std::vector<std::string> options) {
+void compare(const CorpusMeshes& meshes, std::vector<std::string> options) {
   options.insert(options.begin(), "check");
   std::vector<std::string> as_they_are = options;
   as_they_are.insert(as_they_are.end(), meshes.fast.begin(), meshes.fast.end());
@@ -87,7 +87,7 @@ void compare(const Meshes& meshes, std::vector<std::string> options) {
 }  // namespace
 
 TEST_CASE("check: the same words whether a mesh is read into flat arrays or not") {
-  const Meshes meshes;
+  const CorpusMeshes meshes;
   CHECK(meshes.fast.size() > 100);
   compare(meshes, {});
   compare(meshes, {"--format", "json"});

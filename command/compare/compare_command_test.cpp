@@ -6,7 +6,7 @@
 namespace circumspect::cli {
 namespace {
 
-constexpr const char* kSquare = "4 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n";
+constexpr const char* kUnitSquare = "4 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n";
 constexpr const char* kRisingDiagonal = "2 3\n1 1 2 4\n2 1 4 3\n";
 constexpr const char* kFallingDiagonal = "2 3\n1 1 2 3\n2 2 3 4\n";
 
@@ -19,7 +19,7 @@ std::string mesh(const ScratchFolder& folder, const std::string& name, const std
 
 TEST_CASE("compare: the same mesh, counted from 0 and turned around") {
   const ScratchFolder folder;
-  const std::string a = mesh(folder, "a", kSquare, kRisingDiagonal);
+  const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);
   const std::string b =
       mesh(folder, "b", "4 2\n0 1 1\n1 0 1\n2 1 0\n3 0 0\n", "2 3\n0 0 1 3\n1 2 0 3\n");
   const Run same = run({"compare", a, b});
@@ -31,8 +31,8 @@ TEST_CASE("compare: the same mesh, counted from 0 and turned around") {
 
 TEST_CASE("compare: names the simplices that differ by the user's own indices") {
   const ScratchFolder folder;
-  const std::string a = mesh(folder, "a", kSquare, kRisingDiagonal);
-  const std::string b = mesh(folder, "b", kSquare, kFallingDiagonal);
+  const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);
+  const std::string b = mesh(folder, "b", kUnitSquare, kFallingDiagonal);
   const Run differ = run({"compare", a, b, "--max-errors", "1"});
   CHECK(differ.exit_code == 1);
   CHECK(differ.out == "only in " + a + ": simplex 1 2 4\n" + "only in " + a +
@@ -128,7 +128,7 @@ TEST_CASE("compare: of merged points the heaviest counts") {
 
 TEST_CASE("compare: a file that cannot be read, and two on one standard input") {
   const ScratchFolder folder;
-  const std::string a = mesh(folder, "a", kSquare, kRisingDiagonal);
+  const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);
   const Run missing = run({"compare", a, folder.path("none.ele")});
   CHECK(missing.exit_code == 3);
   CHECK(is_error_line(missing.err));

@@ -9,17 +9,17 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-constexpr const char* kPoints = "4 2\n0 0 0\n1 1 0\n2 0 1\n3 2 2\n";
-constexpr const char* kTriangles = "2 3\n0 0 1 2\n1 1 3 2\n";
-constexpr const char* kSquare =
+constexpr const char* kQuadPoints = "4 2\n0 0 0\n1 1 0\n2 0 1\n3 2 2\n";
+constexpr const char* kQuadTriangles = "2 3\n0 0 1 2\n1 1 3 2\n";
+constexpr const char* kSquareDomain =
     "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
 // Schonhardt's polyhedron, which has no triangulation, so that there are refutations to be written.
 const std::string kNoTriangulation = CIRCUMSPECT_CORPUS_DIR "/domains/figure-4-10-schonhardt.poly";
 
 struct Files {
   ScratchFolder folder;
-  std::string mesh = folder.write("z.ele", kTriangles);
-  std::string points = folder.write("z.node", kPoints);
+  std::string mesh = folder.write("z.ele", kQuadTriangles);
+  std::string points = folder.write("z.node", kQuadPoints);
 
   // A command that writes to `target` ends with exit code 2 and a line that names what it reads, and leaves
   // what is there as it is.
@@ -67,11 +67,11 @@ TEST_CASE("certify: nor does it under another spelling, through links, or by its
     CHECK(fs::hard_link_count(files.points) == 2);
   }
   // A file is written under another name first.
-  const std::string unfinished = files.folder.write("z.cert.unfinished", kTriangles);
+  const std::string unfinished = files.folder.write("z.cert.unfinished", kQuadTriangles);
   files.are_kept(
       {"certify", unfinished, "--points", files.points, "-o", files.folder.path("z.cert")},
       unfinished);
-  const std::string elsewhere = files.folder.write("elsewhere.txt", kPoints);
+  const std::string elsewhere = files.folder.write("elsewhere.txt", kQuadPoints);
   files.are_kept({"certify", files.mesh, "--points", elsewhere, "-o", elsewhere}, elsewhere);
   const std::string listed = files.folder.write(
       "in.json",
@@ -102,7 +102,7 @@ TEST_CASE("build: neither the mesh nor its neighbours replace the input, nor eac
 
 TEST_CASE("build of a domain: no file of the mesh replaces the domain or its points") {
   const ScratchFolder folder;
-  const std::string domain = folder.write("plan.poly", kSquare);
+  const std::string domain = folder.write("plan.poly", kSquareDomain);
   const auto build = [&](const std::string& out) {
     return run({"build", "cdt", domain, "-o", folder.path(out)});
   };
@@ -113,12 +113,12 @@ TEST_CASE("build of a domain: no file of the mesh replaces the domain or its poi
     const Run refused = build(end == ".mesh" || end == ".json" ? beside : "out.ele");
     CHECK(refused.exit_code == 2);
     CHECK(has(refused.err, "expected another name for "));
-    CHECK(contents(domain) == kSquare);
-    CHECK(contents(folder.path(beside)) == kSquare);
+    CHECK(contents(domain) == kSquareDomain);
+    CHECK(contents(folder.path(beside)) == kSquareDomain);
     fs::remove(folder.path(beside));
   }
   for (int i = 0; i < 2; ++i) CHECK(build("plan.ele").exit_code == 0);
-  CHECK(contents(domain) == kSquare);
+  CHECK(contents(domain) == kSquareDomain);
 }
 
 TEST_CASE("inspect --refutations: a proof does not replace the domain") {
@@ -162,7 +162,7 @@ TEST_CASE("campaign: the report replaces neither the program, nor its corpus, no
   fs::permissions(program, fs::perms::owner_all);
   const std::string corpus = files.folder.path("corpus");
   fs::create_directory(corpus);
-  std::ofstream(corpus + "/a.node") << kPoints;
+  std::ofstream(corpus + "/a.node") << kQuadPoints;
   const auto campaign = [&](const std::string& report, const std::string& out = "out") {
     return Arguments{"campaign",
                      "--dimension",

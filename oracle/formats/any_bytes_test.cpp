@@ -18,13 +18,12 @@
 #include "oracle/formats/point_lists.hpp"
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/qhull.hpp"
+#include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/stl.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
 namespace {
-
-constexpr NumberReading kDouble = NumberReading::kDouble;
 
 template <class T>
 void expect_success_or_one_line(const Result<T>& result) {

@@ -7,11 +7,11 @@
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/poly.hpp"
+#include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-constexpr NumberReading kDouble = NumberReading::kDouble;
 using Line = std::vector<Vertex>;
 
 Result<PointFile> no_points() { return tl::unexpected(FormatError{"f.node", 0, "points", "none"}); }
@@ -23,25 +23,21 @@ Result<DomainFile> smesh(const std::string& text) {
   return read_smesh({"f", text}, kDouble, no_points);
 }
 
-std::string error_of(const Result<DomainFile>& file) {
-  return file ? "no error" : file.error().to_string();
-}
-
 // The four corners of a tetrahedron, from 1.
 const std::string kFour = "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
-const std::string kSquare = "4 2 0 1\n1 0 0 1\n2 4 0 1\n3 4 4 1\n4 0 4 1\n";
+const std::string kSquareFrom1Node = "4 2 0 1\n1 0 0 1\n2 4 0 1\n3 4 4 1\n4 0 4 1\n";
 
 std::string poly_error(const std::string& behind_points) {
   return error_of(poly(kFour + behind_points));
 }
 std::string square_error(const std::string& behind_points) {
-  return error_of(poly(kSquare + behind_points));
+  return error_of(poly(kSquareFrom1Node + behind_points));
 }
 
 }  // namespace
 
 TEST_CASE("poly in the plane: segments, holes, regions") {
-  const auto file = poly(kSquare +
+  const auto file = poly(kSquareFrom1Node +
                          "5 1 # segments\n1 1 2 7\n2 2 3 7\n3 3 4 7\n4 4 1 7\n9 1 3 0\n"
                          "1\n1 1 0.5\n1\n1 3 1 5 0.25\n");
   REQUIRE_MESSAGE(file, error_of(file));
@@ -149,7 +145,7 @@ TEST_CASE("smesh: facets of one polygon each, with markers; points from 0 or els
   CHECK(file->input.segments == std::vector<Line>{{2, 3}});
   CHECK(error_of(smesh(kFour + "1 0\n3 1 2 3 9\n0\n")) ==
         "f:7: expected the end of the line after 3 corners and 0 markers, found \"9\"");
-  CHECK(error_of(smesh(kSquare + "0\n0\n")) ==
+  CHECK(error_of(smesh(kSquareFrom1Node + "0\n0\n")) ==
         "f: expected points in space, for a .smesh file, found points in the plane");
   const ScratchFolder folder;
   const std::string path = folder.write("x.1.smesh", "0 3 0 0\n1 1\n3 0 1 2 -1\n0\n0\n");

@@ -2,12 +2,11 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
 namespace {
-
-constexpr NumberReading kDouble = NumberReading::kDouble;
 
 const WrittenMesh kTwoTetrahedra = {
     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}, {1.0 / 3, -1e-300, 4}, {0, 0, -1}},

@@ -11,7 +11,7 @@ namespace {
 
 const std::string kVertices =
     "MeshVersionFormatted 2 Dimension 3 Vertices 4 0 0 5 0 1 0 5 0 1 1 5 0 0 1 5 0 ";
-const std::vector<Simplex> kTwo = {{0, 1, 2}, {0, 2, 3}};
+const std::vector<Simplex> kTwoHalves = {{0, 1, 2}, {0, 2, 3}};
 
 Result<MeshFile> against(std::size_t dimension, const std::string& path) {
   return read_mesh({.mesh = path, .with_faces = true, .domain_dimension = dimension});
@@ -30,7 +30,7 @@ TEST_CASE("a constant third coordinate is left out where the domain is in the pl
     REQUIRE(mesh);
     CHECK(mesh->mesh.dimension() == 2);
     CHECK(mesh->mesh.exact_points() == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-    CHECK(mesh->mesh.simplices.lists() == kTwo);
+    CHECK(mesh->mesh.simplices.lists() == kTwoHalves);
     CHECK(mesh->notes == std::vector<std::string>{
                              path + ": the third coordinate, 5 for all points, was left out"});
   }
@@ -88,7 +88,7 @@ TEST_CASE("files of the plain form are fitted as all others are") {
     CHECK(fast->mesh.exact_points() == slow->mesh.exact_points());
     CHECK(fast->mesh.simplices.lists() == slow->mesh.simplices.lists());
     CHECK(fast->mesh.faces == slow->mesh.faces);
-    CHECK(fast->mesh.faces == (dimension == 3 ? kTwo : std::vector<Simplex>{}));
+    CHECK(fast->mesh.faces == (dimension == 3 ? kTwoHalves : std::vector<Simplex>{}));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
@@ -11,9 +12,6 @@ namespace {
 
 Result<ElementFile> gmsh(const std::string& text) {
   return read_gmsh({"f", text}, NumberReading::kDouble);
-}
-std::string error_of(const Result<ElementFile>& file) {
-  return file ? "no error" : file.error().to_string();
 }
 
 const std::string kHeader2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";

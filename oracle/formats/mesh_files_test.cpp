@@ -7,6 +7,7 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/reading_test.hpp"
 #include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
@@ -31,9 +32,6 @@ Result<MeshFile> mesh_of(const std::string& path, const std::string& points) {
 Result<MeshFile> weighted(const std::string& path, const std::optional<std::string>& points,
                           Weights weights) {
   return read_mesh({.mesh = path, .points = points, .weights = weights});
-}
-std::string error_of(const Result<MeshFile>& mesh) {
-  return mesh ? "no error" : mesh.error().to_string();
 }
 
 }  // namespace

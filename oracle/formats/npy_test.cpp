@@ -9,21 +9,16 @@
 #include <rapidcheck.h>
 
 #include "oracle/formats/npy_bytes_test.hpp"
+#include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-Source named(const std::string& bytes) { return {"f", bytes}; }
-
-template <class T>
-std::string complaint(const Result<T>& result) {
-  return result ? "no error" : result.error().to_string();
-}
 std::string points_error(const std::string& bytes) {
-  return complaint(read_npy_points(named(bytes)));
+  return error_of(read_npy_points(named(bytes)));
 }
 std::string simplices_error(const std::string& bytes) {
-  return complaint(read_npy_simplices(named(bytes)));
+  return error_of(read_npy_simplices(named(bytes)));
 }
 std::string header_error(const std::string& header) {
   return points_error(npy_with_header(header, std::string(16, '\0')));
@@ -36,7 +31,7 @@ const std::string kAdvice = "; numpy.save(file, points.astype('<f8')) writes wha
 
 TEST_CASE("npy: points of doubles, exactly") {
   const auto file = read_npy_points(named(npy("<f8", "(2, 3)", kSix)));
-  REQUIRE_MESSAGE(file.has_value(), complaint(file));
+  REQUIRE_MESSAGE(file.has_value(), error_of(file));
   CHECK(file->dimension == 3);
   CHECK(file->first_index == 0);
   CHECK(file->points == std::vector<Point>{{0, exact_value(0.1), exact_value(1e300)},
@@ -48,7 +43,7 @@ TEST_CASE("npy: points of doubles, exactly") {
   CHECK(flat->row(1)[0] == 1e300);
   CHECK(!std::signbit(flat->row(1)[1]));
   const auto none = read_npy_points(named(npy<double>("<f8", "(0, 3)", {})));
-  REQUIRE_MESSAGE(none.has_value(), complaint(none));
+  REQUIRE_MESSAGE(none.has_value(), error_of(none));
   CHECK(none->dimension == 3);
   CHECK(none->points.empty());
 }
@@ -57,13 +52,13 @@ TEST_CASE("npy: simplices of 32 and of 64 bits") {
   const std::vector<Simplex> expected = {{0, 1, 2}, {-1, 2147483647, 3}};
   const auto narrow =
       read_npy_simplices(named(npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, -1, 2147483647, 3})));
-  REQUIRE_MESSAGE(narrow.has_value(), complaint(narrow));
+  REQUIRE_MESSAGE(narrow.has_value(), error_of(narrow));
   CHECK(narrow->simplices == expected);
   CHECK(narrow->vertices_per_simplex == 3);
   CHECK(narrow->lines.size() == 2);
   const auto wide =
       read_npy_simplices(named(npy<std::int64_t>("<i8", "(2, 3)", {0, 1, 2, -1, 2147483647, 3})));
-  REQUIRE_MESSAGE(wide.has_value(), complaint(wide));
+  REQUIRE_MESSAGE(wide.has_value(), error_of(wide));
   CHECK(wide->simplices == expected);
   CHECK(read_npy_simplices(named(npy<std::int64_t>("<i8", "(1, 1)", {INT64_MIN})))->simplices ==
         std::vector<Simplex>{{INT64_MIN}});

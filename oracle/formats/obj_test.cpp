@@ -3,23 +3,22 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/reading_test.hpp"
+
 namespace circumspect::formats {
 namespace {
 
 Result<ElementFile> obj(const std::string& text) {
   return read_obj({"f", text}, NumberReading::kDouble);
 }
-std::string error_of(const Result<ElementFile>& file) {
-  return file ? "no error" : file.error().to_string();
-}
 
-const std::string kThree = "v 0 0 0\nv 1 0 0 0.5\nv 0 1/3 0 1 0.5 0\n";
+const std::string kThreeVertices = "v 0 0 0\nv 1 0 0 0.5\nv 0 1/3 0 1 0.5 0\n";
 
 }  // namespace
 
 TEST_CASE("obj: points, faces and lines; the rest is read over") {
   const auto file =
-      obj("# a surface\nmtllib a.mtl\n" + kThree +
+      obj("# a surface\nmtllib a.mtl\n" + kThreeVertices +
           "vt 0 0\nvn 0 0 nan\nusemtl a b\ns off\nf 1/1/1 2//1 3/2\nl 1 2 3\nv 0 0 1\n"
           "f -1 -2 \\\n -3 -4\np 1\nf 1 2 -1\n");
   REQUIRE_MESSAGE(file, error_of(file));
@@ -35,15 +34,17 @@ TEST_CASE("obj: points, faces and lines; the rest is read over") {
 }
 
 TEST_CASE("obj: what is refused") {
-  CHECK(error_of(obj(kThree + "f 1 2\n")) == "f:4: expected a face of 3 vertices or more, found 2");
-  CHECK(error_of(obj(kThree + "l 1\n")) == "f:4: expected a line of 2 vertices or more, found 1");
-  CHECK(error_of(obj(kThree + "f 1 2 0\n")) ==
+  CHECK(error_of(obj(kThreeVertices + "f 1 2\n")) ==
+        "f:4: expected a face of 3 vertices or more, found 2");
+  CHECK(error_of(obj(kThreeVertices + "l 1\n")) ==
+        "f:4: expected a line of 2 vertices or more, found 1");
+  CHECK(error_of(obj(kThreeVertices + "f 1 2 0\n")) ==
         "f:4: expected a vertex, counted from 1, or back from -1, found \"0\"");
-  CHECK(error_of(obj(kThree + "f 1 2 -4\n")) ==
+  CHECK(error_of(obj(kThreeVertices + "f 1 2 -4\n")) ==
         "f:4: expected one of the 3 vertices so far, found \"-4\"");
-  CHECK(error_of(obj(kThree + "f 1 2 -9223372036854775808\n")) ==
+  CHECK(error_of(obj(kThreeVertices + "f 1 2 -9223372036854775808\n")) ==
         "f:4: expected one of the 3 vertices so far, found \"-9223372036854775808\"");
-  CHECK(error_of(obj(kThree + "f 1 2 a\n")) ==
+  CHECK(error_of(obj(kThreeVertices + "f 1 2 a\n")) ==
         "f:4: expected a vertex, an integer that fits 64 bits, found \"a\"");
   CHECK(error_of(obj("v 0 0\n")) == "f:1: expected 3 coordinates, found 2");
   CHECK(error_of(obj("v 0 0 inf\n")) == "f:1: expected a finite number, found \"inf\"");
@@ -58,7 +59,7 @@ TEST_CASE("obj: what is refused") {
 }
 
 TEST_CASE("obj: a point that is not there is the mesh's or the domain's fault") {
-  const auto file = obj(kThree + "f 1 2 7\n");
+  const auto file = obj(kThreeVertices + "f 1 2 7\n");
   REQUIRE(file);
   CHECK(domain_of(*file, "f").error().to_string() == "f:4: expected a vertex from 1 to 3, found 7");
 }

@@ -19,8 +19,8 @@ namespace {
 const std::string kNode = "4 2 1\n1 0 0 9\n2 1 0 9\n3 0 1 9\n4 1 1 -0.25\n";
 const std::string kEle = "2 3 0\n1 1 2 3\n2 2 4 3\n";
 const std::string kNeigh = "2 3\n1 2 -1 -1\n2 -1 1 -1\n";
-const std::vector<double> kSquare = {0, 0, 1, 0, 0, 1, 1, 1};
-const std::vector<Simplex> kTwo = {{0, 1, 2}, {1, 3, 2}};
+const std::vector<double> kCorners = {0, 0, 1, 0, 0, 1, 1, 1};
+const std::vector<Simplex> kTwoTriangles = {{0, 1, 2}, {1, 3, 2}};
 
 void check_same(const MeshFile& plain, const MeshFile& listed) {
   CHECK(plain.points_name == listed.points_name);
@@ -95,14 +95,14 @@ TEST_CASE("plain meshes: neighbours where they are asked for") {
 
 TEST_CASE("plain meshes: .npy for points, for simplices, and for both") {
   const ScratchFolder folder;
-  const std::string points = folder.write("points.npy", npy("<f8", "(4, 2)", kSquare));
+  const std::string points = folder.write("points.npy", npy("<f8", "(4, 2)", kCorners));
   const std::string narrow =
       folder.write("narrow.npy", npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 3, 2}));
   const std::string wide =
       folder.write("wide.npy", npy<std::int64_t>("<i8", "(2, 3)", {0, 1, 2, 1, 3, 2}));
   CHECK(is_read({narrow, points}));
   CHECK(is_read({wide, points}));
-  CHECK(read_mesh({wide, points})->mesh.simplices.lists() == kTwo);
+  CHECK(read_mesh({wide, points})->mesh.simplices.lists() == kTwoTriangles);
   CHECK(read_mesh({wide, points})->mesh.simplices.rows<std::int64_t>());
   CHECK(read_mesh({wide, points})->points_name == points);
   CHECK(!is_read({wide}));
@@ -224,12 +224,12 @@ TEST_CASE("load_streams: nothing of what can be read again, and what is wrong wi
 
 TEST_CASE("npy files are known by what they hold, and need points") {
   const ScratchFolder folder;
-  const std::string points = folder.write("points", npy("<f8", "(4, 2)", kSquare));
+  const std::string points = folder.write("points", npy("<f8", "(4, 2)", kCorners));
   const std::string simplices =
       folder.write("simplices", npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 3, 2}));
   const auto mesh = read_mesh({simplices, points});
   REQUIRE(mesh.has_value());
-  CHECK(mesh->mesh.simplices.lists() == kTwo);
+  CHECK(mesh->mesh.simplices.lists() == kTwoTriangles);
   CHECK(mesh->mesh.points() == 4);
   CHECK(read_mesh({simplices}).error().to_string() ==
         simplices + ": expected --points FILE, with the points of these simplices, found none");

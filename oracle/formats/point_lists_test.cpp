@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/reading_test.hpp"
+
 namespace circumspect::formats {
 namespace {
 
@@ -12,18 +14,15 @@ Result<PointFile> xyz(const std::string& text) {
 Result<PointFile> csv(const std::string& text) {
   return read_csv({"f", text}, NumberReading::kDouble);
 }
-std::string error_of(const Result<PointFile>& file) {
-  return file ? "no error" : file.error().to_string();
-}
 
-const std::vector<Point> kTwo = {{0, Rational(1, 2)}, {-3, 4}};
+const std::vector<Point> kTwoPoints = {{0, Rational(1, 2)}, {-3, 4}};
 
 }  // namespace
 
 TEST_CASE("xyz: the first line says the dimension") {
   const auto plane = xyz("# two\n0 0.5\n\n-3\t4e0\r\n");
   REQUIRE_MESSAGE(plane, error_of(plane));
-  CHECK(plane->points == kTwo);
+  CHECK(plane->points == kTwoPoints);
   CHECK(plane->dimension == 2);
   CHECK(plane->first_index == 0);
   CHECK(xyz("1 2 3 4 5")->dimension == 5);
@@ -46,7 +45,7 @@ TEST_CASE("csv: columns by their order or by their names") {
     CAPTURE(text);
     const auto file = csv(text);
     REQUIRE_MESSAGE(file, error_of(file));
-    CHECK(file->points == kTwo);
+    CHECK(file->points == kTwoPoints);
   }
   CHECK(csv("x,y,z\n")->points.empty());
   CHECK(csv("x,y,z\n")->dimension == 3);

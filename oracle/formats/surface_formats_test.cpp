@@ -2,19 +2,16 @@
 #include <doctest/doctest.h>
 
 #include "oracle/formats/ply.hpp"
+#include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/stl.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-constexpr NumberReading kDouble = NumberReading::kDouble;
-using Line = std::vector<Vertex>;
+using VertexList = std::vector<Vertex>;
 
 Result<DomainFile> stl(const std::string& text) { return read_stl({"f", text}, kDouble); }
 Result<DomainFile> ply(const std::string& text) { return read_ply({"f", text}, kDouble); }
-std::string error_of(const Result<DomainFile>& file) {
-  return file ? "no error" : file.error().to_string();
-}
 
 std::string facet(const std::string& a, const std::string& b, const std::string& c) {
   return "facet normal 0 0 nan\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " +
@@ -76,7 +73,7 @@ TEST_CASE("stl in text: equal corners are one point, and that is said") {
   REQUIRE_MESSAGE(file, error_of(file));
   CHECK(file->input.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   REQUIRE(file->input.polygons.size() == 2);
-  CHECK(file->input.polygons[1].lines == std::vector<Line>{{0, 2, 3}});
+  CHECK(file->input.polygons[1].lines == std::vector<VertexList>{{0, 2, 3}});
   CHECK(file->polygon_lines == std::vector<std::size_t>{2, 9});
   CHECK(file->notes == std::vector<std::string>{"f: 6 corners of triangles merged into 4 points"});
 }
@@ -87,7 +84,7 @@ TEST_CASE("stl: what is left of triangles with equal corners is noted") {
           facet("5 5 5", "5 5 5", "5 5 5") + "endsolid\n");
   REQUIRE_MESSAGE(file, error_of(file));
   CHECK(file->input.polygons.empty());
-  CHECK(file->input.segments == std::vector<Line>{{0, 1}, {2, 1}});
+  CHECK(file->input.segments == std::vector<VertexList>{{0, 1}, {2, 1}});
   CHECK(file->notes.back() ==
         "f: 3 triangles with equal corners read as the segments that they are");
 }
@@ -133,7 +130,7 @@ TEST_CASE("ply in text: other elements and properties are read over") {
   CHECK(file->input.points ==
         std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, Rational(1, 2), 0}, {0, 0, 1}});
   REQUIRE(file->input.polygons.size() == 2);
-  CHECK(file->input.polygons[1].lines == std::vector<Line>{{0, 1, 2, 3}});
+  CHECK(file->input.polygons[1].lines == std::vector<VertexList>{{0, 1, 2, 3}});
   CHECK(file->polygon_lines == std::vector<std::size_t>{20, 21});
 }
 
@@ -145,7 +142,7 @@ TEST_CASE("ply in binary, of either byte order") {
     CHECK(file->input.points ==
           std::vector<Point>{
               {0, 0, 0}, {Rational(11184811, 33554432), -2, Rational(3, 2)}, {1, 7, 0}});
-    CHECK(file->input.polygons.front().lines == std::vector<Line>{{0, 1, 2}});
+    CHECK(file->input.polygons.front().lines == std::vector<VertexList>{{0, 1, 2}});
     CHECK(error_of(ply(text + "x")) ==
           "f: expected the end of the file after the last element, found 1 more bytes");
     CHECK(error_of(ply(text.substr(0, text.size() - 1))) ==

@@ -4,22 +4,21 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/formats/reading_test.hpp"
+
 namespace circumspect::formats {
 namespace {
 
 Result<ElementFile> tet(const std::string& text) {
   return read_tet({"f", text}, NumberReading::kDouble);
 }
-std::string error_of(const Result<ElementFile>& file) {
-  return file ? "no error" : file.error().to_string();
-}
 
-const std::string kPoints = "0 0 0\n1 0 0\n0 2/3 0\n0 0 0.1\n";
+const std::string kFourPoints = "0 0 0\n1 0 0\n0 2/3 0\n0 0 0.1\n";
 
 }  // namespace
 
 TEST_CASE("tet: outer tetrahedra are left out, and that is noted") {
-  const auto file = tet("4 vertices\n1 inner tets\n2 outer tets\n" + kPoints +
+  const auto file = tet("4 vertices\n1 inner tets\n2 outer tets\n" + kFourPoints +
                         "4 0 1 2 3\n4 0 1 2 3\n4 3 2 1 0\n");
   REQUIRE_MESSAGE(file, error_of(file));
   CHECK(file->points.points ==
@@ -37,11 +36,11 @@ TEST_CASE("tet: what is refused") {
         "f:2: expected \"tets\" or \"inner tets\", found \"cells\"");
   CHECK(error_of(tet("4 vertices\n1 inner tets\n1 tets\n")) ==
         "f:3: expected \"outer\", found \"tets\"");
-  CHECK(error_of(tet(header + kPoints)) ==
+  CHECK(error_of(tet(header + kFourPoints)) ==
         "f:6: expected the number of vertices of tetrahedron 1 of 1, found the end of the file");
-  CHECK(error_of(tet(header + kPoints + "3 0 1 2\n")) ==
+  CHECK(error_of(tet(header + kFourPoints + "3 0 1 2\n")) ==
         "f:7: expected 4, the number of vertices of tetrahedron 1 of 1, found \"3\"");
-  CHECK(error_of(tet(header + kPoints + "4 0 1 2 3\n4 0 1 2 3\n")) ==
+  CHECK(error_of(tet(header + kFourPoints + "4 0 1 2 3\n4 0 1 2 3\n")) ==
         "f:8: expected the end of the file after the last tetrahedron, found \"4\"");
   CHECK(error_of(tet("999999999999 vertices\n1 tets\n0 0 0\n")) ==
         "f:3: expected a coordinate of vertex 2 of 999999999999, found the end of the file");

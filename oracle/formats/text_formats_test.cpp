@@ -9,31 +9,24 @@
 #include "oracle/formats/node.hpp"
 #include "oracle/formats/off.hpp"
 #include "oracle/formats/qhull.hpp"
+#include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-constexpr NumberReading kDouble = NumberReading::kDouble;
 constexpr NumberReading kDecimal = NumberReading::kDecimal;
 
-Source named(const std::string& text) { return {"f", text}; }
-
-template <class T>
-std::string complaint(const Result<T>& result) {
-  return result ? "no error" : result.error().to_string();
-}
-
 std::string node_error(const std::string& text, NumberReading reading = kDouble) {
-  return complaint(read_node(named(text), reading));
+  return error_of(read_node(named(text), reading));
 }
-std::string ele_error(const std::string& text) { return complaint(read_ele(named(text))); }
-std::string off_error(const std::string& text) { return complaint(read_off(named(text), kDouble)); }
+std::string ele_error(const std::string& text) { return error_of(read_ele(named(text))); }
+std::string off_error(const std::string& text) { return error_of(read_off(named(text), kDouble)); }
 std::string qhull_error(const std::string& text) {
-  return complaint(read_qhull_points(named(text), kDouble));
+  return error_of(read_qhull_points(named(text), kDouble));
 }
 
 template <class File, class Write>
-std::string written(const File& file, Write write) {
+std::string text_written(const File& file, Write write) {
   std::ostringstream out;
   write(out, file);
   return out.str();
@@ -177,7 +170,7 @@ TEST_CASE("columns that no claim is about are numbers all the same, and markers 
 
 TEST_CASE("neigh: of as many simplices as there are, with as many of each as these have vertices") {
   const auto error = [](const std::string& text) {
-    return complaint(read_neigh(named(text), ListedSimplices{2, 3, "x.ele"}));
+    return error_of(read_neigh(named(text), ListedSimplices{2, 3, "x.ele"}));
   };
   CHECK(error("2 3\n1 -1 2 -1\n2 -1 -1 1\n") == "no error");
   CHECK(error("# one less\n1 3\n1 -1 2 -1\n") ==
@@ -194,12 +187,12 @@ TEST_CASE("neigh: neighbours as written") {
   REQUIRE(file);
   CHECK(file->first_index == 1);
   CHECK(file->neighbors == std::vector<std::vector<Vertex>>{{-1, 2, -1, -1}, {1, -1, -1, -1}});
-  CHECK(written(*file, write_neigh) == text);
-  CHECK(complaint(read_neigh(named("1 0\n0\n"))) ==
+  CHECK(text_written(*file, write_neigh) == text);
+  CHECK(error_of(read_neigh(named("1 0\n0\n"))) ==
         "f:1: expected at least 1 neighbour of each, found \"0\"");
-  CHECK(complaint(read_neigh(named("1 2\n0 1 x\n"))) ==
+  CHECK(error_of(read_neigh(named("1 2\n0 1 x\n"))) ==
         "f:2: expected a neighbour, an integer, found \"x\"");
-  CHECK(complaint(read_neigh(named("1 2 3\n"))) ==
+  CHECK(error_of(read_neigh(named("1 2 3\n"))) ==
         "f:1: expected a header \"simplices neighbours-of-each\" and the end of the line, found "
         "\"3\"");
 }
@@ -219,7 +212,7 @@ TEST_CASE("off: points and faces, with comments and colours") {
 TEST_CASE("off: the vertices of a face may go on over further lines") {
   const std::string points = "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   const auto file = read_off(named(points + "3\n0 1 2\n4 0 1\n2\n3\n3 0 2 3 0.5 1\n"), kDouble);
-  REQUIRE_MESSAGE(file, complaint(file));
+  REQUIRE_MESSAGE(file, error_of(file));
   CHECK(file->faces.simplices == std::vector<Simplex>{{0, 1, 2}, {0, 1, 2, 3}, {0, 2, 3}});
   CHECK(file->faces.lines == std::vector<std::size_t>{7, 9, 12});
   // A vertex too few is no such file: it is said of the line on which it is missing.
@@ -264,12 +257,12 @@ TEST_CASE("qhull: points and facets") {
   const auto points = read_qhull_points(named("2 rbox c D2\n3\n0 0\n1 0\n 0 1\n"), kDouble);
   REQUIRE(points);
   CHECK(points->points == std::vector<Point>{{0, 0}, {1, 0}, {0, 1}});
-  CHECK(written(*points, write_qhull_points) == "2\n3\n0 0\n1 0\n0 1\n");
+  CHECK(text_written(*points, write_qhull_points) == "2\n3\n0 0\n1 0\n0 1\n");
   const auto facets = read_qhull_simplices(named("2\n2 0 1 \n0 1 3 4 \n"));
   REQUIRE(facets);
   CHECK(facets->simplices == std::vector<Simplex>{{2, 0, 1}, {0, 1, 3, 4}});
   CHECK(facets->vertices_per_simplex == 0);
-  CHECK(written(*facets, write_qhull_simplices) == "2\n2 0 1\n0 1 3 4\n");
+  CHECK(text_written(*facets, write_qhull_simplices) == "2\n2 0 1\n0 1 3 4\n");
 }
 
 TEST_CASE("qhull: what is refused") {
@@ -282,11 +275,11 @@ TEST_CASE("qhull: what is refused") {
   CHECK(qhull_error("2\n2\n0 0\n") == "f:3: expected point 2 of 2, found the end of the file");
   CHECK(qhull_error("2\n1\n0 0\n1 1\n") ==
         "f:4: expected the end of the file after the last point, found \"1\"");
-  CHECK(complaint(read_qhull_simplices(named("1\n0 1 b\n"))) ==
+  CHECK(error_of(read_qhull_simplices(named("1\n0 1 b\n"))) ==
         "f:2: expected a vertex, an integer, found \"b\"");
-  CHECK(complaint(read_qhull_simplices(named("3\n0 1 2\n"))) ==
+  CHECK(error_of(read_qhull_simplices(named("3\n0 1 2\n"))) ==
         "f:2: expected facet 2 of 3, found the end of the file");
-  CHECK(complaint(read_qhull_simplices(named("1\n0 1 2\n0 1 2\n"))) ==
+  CHECK(error_of(read_qhull_simplices(named("1\n0 1 2\n0 1 2\n"))) ==
         "f:3: expected the end of the file after the last facet, found \"0\"");
 }
 
@@ -299,15 +292,15 @@ TEST_CASE("face and edge: markers and what TetGen appends are read over") {
   const auto edges = read_face(named("2\n0 1 2\n1 2 3\n"), 2);
   REQUIRE(edges);
   CHECK(edges->simplices == std::vector<Simplex>{{1, 2}, {2, 3}});
-  CHECK(written(*edges, write_face) == "2 0\n0 1 2\n1 2 3\n");
-  CHECK(complaint(read_face(named("1 0\n1 1 2\n"), 3)) ==
+  CHECK(text_written(*edges, write_face) == "2 0\n0 1 2\n1 2 3\n");
+  CHECK(error_of(read_face(named("1 0\n1 1 2\n"), 3)) ==
         "f:2: expected 4 columns (an index, 3 vertices) and at most 3 more, found 3");
-  CHECK(complaint(read_face(named("1 1\n1 1 2 3\n"), 3)) ==
+  CHECK(error_of(read_face(named("1 1\n1 1 2 3\n"), 3)) ==
         "f:2: expected 5 columns (an index, 3 vertices, a marker) and at most 3 more, found 4");
-  CHECK(complaint(read_face(named("1 1\n1 1 2 x\n"), 2)) ==
+  CHECK(error_of(read_face(named("1 1\n1 1 2 x\n"), 2)) ==
         "f:2: expected a marker or a tetrahedron, an integer, found \"x\"");
-  CHECK(complaint(read_face(named("1 2\n"), 2)) == "f:1: expected 0 or 1 markers, found \"2\"");
-  CHECK(complaint(read_face(named("2\n1 1 2\n"), 2)) ==
+  CHECK(error_of(read_face(named("1 2\n"), 2)) == "f:1: expected 0 or 1 markers, found \"2\"");
+  CHECK(error_of(read_face(named("2\n1 1 2\n"), 2)) ==
         "f:2: expected edge 2 of 2, found the end of the file");
 }
 

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/formats/base64.hpp"
+#include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/vtu.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
@@ -16,9 +17,6 @@ Result<ElementFile> vtk(const std::string& text) {
 }
 Result<ElementFile> xml(const std::string& text) {
   return read_vtu({"f", text}, NumberReading::kDouble);
-}
-std::string error_of(const Result<ElementFile>& file) {
-  return file ? "no error" : file.error().to_string();
 }
 
 std::string grid(const std::string& sections) {

@@ -11,7 +11,7 @@ namespace {
 
 using check::By;
 
-ExactMesh kite() {
+ExactMesh kite_from_1() {
   return {PointSet({{-2, 0}, {2, 0}, {0, 1}, {0, Rational(-1, 3)}}), {{0, 1, 2}, {3, 1, 0}}, {}, 1};
 }
 
@@ -30,7 +30,8 @@ TEST_CASE("json: a claim that holds") {
 }
 
 TEST_CASE("json: a claim that fails, word for word") {
-  const Json document = verdict(check::delaunay(kite()), in_rows(kite()), "k.ele", By::kLemma);
+  const Json document =
+      verdict(check::delaunay(kite_from_1()), in_rows(kite_from_1()), "k.ele", By::kLemma);
   CHECK(document.dump() ==
         R"({"mesh":"k.ele","claim":"delaunay","by":"lemma","verdict":"fails","points":4,)"
         R"("simplices":2,"dimension":2,"rules":[{"rule":"delaunay.facet-not-local","count":1,)"

@@ -8,7 +8,7 @@
 namespace circumspect::constrained {
 namespace {
 
-constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
+constexpr std::array<std::size_t, 3> kAxes = {0, 1, 2};
 constexpr std::array<std::size_t, 2> kPlane = {0, 1};
 
 TEST_CASE("triangles that reach into a tetrahedron, and triangles that touch it") {
@@ -32,7 +32,7 @@ TEST_CASE("triangles that reach into a tetrahedron, and triangles that touch it"
                          {-8, -8, 18},
                          {4, -4, 4}});
   const auto meets = [&](const Simplex& facet) {
-    return meets_interior(points, kSpace, {0, 1, 2, 3}, facet);
+    return meets_interior(points, kAxes, {0, 1, 2, 3}, facet);
   };
   CHECK(meets({4, 5, 6}));
   CHECK(meets({0, 4, 6}));

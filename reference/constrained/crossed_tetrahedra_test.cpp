@@ -6,11 +6,11 @@
 namespace circumspect::constrained {
 namespace {
 
-const PointSet kPierced({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 1}, {1, 1, -1}});
+const PointSet kPiercedTriangle({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 1}, {1, 1, -1}});
 const Polygon kTriangle{{0, 1, 2}, {{0, 1}, {0, 2}, {1, 2}}, {}, {0, 1}, {{0, 1, 2}}};
 
 TEST_CASE("distances along the axis that the polygon leaves out") {
-  const PolygonInSpace polygon(kPierced, kTriangle);
+  const PolygonInSpace polygon(kPiercedTriangle, kTriangle);
   CHECK(polygon.distance(0) == 0);
   CHECK(abs(polygon.distance(3)) == 1);
   CHECK(polygon.distance(4) == -polygon.distance(3));
@@ -20,7 +20,7 @@ TEST_CASE("distances along the axis that the polygon leaves out") {
 }
 
 TEST_CASE("the tetrahedra around an edge that pierces the polygon") {
-  const PolygonInSpace polygon(kPierced, kTriangle);
+  const PolygonInSpace polygon(kPiercedTriangle, kTriangle);
   const std::vector<Simplex> around = {{0, 1, 3, 4}, {0, 2, 3, 4}, {1, 2, 3, 4}};
   CHECK(crossed_tetrahedra(StarIndex(around), polygon) ==
         std::set<Simplex>(around.begin(), around.end()));
@@ -33,7 +33,7 @@ TEST_CASE("the tetrahedra around an edge that pierces the polygon") {
 
 TEST_CASE("only what the polygon covers counts, not its plane") {
   // Two such places side by side, of which the polygon covers the first.
-  std::vector<Point> points = kPierced.points();
+  std::vector<Point> points = kPiercedTriangle.points();
   points.push_back({4, 4, 0});
   points.push_back({3, 3, 1});
   points.push_back({3, 3, -1});

@@ -9,7 +9,7 @@ namespace circumspect::constrained {
 namespace {
 
 // All algorithms give one answer; how many Steiner points it has.
-std::size_t steiner_points_of(const PiecewiseLinearComplex& complex) {
+std::size_t steiner_points_of_cdt(const PiecewiseLinearComplex& complex) {
   const SteinerCdt by_flips = steiner_cdt(complex);
   for (const CdtAlgorithm other : {CdtAlgorithm::kGiftWrapping, CdtAlgorithm::kPolygonCavities}) {
     const SteinerCdt answer = steiner_cdt(complex, other);
@@ -27,12 +27,12 @@ TEST_CASE("steiner CDT: a box needs nothing") {
 }
 
 TEST_CASE("steiner CDT: the book's complexes without a triangulation, or without a CDT") {
-  CHECK(steiner_points_of(assemble(generators::schonhardt())) == 3);
-  CHECK(steiner_points_of(assemble(generators::cube_with_three_segments())) == 3);
-  CHECK(steiner_points_of(assemble(generators::chazelle(2))) == 34);
+  CHECK(steiner_points_of_cdt(assemble(generators::schonhardt())) == 3);
+  CHECK(steiner_points_of_cdt(assemble(generators::cube_with_three_segments())) == 3);
+  CHECK(steiner_points_of_cdt(assemble(generators::chazelle(2))) == 34);
   // "The PLC in Figure 4.15 has a Steiner CDT with one Steiner point on its central segment."
   const auto encircled = assemble(generators::encircled_segment());
-  CHECK(steiner_points_of(encircled) == 1);
+  CHECK(steiner_points_of_cdt(encircled) == 1);
   const PointOnSegment point = steiner_cdt(encircled).steiner_points.front();
   CHECK(encircled.segments[point.segment] == Simplex{3, 4});
 }

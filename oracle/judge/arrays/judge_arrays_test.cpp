@@ -12,12 +12,15 @@ namespace circumspect {
 namespace {
 
 // A square and its centre.
-const std::vector<double> kSquare = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1};
-const std::vector<std::int32_t> kFan = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+const std::vector<double> kSquareWithCenter = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1};
+const std::vector<std::int32_t> kFanAboutCenter = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
 const std::vector<std::int32_t> kNeighbors = {1, 3, -1, 2, 0, -1, 3, 1, -1, 0, 2, -1};
 
 MeshArrays<std::int32_t> fan() {
-  return {.dimension = 2, .coordinates = kSquare, .simplices = kFan, .neighbors = kNeighbors};
+  return {.dimension = 2,
+          .coordinates = kSquareWithCenter,
+          .simplices = kFanAboutCenter,
+          .neighbors = kNeighbors};
 }
 
 TEST_CASE("what holds is decided fast, with its facts") {
@@ -34,8 +37,8 @@ TEST_CASE("what holds is decided fast, with its facts") {
   const MeshJudgement triangulation = judge("triangulation", fan());
   CHECK(triangulation.holds);
   CHECK_FALSE(triangulation.unique.has_value());
-  const std::vector<std::int64_t> wide(kFan.begin(), kFan.end());
-  const MeshArrays<std::int64_t> mesh{2, kSquare, {}, wide, {}};
+  const std::vector<std::int64_t> wide(kFanAboutCenter.begin(), kFanAboutCenter.end());
+  const MeshArrays<std::int64_t> mesh{2, kSquareWithCenter, {}, wide, {}};
   CHECK(judge("delaunay", mesh).counts.fast);
 }
 
@@ -108,7 +111,7 @@ TEST_CASE("arrays whose lengths do not agree are refused, and numbers that are n
   refused([](auto& mesh) { mesh.simplices = mesh.simplices.first(11); });
   refused([](auto& mesh) { mesh.weights = mesh.coordinates.first(4); });
   refused([](auto& mesh) { mesh.neighbors = mesh.neighbors.first(9); });
-  std::vector<double> infinite = kSquare;
+  std::vector<double> infinite = kSquareWithCenter;
   infinite[3] = std::numeric_limits<double>::infinity();
   refused([&](auto& mesh) { mesh.coordinates = infinite; });
   CHECK_THROWS_AS(judge("cdt", fan()), std::invalid_argument);

@@ -62,7 +62,7 @@ TEST_CASE("of equal weighted points the heaviest counts") {
 TEST_CASE("an empty mesh of points does not hold, and a single point does") {
   CHECK_FALSE(judge("delaunay", kSquare, {}).holds);
   CHECK(judge("delaunay", {3, {1, 2, 3}, {}}, {{0}}).holds);
-  CHECK(judge("delaunay", {3, {}, {}}, {}).holds);
+  CHECK(judge("delaunay", {3, {}, {}}, SimplexArray{}).holds);
 }
 
 TEST_CASE("what is no input is refused") {

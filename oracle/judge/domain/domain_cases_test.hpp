@@ -38,6 +38,18 @@ inline bool holds(Claim claim, const ExactMesh& mesh, const Domain& domain, By b
   return judge_domain(claim, mesh, domain, {.by = by}).holds();
 }
 
+// The rules broken by lemma, where by definition the claim fails too.
+inline std::set<Rule> rules(const ExactMesh& mesh, const Domain& domain,
+                            Claim claim = Claim::kSteinerTriangulation) {
+  CHECK(!holds(claim, mesh, domain, By::kDefinition));
+  return broken(claim, mesh, domain);
+}
+
+inline void check_holds(Claim claim, const ExactMesh& mesh, const Domain& domain) {
+  CHECK(broken(claim, mesh, domain, By::kLemma) == std::set<Rule>{});
+  CHECK(broken(claim, mesh, domain, By::kDefinition) == std::set<Rule>{});
+}
+
 // A unit cube's vertices are numbered by the bits of their coordinates, x lowest.
 inline const std::vector<Simplex> kCubeInFive = {
     {0, 3, 5, 6}, {0, 1, 3, 5}, {0, 2, 3, 6}, {0, 4, 5, 6}, {3, 5, 6, 7}};

@@ -7,17 +7,6 @@
 namespace circumspect::check {
 namespace {
 
-std::set<Rule> rules(const ExactMesh& mesh, const Domain& domain,
-                     Claim claim = Claim::kSteinerTriangulation) {
-  CHECK(!holds(claim, mesh, domain, By::kDefinition));
-  return broken(claim, mesh, domain);
-}
-
-void check_holds(Claim claim, const ExactMesh& mesh, const Domain& domain) {
-  CHECK(broken(claim, mesh, domain, By::kLemma) == std::set<Rule>{});
-  CHECK(broken(claim, mesh, domain, By::kDefinition) == std::set<Rule>{});
-}
-
 PiecewiseLinearInput square(int low, int high) { return cuboid({low, low}, {high, high}); }
 
 TEST_CASE("a square, with Steiner points and without") {

@@ -16,18 +16,6 @@ ExactMesh cube_mesh(const std::vector<Simplex>& simplices) {
   return {PointSet(box(0, 2).points), simplices};
 }
 
-// The rules broken by lemma, where by definition the claim fails too.
-std::set<Rule> rules(const ExactMesh& mesh, const Domain& domain,
-                     Claim claim = Claim::kSteinerTriangulation) {
-  CHECK(!holds(claim, mesh, domain, By::kDefinition));
-  return broken(claim, mesh, domain);
-}
-
-void check_holds(Claim claim, const ExactMesh& mesh, const Domain& domain) {
-  CHECK(broken(claim, mesh, domain, By::kLemma) == std::set<Rule>{});
-  CHECK(broken(claim, mesh, domain, By::kDefinition) == std::set<Rule>{});
-}
-
 // A prism of two cubes on each other, with the square between them.
 PiecewiseLinearInput two_storeys() {
   PiecewiseLinearInput input;

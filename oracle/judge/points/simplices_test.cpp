@@ -14,7 +14,7 @@ namespace {
 const std::vector<Point> kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 // The rules that a mesh breaks as a Delaunay triangulation.
-std::set<Rule> broken(const ExactMesh& mesh, By by, bool oriented = false) {
+std::set<Rule> broken_delaunay(const ExactMesh& mesh, By by, bool oriented = false) {
   std::set<Rule> rules;
   const Verdict verdict = delaunay(mesh, {.by = by, .oriented = oriented});
   for (const auto& [rule, tally] : verdict.tallies()) {
@@ -24,9 +24,9 @@ std::set<Rule> broken(const ExactMesh& mesh, By by, bool oriented = false) {
 }
 
 // The only violation of a mesh, after a look that it is the only one both ways.
-Violation only(Rule rule, const ExactMesh& mesh, bool oriented = false) {
-  CHECK(broken(mesh, By::kLemma, oriented) == std::set{rule});
-  CHECK(broken(mesh, By::kDefinition, oriented) == std::set{rule});
+Violation only_violation(Rule rule, const ExactMesh& mesh, bool oriented = false) {
+  CHECK(broken_delaunay(mesh, By::kLemma, oriented) == std::set{rule});
+  CHECK(broken_delaunay(mesh, By::kDefinition, oriented) == std::set{rule});
   const Verdict verdict = delaunay(mesh, {.oriented = oriented});
   CHECK(!verdict.holds());
   REQUIRE(verdict.violations().size() == 1);
@@ -40,7 +40,7 @@ Violation only(Rule rule, const ExactMesh& mesh, bool oriented = false) {
 TEST_CASE("unknown vertex: an index beyond the last point, and a negative one") {
   for (const Vertex v : {Vertex{4}, Vertex{-1}, Vertex{1'000'000'000'000}}) {
     const ExactMesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {0, v, 3}}};
-    const Witness witness = only(Rule::kUnknownVertex, mesh).witness;
+    const Witness witness = only_violation(Rule::kUnknownVertex, mesh).witness;
     CHECK(witness.simplices == std::vector<Simplex>{{0, v, 3}});
     CHECK(witness.vertices == std::vector<Vertex>{v});
   }
@@ -48,7 +48,8 @@ TEST_CASE("unknown vertex: an index beyond the last point, and a negative one") 
 
 TEST_CASE("wrong dimension: an edge among triangles, and tetrahedra of a plane") {
   const Witness edge =
-      only(Rule::kWrongDimension, {PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {1, 3}}}).witness;
+      only_violation(Rule::kWrongDimension, {PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {1, 3}}})
+          .witness;
   CHECK(edge.simplices == std::vector<Simplex>{{1, 3}});
   REQUIRE(edge.values.size() == 2);
   CHECK(edge.values[0].name == "vertices");
@@ -56,13 +57,13 @@ TEST_CASE("wrong dimension: an edge among triangles, and tetrahedra of a plane")
   CHECK(edge.values[1].name == "vertices expected");
   CHECK(edge.values[1].value == 3);
   const PointSet flat({{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}});
-  const Witness solid = only(Rule::kWrongDimension, {flat, {{0, 1, 2, 3}}}).witness;
+  const Witness solid = only_violation(Rule::kWrongDimension, {flat, {{0, 1, 2, 3}}}).witness;
   CHECK(solid.values[0].value == 4);
 }
 
 TEST_CASE("repeated vertex: named, even where the simplex would be flat anyhow") {
   const ExactMesh mesh{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {3, 1, 3}}};
-  const Witness witness = only(Rule::kRepeatedVertex, mesh).witness;
+  const Witness witness = only_violation(Rule::kRepeatedVertex, mesh).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{3, 1, 3}});
   CHECK(witness.vertices == std::vector<Vertex>{3});
 }
@@ -70,7 +71,7 @@ TEST_CASE("repeated vertex: named, even where the simplex would be flat anyhow")
 TEST_CASE("degenerate: a flat triangle that fills nothing, between good ones") {
   const PointSet points({{0, 0}, {1, 0}, {2, 0}, {1, 1}});
   const ExactMesh mesh{points, {{0, 1, 3}, {1, 2, 3}, {2, 0, 1}}};
-  const Witness witness = only(Rule::kDegenerateSimplex, mesh).witness;
+  const Witness witness = only_violation(Rule::kDegenerateSimplex, mesh).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{2, 0, 1}});
   REQUIRE(witness.values.size() == 1);
   CHECK(witness.values[0].name == "orientation determinant");
@@ -80,15 +81,15 @@ TEST_CASE("degenerate: a flat triangle that fills nothing, between good ones") {
 TEST_CASE("degenerate: exactly flat, not nearly") {
   const Rational tiny = exact_value(0x1p-1000);
   const ExactMesh mesh{PointSet({{0, 0}, {1, tiny}, {2, 0}}), {{0, 1, 2}}};
-  CHECK(broken(mesh, By::kLemma).empty());
-  CHECK(broken(mesh, By::kDefinition).empty());
+  CHECK(broken_delaunay(mesh, By::kLemma).empty());
+  CHECK(broken_delaunay(mesh, By::kDefinition).empty());
 }
 
 TEST_CASE("orientation: matters only if asked for; the first simplex gives the example") {
   const ExactMesh mixed{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
-  CHECK(broken(mixed, By::kLemma).empty());
-  CHECK(broken(mixed, By::kDefinition).empty());
-  const Witness witness = only(Rule::kOrientation, mixed, true).witness;
+  CHECK(broken_delaunay(mixed, By::kLemma).empty());
+  CHECK(broken_delaunay(mixed, By::kDefinition).empty());
+  const Witness witness = only_violation(Rule::kOrientation, mixed, true).witness;
   CHECK(witness.simplices == mixed.simplices);
   REQUIRE(witness.values.size() == 2);
   CHECK(witness.values[0].name == "orientation of the first");
@@ -96,13 +97,13 @@ TEST_CASE("orientation: matters only if asked for; the first simplex gives the e
   CHECK(witness.values[1].name == "orientation of the other");
   CHECK(witness.values[1].value == -1);
   // Counterclockwise all over, or clockwise all over: either is one orientation.
-  CHECK(broken({PointSet(kSquare), {{0, 1, 2}, {2, 3, 0}}}, By::kLemma, true).empty());
-  CHECK(broken({PointSet(kSquare), {{1, 0, 2}, {0, 3, 2}}}, By::kLemma, true).empty());
+  CHECK(broken_delaunay({PointSet(kSquare), {{0, 1, 2}, {2, 3, 0}}}, By::kLemma, true).empty());
+  CHECK(broken_delaunay({PointSet(kSquare), {{1, 0, 2}, {0, 3, 2}}}, By::kLemma, true).empty());
 }
 
 TEST_CASE("duplicate simplex: the same vertices in another order, each repetition once") {
   const ExactMesh twice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
-  const Witness witness = only(Rule::kDuplicateSimplex, twice).witness;
+  const Witness witness = only_violation(Rule::kDuplicateSimplex, twice).witness;
   CHECK(witness.simplices == std::vector<Simplex>{{0, 1, 2}, {2, 1, 0}});
   const ExactMesh thrice{PointSet(kSquare), {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {1, 0, 2}}};
   CHECK(delaunay(thrice).tallies().at(Rule::kDuplicateSimplex).count == 2);
@@ -124,15 +125,16 @@ TEST_CASE("unused point: inside, on an edge of the hull, outside") {
   }
   // By lemma nothing else is wrong with a point outside; by definition it lies beyond the hull.
   const ExactMesh outside{PointSet({{0, 0}, {4, 0}, {0, 4}, {9, 9}}), {{0, 1, 2}}};
-  CHECK(broken(outside, By::kLemma) == std::set{Rule::kUnusedPoint});
-  CHECK(broken(outside, By::kDefinition) == std::set{Rule::kUnusedPoint, Rule::kHullNotConvex});
+  CHECK(broken_delaunay(outside, By::kLemma) == std::set{Rule::kUnusedPoint});
+  CHECK(broken_delaunay(outside, By::kDefinition) ==
+        std::set{Rule::kUnusedPoint, Rule::kHullNotConvex});
 }
 
 TEST_CASE("simplices that cannot be worked with are all reported, and keep the rest unjudged") {
   const ExactMesh mesh{PointSet(kSquare), {{0, 1}, {0, 1, 1}, {0, 1, 9}, {0, 1, 2}, {0, 1, 3}}};
   const std::set expected = {Rule::kWrongDimension, Rule::kRepeatedVertex, Rule::kUnknownVertex};
-  CHECK(broken(mesh, By::kLemma) == expected);  // and not the overlap of the last two
-  CHECK(broken(mesh, By::kDefinition) == expected);
+  CHECK(broken_delaunay(mesh, By::kLemma) == expected);  // and not the overlap of the last two
+  CHECK(broken_delaunay(mesh, By::kDefinition) == expected);
 }
 
 }  // namespace

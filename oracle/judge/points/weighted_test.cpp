@@ -20,7 +20,7 @@ ExactMesh line(const Rational& weight, const std::vector<Simplex>& edges) {
 const std::vector<Simplex> kTwoEdges = {{0, 1}, {1, 2}};
 const std::vector<Simplex> kOneEdge = {{0, 2}};
 
-std::set<Rule> broken(const ExactMesh& mesh, By by) {
+std::set<Rule> broken_weighted(const ExactMesh& mesh, By by) {
   std::set<Rule> rules;
   const Verdict verdict = weighted_delaunay(mesh, {.by = by});
   for (const auto& [rule, tally] : verdict.tallies()) rules.insert(rule);
@@ -28,8 +28,8 @@ std::set<Rule> broken(const ExactMesh& mesh, By by) {
 }
 
 bool holds(const ExactMesh& mesh) {
-  const bool by_lemma = broken(mesh, By::kLemma).empty();
-  CHECK(by_lemma == broken(mesh, By::kDefinition).empty());
+  const bool by_lemma = broken_weighted(mesh, By::kLemma).empty();
+  CHECK(by_lemma == broken_weighted(mesh, By::kDefinition).empty());
   return by_lemma;
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("weighted: a point on the lower hull may be a vertex or not") {
 
 TEST_CASE("weighted: a vertex above the witness plane of the simplex around it is submerged") {
   const ExactMesh mesh = line(-2, kTwoEdges);
-  CHECK(broken(mesh, By::kLemma) == std::set{Rule::kVertexSubmerged});
+  CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kVertexSubmerged});
   const Verdict verdict = weighted_delaunay(mesh);
   REQUIRE(verdict.violations().size() == 1);
   const Witness& witness = verdict.violations()[0].witness;
@@ -66,8 +66,8 @@ TEST_CASE("weighted: a vertex above the witness plane of the simplex around it i
 
 TEST_CASE("weighted: a point below the witness plane of the simplex that contains it") {
   const ExactMesh mesh = line(1, kOneEdge);
-  CHECK(broken(mesh, By::kLemma) == std::set{Rule::kPointBelowPlane});
-  CHECK(broken(mesh, By::kDefinition) == std::set{Rule::kPointBelowPlane});
+  CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kPointBelowPlane});
+  CHECK(broken_weighted(mesh, By::kDefinition) == std::set{Rule::kPointBelowPlane});
   const Verdict verdict = weighted_delaunay(mesh);
   REQUIRE(verdict.violations().size() == 1);
   const Witness& witness = verdict.violations()[0].witness;
@@ -84,7 +84,7 @@ TEST_CASE("weighted: a point below the witness plane of the simplex that contain
 TEST_CASE("weighted: a point beyond all simplices is unused, whatever its weight") {
   for (const Rational& weight : {Rational(-9), Rational(0), Rational(9)}) {
     const ExactMesh mesh{PointSet({{0}, {1}, {2}}, {0, 0, weight}), {{0, 1}}};
-    CHECK(broken(mesh, By::kLemma) == std::set{Rule::kUnusedPoint});
+    CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kUnusedPoint});
     CHECK(!holds(mesh));
   }
 }
@@ -94,7 +94,7 @@ TEST_CASE("weighted: weights turn the right diagonal into the wrong one") {
   CHECK(holds({kite, {{0, 1, 2}, {0, 1, 3}}}));
   const ExactMesh wrong{kite, {{0, 2, 3}, {1, 2, 3}}};
   CHECK(!holds(wrong));
-  CHECK(broken(wrong, By::kLemma) == std::set{Rule::kFacetNotLocal});
+  CHECK(broken_weighted(wrong, By::kLemma) == std::set{Rule::kFacetNotLocal});
   CHECK(triangulation(wrong).holds());
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("weighted: a walk to the points left out, in a fan around a centre") {
   CHECK(holds({PointSet(points, weights), fan}));
   weights.back() = 100;
   const ExactMesh below{PointSet(points, weights), fan};
-  CHECK(broken(below, By::kLemma) == std::set{Rule::kPointBelowPlane});
+  CHECK(broken_weighted(below, By::kLemma) == std::set{Rule::kPointBelowPlane});
   const Verdict verdict = weighted_delaunay(below);
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.violations()[0].witness.simplices == std::vector<Simplex>{{0, 1, 2}});

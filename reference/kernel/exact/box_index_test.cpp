@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Rational power_of_two(unsigned exponent) {
+Rational rational_power_of_two(unsigned exponent) {
   Integer power = 1;
   power <<= exponent;
   return power;
@@ -25,8 +25,8 @@ TEST_CASE("lower_double, upper_double: neighbours around what is no double") {
                                         Rational(-1, 3),
                                         Rational(22, 7),
                                         Rational(-1, 10),
-                                        Rational(1) / power_of_two(2000),
-                                        Rational(-1) / power_of_two(2000)};
+                                        Rational(1) / rational_power_of_two(2000),
+                                        Rational(-1) / rational_power_of_two(2000)};
   for (const Rational& value : values) {
     CHECK(exact_value(lower_double(value)) < value);
     CHECK(exact_value(upper_double(value)) > value);
@@ -42,10 +42,10 @@ TEST_CASE("lower_double, upper_double: a double is itself") {
 }
 
 TEST_CASE("lower_double, upper_double: beyond all doubles") {
-  CHECK(upper_double(power_of_two(5000)) == kInfinity);
-  CHECK(lower_double(power_of_two(5000)) == std::numeric_limits<double>::max());
-  CHECK(lower_double(-power_of_two(5000)) == -kInfinity);
-  CHECK(upper_double(-power_of_two(5000)) == std::numeric_limits<double>::lowest());
+  CHECK(upper_double(rational_power_of_two(5000)) == kInfinity);
+  CHECK(lower_double(rational_power_of_two(5000)) == std::numeric_limits<double>::max());
+  CHECK(lower_double(-rational_power_of_two(5000)) == -kInfinity);
+  CHECK(upper_double(-rational_power_of_two(5000)) == std::numeric_limits<double>::lowest());
 }
 
 TEST_CASE("box_around: points and boxes") {
@@ -64,9 +64,9 @@ TEST_CASE("box_around: the doubles next to each coordinate") {
                                         Rational(-22, 7),
                                         exact_value(5e-324) / 3,
                                         exact_value(-1e-310) / 3,
-                                        Rational(-1) / power_of_two(2000),
-                                        power_of_two(5000),
-                                        -power_of_two(5000)};
+                                        Rational(-1) / rational_power_of_two(2000),
+                                        rational_power_of_two(5000),
+                                        -rational_power_of_two(5000)};
   for (const Rational& value : values) {
     const Box box = box_around(Point{value, 1});
     CHECK(box.low[0] == lower_double(value));
