@@ -25,7 +25,7 @@ function(circumspect_layer name folder)
 
   if(sources)
     add_library(circumspect_${name} STATIC ${sources})
-    circumspect_compile_together(circumspect_${name})
+    circumspect_compile_together(circumspect_${name} 8)
     set(visibility PUBLIC)
   else()
     add_library(circumspect_${name} INTERFACE)
@@ -93,14 +93,22 @@ function(circumspect_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM ${shared})
 endfunction()
 
-# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled eight at a time: they instantiate much
-# the same templates. Two files of a layer that have a name each for themselves, in namespaces without a
-# name, may then meet in one translation unit: name one of the two more exactly.
-function(circumspect_compile_together target)
+# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled eight at a time, those of a test program
+# sixteen: they instantiate much the same templates. Two files of one target that have a name each for
+# themselves, in namespaces without a name, may then meet in one translation unit: name one of the two
+# more exactly.
+function(circumspect_compile_together target at_a_time)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${at_a_time})
+endfunction()
+
+# mold links in a fifth of the time. What is shipped is linked by the usual linker.
+function(circumspect_link_quickly target)
+  if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_MOLD)
+    target_link_options(${target} PRIVATE -fuse-ld=mold)
+  endif()
 endfunction()
 
 # Code full of other people's templates takes the compiler most of its time to optimize, and the
@@ -153,11 +161,9 @@ function(circumspect_test target)
   circumspect_compile_quickly(${target})
   circumspect_compile_test(${target})
   circumspect_precompile(${target} tests)
-  circumspect_compile_together(${target})
+  circumspect_compile_together(${target} 16)
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} circumspect_test_main)
-  if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_MOLD)
-    target_link_options(${target} PRIVATE -fuse-ld=mold)
-  endif()
+  circumspect_link_quickly(${target})
   target_compile_definitions(${target} PRIVATE
     CIRCUMSPECT_CORPUS_DIR="${PROJECT_SOURCE_DIR}/corpus" ${ARG_DEFINES})
   set_target_properties(${target} PROPERTIES

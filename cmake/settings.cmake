@@ -32,7 +32,6 @@ if(CIRCUMSPECT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# mold links the tests of `make` in a fifth of the time. What is shipped is linked by the usual linker.
 find_program(CIRCUMSPECT_MOLD mold DOC "A faster linker for tests; used when found")
 mark_as_advanced(CIRCUMSPECT_MOLD)
 

@@ -59,7 +59,7 @@ bool is_triangulation_of_some(const PointSet& points, const Simplices& simplices
 }
 
 // All triangulations of k+2 points that span k dimensions, by looking at all sets of simplices.
-std::set<Simplices> all_triangulations(const PointSet& points) {
+std::set<Simplices> triangulations_by_definition(const PointSet& points) {
   Simplices candidates;
   const auto size = static_cast<std::size_t>(points.dimension() + 1);
   Simplex subset = first_subset(size);
@@ -132,7 +132,7 @@ TEST_CASE(
       const Simplices deleted = spanning(points, flip.deleted, flip);
       const Simplices created = spanning(points, flip.created, flip);
       RC_ASSERT(std::find(deleted.begin(), deleted.end(), simplex) != deleted.end());
-      RC_ASSERT((all_triangulations(points) == std::set<Simplices>{deleted, created}));
+      RC_ASSERT((triangulations_by_definition(points) == std::set<Simplices>{deleted, created}));
 
       const bool cospherical = unperturbed(points, simplex, apex) == 0;
       const bool deleted_is = is_strictly_delaunay(points, deleted, unperturbed);

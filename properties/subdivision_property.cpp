@@ -21,12 +21,12 @@ namespace {
 
 using generators::PointsCase;
 
-PointSet any_set(std::size_t d, std::size_t max_points) {
+PointSet any_labelled_set(std::size_t d, std::size_t max_points) {
   const PointsCase set = *generators::any_case(d, max_points);
   return PointSet(set.points, set.weights);
 }
 
-int successes(std::size_t d) { return d >= 5 ? 15 : d == 4 ? 50 : 200; }
+int cases(std::size_t d) { return d >= 5 ? 15 : d == 4 ? 50 : 200; }
 
 bool includes(const Face& whole, const Face& part) {
   return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
@@ -37,8 +37,8 @@ TEST_CASE(
   for (const std::size_t d : {1u, 2u, 3u, 4u, 5u}) {
     CAPTURE(d);
     std::size_t not_simplicial = 0;
-    CHECK(holds("one Delaunay subdivision", successes(d), [&] {
-      const PointSet points = any_set(d, d >= 4 ? 8 : 10);
+    CHECK(holds("one Delaunay subdivision", cases(d), [&] {
+      const PointSet points = any_labelled_set(d, d >= 4 ? 8 : 10);
       const PolyhedralComplex expected = delaunay::delaunay_subdivision_by_definition(points);
       RC_ASSERT(delaunay::delaunay_subdivision(points) == expected);
       RC_ASSERT(delaunay::gift_wrapping_cells(points) == expected);
@@ -51,8 +51,8 @@ TEST_CASE(
 TEST_CASE("D2 the least-vertex triangulation of the lifted hull is canonical (Section 4.2)") {
   for (const std::size_t d : {1u, 2u, 3u, 4u, 5u}) {
     CAPTURE(d);
-    CHECK(holds("lifted hull, least vertex", successes(d), [d] {
-      const PointSet points = any_set(d, d >= 4 ? 8 : 10);
+    CHECK(holds("lifted hull, least vertex", cases(d), [d] {
+      const PointSet points = any_labelled_set(d, d >= 4 ? 8 : 10);
       const Triangulation expected = delaunay::by_definition(points);
       RC_ASSERT(delaunay::lifted_hull(points) == expected);
       RC_ASSERT(delaunay::lifted_hull_by_definition(points) == expected);
@@ -89,7 +89,7 @@ TEST_CASE("D4 the subdivision is a polyhedral complex that holds every canonical
   for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);
     CHECK(holds("the subdivision", 150, [d] {
-      const PointSet points = any_set(d, 12);
+      const PointSet points = any_labelled_set(d, 12);
       RC_PRE(!points.empty());
       const PolyhedralComplex complex = delaunay::delaunay_subdivision(points);
       assert_polyhedral_complex(complex);
@@ -109,7 +109,7 @@ TEST_CASE("D10 the canonical vertices are the vertices of the subdivision (Secti
     CAPTURE(d);
     std::size_t not_extreme = 0;
     CHECK(holds("points on the lower hull that are not extreme are no vertices", 150, [&] {
-      const PointSet points = any_set(d, 10);
+      const PointSet points = any_labelled_set(d, 10);
       RC_PRE(!points.empty());
       const PolyhedralComplex complex = delaunay::delaunay_subdivision(points);
       std::set<Face> vertices;
@@ -130,7 +130,7 @@ TEST_CASE("D4 no lifted point is below a cell's plane, those of the cell are on 
   for (const std::size_t d : {2u, 3u}) {
     CAPTURE(d);
     CHECK(holds("witness planes of cells", 150, [d] {
-      const PointSet points = any_set(d, 12);
+      const PointSet points = any_labelled_set(d, 12);
       const PolyhedralComplex complex = delaunay::delaunay_subdivision(points);
       for (const Face& cell : complex.cells()) {
         const Simplex basis = flat_through(points, cell).basis;
@@ -184,7 +184,7 @@ Sizes sizes_of(const Triangulation& triangulation) {
 TEST_CASE("D6 the bounds of Section 4.1 on tetrahedra, triangles and edges") {
   std::size_t tight = 0;
   CHECK(holds("sizes", 400, [&] {
-    const PointSet points = any_set(3, 14);
+    const PointSet points = any_labelled_set(3, 14);
     RC_PRE(points.dimension() == 3);
     const Sizes size = sizes_of(delaunay::bowyer_watson(points));
     const long n = size.vertices;

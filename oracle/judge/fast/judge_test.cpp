@@ -31,7 +31,7 @@ void list_neighbors(MeshInArrays<kDimension, Index>& mesh) {
 }
 
 template <std::size_t kDimension, typename Index>
-void check_grid(bool mirrored) {
+void check_judged_grid(bool mirrored) {
   auto mesh = grid_mesh<kDimension, Index>(kDimension == 2 ? 40 : 9, mirrored);
   for (const bool with_neighbors : {false, true}) {
     if (with_neighbors) list_neighbors(mesh);
@@ -52,10 +52,10 @@ void check_grid(bool mirrored) {
 
 TEST_CASE("grids are Delaunay triangulations, however their simplices are oriented") {
   for (const bool mirrored : {false, true}) {
-    check_grid<2, std::int32_t>(mirrored);
-    check_grid<2, std::int64_t>(mirrored);
-    check_grid<3, std::int32_t>(mirrored);
-    check_grid<3, std::int64_t>(mirrored);
+    check_judged_grid<2, std::int32_t>(mirrored);
+    check_judged_grid<2, std::int64_t>(mirrored);
+    check_judged_grid<3, std::int32_t>(mirrored);
+    check_judged_grid<3, std::int64_t>(mirrored);
   }
 }
 

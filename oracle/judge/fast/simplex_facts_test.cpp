@@ -12,7 +12,7 @@
 namespace circumspect::fast {
 namespace {
 
-using Facets = std::vector<FacetId>;
+using FacetIds = std::vector<FacetId>;
 
 constexpr Wanted kBalls{.balls = true};
 
@@ -30,8 +30,9 @@ TEST_CASE("a domain in two parts: boundary, ties, and facets that are not locall
   MeshInArrays<2> mesh = kTwoSquares;
   const auto found = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(found.has_value());
-  CHECK(found->boundary == Facets{{0, 0}, {0, 2}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 0}, {3, 2}});
-  CHECK(found->ties == Facets{{0, 1}});
+  CHECK(found->boundary ==
+        FacetIds{{0, 0}, {0, 2}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 0}, {3, 2}});
+  CHECK(found->ties == FacetIds{{0, 1}});
   CHECK(found->not_canonical.empty());
   CHECK(found->not_local.empty());
   CHECK(found->oriented);
@@ -40,9 +41,9 @@ TEST_CASE("a domain in two parts: boundary, ties, and facets that are not locall
   mesh.simplices = {0, 1, 2, 1, 3, 2, 4, 5, 7, 4, 7, 6};
   const auto flipped = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(flipped.has_value());
-  CHECK(flipped->ties == Facets{{0, 0}});
-  CHECK(flipped->not_canonical == Facets{{0, 0}});
-  CHECK(flipped->not_local == Facets{{2, 1}});
+  CHECK(flipped->ties == FacetIds{{0, 0}});
+  CHECK(flipped->not_canonical == FacetIds{{0, 0}});
+  CHECK(flipped->not_local == FacetIds{{2, 1}});
 
   const auto unasked = simplex_facts(mesh.view(), {}, 1);
   REQUIRE(unasked.has_value());
@@ -93,7 +94,7 @@ TEST_CASE("what is not sound is left undecided") {
 
 // As `judge` says of a grid, for any number of threads.
 template <std::size_t kDimension>
-void check_grid(bool mirrored) {
+void check_facts_of_grid(bool mirrored) {
   const auto mesh = grid_mesh<kDimension, std::int32_t>(kDimension == 2 ? 200 : 24, mirrored);
   const auto judged = judge(mesh.view(), Question::kDelaunay, 1);
   const auto first = simplex_facts(mesh.view(), kBalls, 1);
@@ -113,8 +114,8 @@ void check_grid(bool mirrored) {
 
 TEST_CASE("grids, however their simplices are oriented") {
   for (const bool mirrored : {false, true}) {
-    check_grid<2>(mirrored);
-    check_grid<3>(mirrored);
+    check_facts_of_grid<2>(mirrored);
+    check_facts_of_grid<3>(mirrored);
   }
 }
 

@@ -1,5 +1,5 @@
 // Points that are no vertices: how much it takes to judge many of them. What is said of them is held to
-// oracle/judge/points by judge_flat_test.cpp and properties/arrays_property.cpp.
+// oracle/judge/points by properties/arrays_property.cpp.
 #include "oracle/judge/fast/submerged_points.hpp"
 
 #include <random>

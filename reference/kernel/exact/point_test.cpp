@@ -1,13 +1,20 @@
-// Points as vectors.
+// Points as vectors, and their affine hull.
 #include "reference/kernel/exact/point.hpp"
+
+#include <algorithm>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "inputs/plain_algebra.hpp"
+#include "inputs/point_sets.hpp"
 #include "inputs/scalars.hpp"
+#include "reference/kernel/exact/affine_hull.hpp"
 
 namespace circumspect {
 namespace {
+
+// ---- Points as vectors ----
 
 rc::Gen<Point> vectors() { return rc::gen::container<Point>(3, generators::small_rational()); }
 
@@ -61,5 +68,79 @@ TEST_CASE("point: operator< is the lexicographic order of exact coordinates") {
   CHECK(Point{exact_value(0.33333333333333331)} < Point{Rational(1, 3)});
 }
 
+// ---- The affine hull of points against ranks by minors ----
+
+std::vector<Point> some(const std::vector<Point>& points, const std::vector<std::size_t>& which) {
+  std::vector<Point> chosen;
+  for (const std::size_t i : which) chosen.push_back(points[i]);
+  return chosen;
+}
+
+// Runs the law on sets of each dimension, among them flats of every lower dimension.
+template <typename Law>
+bool holds_for_hulls(const Law& law) {
+  bool all = true;
+  for (std::size_t d = 1; d <= 4; ++d) {
+    for (std::size_t k = 1; k <= d; ++k) {
+      const auto sets =
+          generators::unweighted(generators::embedded(generators::any_point_set(k, 6), k, d));
+      all = rc::check(std::to_string(k) + "-flats in dimension " + std::to_string(d),
+                      [&] { law((*sets).points); }) &&
+            all;
+    }
+  }
+  return all;
+}
+
+TEST_CASE("affine_hull: of no point, one point, and points that repeat") {
+  CHECK(affine_hull({}).dimension == -1);
+  CHECK(affine_hull({}).basis.empty());
+  const AffineHull one = affine_hull({{1, 2, 3}, {1, 2, 3}});
+  CHECK(one.dimension == 0);
+  CHECK(one.basis == std::vector<std::size_t>{0});
+  CHECK(one.axes.empty());
+}
+
+TEST_CASE("affine_hull: a vertical segment and a tilted plane in space") {
+  const AffineHull segment = affine_hull({{1, 2, 3}, {1, 2, 5}, {1, 2, -7}});
+  CHECK(segment.dimension == 1);
+  CHECK(segment.axes == std::vector<std::size_t>{2});
+  const AffineHull plane = affine_hull({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 0, 1}, {1, 1, 1}});
+  CHECK(plane.dimension == 2);
+  CHECK(plane.basis == std::vector<std::size_t>{0, 1, 3});
+}
+
+TEST_CASE("affine_hull: the dimension is the rank by minors") {
+  CHECK(holds_for_hulls([](const std::vector<Point>& points) {
+    RC_ASSERT(affine_hull(points).dimension == generators::dimension_by_minors(points));
+  }));
+}
+
+TEST_CASE("affine_hull: the basis is affinely independent, and the first such") {
+  CHECK(holds_for_hulls([](const std::vector<Point>& points) {
+    const AffineHull hull = affine_hull(points);
+    RC_ASSERT(static_cast<int>(hull.basis.size()) == hull.dimension + 1);
+    // The first such: each point that is left out depends on those of the basis before it.
+    std::vector<std::size_t> greedy;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      greedy.push_back(i);
+      const int dimension = generators::dimension_by_minors(some(points, greedy));
+      if (dimension + 1 < static_cast<int>(greedy.size())) greedy.pop_back();
+    }
+    RC_ASSERT(hull.basis == greedy);
+  }));
+}
+
+TEST_CASE("affine_hull: dropping all other coordinates is injective on the hull") {
+  CHECK(holds_for_hulls([](const std::vector<Point>& points) {
+    const AffineHull hull = affine_hull(points);
+    RC_ASSERT(static_cast<int>(hull.axes.size()) == std::max(hull.dimension, 0));
+    RC_ASSERT(std::is_sorted(hull.axes.begin(), hull.axes.end()));
+    const auto images = generators::projected(points, hull.axes);
+    RC_ASSERT(generators::dimension_by_minors(images) == hull.dimension);
+  }));
+}
+
 }  // namespace
+
 }  // namespace circumspect
