@@ -20,7 +20,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
 .PHONY: build demo docs proofs check test test-style test-proofs test-release test-sanitize build-release \
-        build-sanitize soak soak-sanitize soak-fuzz tsan \
+        build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
         bench format clean deps deps-demo deps-docs deps-proofs deps-test deps-bench
 
 deps: ; @cmake/packages.sh demo proofs test bench
@@ -113,6 +113,10 @@ soak: deps-test
 	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset release -j $(JOBS)
 	@properties/soak.sh build/release $(MINUTES)
+
+# Does a test notice each mutant of predicates, checkers, readers and the fast judge (properties/mutants.tsv)?
+mutants: deps-test
+	@python3 properties/mutants.py build/mutants
 
 # The fuzz targets on new inputs, in turn, for MINUTES altogether.
 soak-fuzz: deps-test

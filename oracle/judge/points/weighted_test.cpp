@@ -149,6 +149,16 @@ TEST_CASE("weighted: as many submerged points as triangles, in a fan, take near-
   CHECK(work_in_fan(4000) < 5 * work_in_fan(1000));
 }
 
+TEST_CASE("weighted: a submerged vertex is named where it lies on an edge of the hull") {
+  // One barycentric coordinate of each apex in the other triangle is zero.
+  const ExactMesh mesh{PointSet({{0, 0}, {1, 0}, {2, 0}, {1, 1}}, {0, -10, 0, 0}),
+                       {{0, 1, 3}, {1, 2, 3}}};
+  CHECK(broken_weighted(mesh, By::kLemma) == std::set{Rule::kVertexSubmerged});
+  const Verdict verdict = weighted_delaunay(mesh);
+  REQUIRE(verdict.violations().size() == 1);
+  CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{1});
+}
+
 TEST_CASE("weighted: without weights it is the claim delaunay, if every point is a vertex") {
   const PointSet square({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   CHECK(holds({square, {{0, 1, 2}, {0, 2, 3}}}));
