@@ -10,7 +10,7 @@ const std::string kFour = "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
 const std::string kFourFacets = "4 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n0\n";
 
 // The unit cube from 0, its faces squares; `lift` raises one corner.
-std::string cube(const std::string& lift = "1") {
+std::string lifted_cube(const std::string& lift = "1") {
   return "8 3\n0 0 0 0\n1 1 0 0\n2 1 1 0\n3 0 1 0\n4 0 0 1\n5 1 0 1\n6 1 1 " + lift +
          "\n7 0 1 1\n6\n1\n4 0 1 2 3\n1\n4 4 5 6 7\n1\n4 0 1 5 4\n1\n4 1 2 6 5\n1\n4 2 3 7 6\n"
          "1\n4 3 0 4 7\n0\n";
@@ -21,7 +21,7 @@ const std::string kSchonhardt =
     "OFF\n6 8 0\n8 0 0\n-4 7 0\n-4 -7 0\n7 4 9\n-7 4 9\n0 -8 9\n3 0 1 2\n3 3 4 5\n"
     "3 0 1 4\n3 1 2 5\n3 2 0 3\n3 0 4 3\n3 1 5 4\n3 2 3 5\n";
 
-std::string last_line(const std::string& text) {
+std::string line_of_verdict(const std::string& text) {
   if (text.empty()) return "";
   const std::size_t before = text.rfind('\n', text.size() - 2);
   return text.substr(before == std::string::npos ? 0 : before + 1);
@@ -52,7 +52,7 @@ TEST_CASE("check --domain: the default claim is cdt, or steiner-cdt with more ve
       files.folder.write("s.ele", "4 4\n1 1 2 3 5\n2 1 2 4 5\n3 1 3 4 5\n4 2 3 4 5\n");
   const Run result = run({"check", steiner, "--domain", files.domain});
   CHECK(result.exit_code == 0);
-  CHECK(begins_with(last_line(result.out),
+  CHECK(begins_with(line_of_verdict(result.out),
                     "holds: steiner-cdt " + steiner + " 5 points 4 tetrahedra"));
   const Run strict = run({"check", steiner, "--domain", files.domain, "--claim", "cdt"});
   CHECK(strict.exit_code == 1);
@@ -98,7 +98,7 @@ TEST_CASE("check --domain: dangling triangles and edges are in the .face and .ed
 
 TEST_CASE("a domain at fault: exit code 3, with the line and the exact offset") {
   const Tetrahedron files;
-  const std::string domain = files.folder.write("bad.poly", cube("1.125"));
+  const std::string domain = files.folder.write("bad.poly", lifted_cube("1.125"));
   const Run result = run({"check", files.mesh, "--domain", domain});
   CHECK(result.exit_code == 3);
   CHECK(result.out.empty());
@@ -189,14 +189,15 @@ TEST_CASE("a domain at fault: duplicates, unless they are merged") {
 
 TEST_CASE("inspect: what a domain is made of, and its canonical CDT") {
   const ScratchFolder folder;
-  const std::string domain = folder.write("cube.poly", cube());
+  const std::string domain = folder.write("cube.poly", lifted_cube());
   const Run result = run({"inspect", domain, "--all-segments"});
   CHECK(result.exit_code == 0);
   CHECK(has(result.out, "segment 0 1: strongly-delaunay, present\n"));
   CHECK(has(result.out, "constrained Delaunay triangulation: canonical (proved)\n"));
-  CHECK(last_line(result.out) == "inspected: " + domain +
-                                     " 8 vertices 12 segments 6 polygons 1 polyhedron enclosed "
-                                     "edge-protected cdt canonical\n");
+  CHECK(line_of_verdict(result.out) ==
+        "inspected: " + domain +
+            " 8 vertices 12 segments 6 polygons 1 polyhedron enclosed "
+            "edge-protected cdt canonical\n");
   const auto json = document(run({"inspect", domain, "--format", "json"}));
   CHECK(json["results"][0]["cdt"] == "canonical");
   CHECK(json["results"][0]["protection"].size() == 12);
@@ -281,7 +282,7 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
 
 TEST_CASE("build cdt: every algorithm writes the same files, and they pass") {
   const ScratchFolder folder;
-  const std::string domain = folder.write("cube.poly", cube());
+  const std::string domain = folder.write("cube.poly", lifted_cube());
   std::string first;
   for (const std::string algorithm : {"gift-wrapping", "polygon-flips", "polygon-cavities"}) {
     const std::string mesh = folder.path(algorithm + ".ele");
@@ -325,7 +326,7 @@ TEST_CASE("build steiner-cdt and conforming-delaunay of what has no CDT") {
     const Run built = run({"build", what, domain, "-o", mesh});
     CHECK_MESSAGE(built.exit_code == 0, (built.out + built.err));
     CHECK(has(built.out, "steiner point 6 on segment "));
-    CHECK(has(last_line(built.out), " steiner-points\n"));
+    CHECK(has(line_of_verdict(built.out), " steiner-points\n"));
     const Run checked = run({"check", mesh, "--domain", domain, "--claim", what});
     CHECK_MESSAGE(checked.exit_code == 0, checked.out);
   }

@@ -13,15 +13,15 @@ const std::string kCubeSquares =
     "1\n4 0 1 3 2\n1\n4 4 5 7 6\n1\n4 0 1 5 4\n1\n4 2 3 7 6\n1\n4 0 2 6 4\n1\n4 1 3 7 5\n";
 
 // What inspect, check of a mesh and build cdt answer to a domain, by exit codes.
-struct Answers {
+struct AnswersToDefaults {
   int inspect, check, build;
-  friend bool operator==(const Answers&, const Answers&) = default;
+  friend bool operator==(const AnswersToDefaults&, const AnswersToDefaults&) = default;
 };
 
 class Folder : public ScratchFolder {
  public:
-  Answers answers(const std::string& domain, const std::string& mesh,
-                  const std::vector<std::string>& kind = {}) const {
+  AnswersToDefaults answers(const std::string& domain, const std::string& mesh,
+                            const std::vector<std::string>& kind = {}) const {
     const auto with_kind = [&](std::vector<std::string> arguments) {
       arguments.insert(arguments.end(), kind.begin(), kind.end());
       return run(arguments).exit_code;
@@ -45,15 +45,15 @@ TEST_CASE(
   const std::string faces = "2 0\n1 1 2 3\n2 1 3 4\n";
   folder.write("m.face", faces);
   const std::string square = folder.write("square.poly", points + "1 0\n1\n4 1 2 3 4\n0\n");
-  CHECK(folder.answers(square, mesh) == Answers{0, 0, 0});
-  CHECK(folder.answers(square, mesh, kEnclosed) == Answers{0, 0, 0});
-  CHECK(folder.answers(square, mesh, kHull) == Answers{3, 3, 3});
+  CHECK(folder.answers(square, mesh) == AnswersToDefaults{0, 0, 0});
+  CHECK(folder.answers(square, mesh, kEnclosed) == AnswersToDefaults{0, 0, 0});
+  CHECK(folder.answers(square, mesh, kHull) == AnswersToDefaults{3, 3, 3});
   folder.write("n.node", points);
   const std::string nothing = folder.write("n.ele", "0 4\n");
   const std::string lone = folder.write("lone.poly", points + "0 0\n0\n");
-  CHECK(folder.answers(lone, nothing) == Answers{0, 3, 3});
-  CHECK(folder.answers(lone, nothing, kHull) == Answers{3, 3, 3});
-  CHECK(folder.answers(lone, nothing, kEnclosed) == Answers{0, 0, 0});
+  CHECK(folder.answers(lone, nothing) == AnswersToDefaults{0, 3, 3});
+  CHECK(folder.answers(lone, nothing, kHull) == AnswersToDefaults{3, 3, 3});
+  CHECK(folder.answers(lone, nothing, kEnclosed) == AnswersToDefaults{0, 0, 0});
   const Run told = run({"inspect", lone});
   CHECK(has(told.out, "note: " + lone + ": expected points that span space"));
   CHECK(has(told.out, " 0 polyhedra enclosed "));
@@ -61,8 +61,8 @@ TEST_CASE(
   folder.write("e.node", points);
   const std::string edge = folder.write("e.ele", "0 4\n");
   folder.write("e.edge", "1 0\n1 1 2\n");
-  CHECK(folder.answers(segment, edge) == Answers{0, 3, 3});
-  CHECK(folder.answers(segment, edge, kEnclosed) == Answers{0, 0, 0});
+  CHECK(folder.answers(segment, edge) == AnswersToDefaults{0, 3, 3});
+  CHECK(folder.answers(segment, edge, kEnclosed) == AnswersToDefaults{0, 0, 0});
 }
 
 TEST_CASE("domains on a line of the plane: segments are walls there") {
@@ -72,13 +72,13 @@ TEST_CASE("domains on a line of the plane: segments are walls there") {
   const std::string mesh = folder.write("m.ele", "0 3\n");
   folder.write("m.edge", "2 0\n1 1 2\n2 2 3\n");
   const std::string chain = folder.write("chain.poly", points + "2 0\n1 1 2\n2 2 3\n0\n");
-  CHECK(folder.answers(chain, mesh) == Answers{0, 0, 0});
-  CHECK(folder.answers(chain, mesh, kHull) == Answers{3, 3, 3});
+  CHECK(folder.answers(chain, mesh) == AnswersToDefaults{0, 0, 0});
+  CHECK(folder.answers(chain, mesh, kHull) == AnswersToDefaults{3, 3, 3});
   CHECK(
       has(run({"check", mesh, "--domain", chain}).out, " 3 points 0 triangles 2 dangling unique"));
   const std::string lone = folder.write("lone.poly", points + "0 0\n0\n");
   folder.write("n.node", points);
-  CHECK(folder.answers(lone, folder.write("n.ele", "0 3\n")) == Answers{0, 3, 3});
+  CHECK(folder.answers(lone, folder.write("n.ele", "0 3\n")) == AnswersToDefaults{0, 3, 3});
 }
 
 TEST_CASE("what dangles is counted, by build as by check") {
@@ -105,11 +105,11 @@ TEST_CASE("a segment that is listed twice counts once, a polygon breaks Definiti
   const std::string mesh = folder.write("m.ele", "1 3\n1 1 2 3\n");
   const std::string segments =
       folder.write("segments.poly", points + "5 0\n1 1 2\n2 2 3\n3 3 1\n4 2 1\n5 2 3\n0\n");
-  CHECK(folder.answers(segments, mesh) == Answers{0, 0, 0});
+  CHECK(folder.answers(segments, mesh) == AnswersToDefaults{0, 0, 0});
   CHECK(has(run({"inspect", segments}).out, " 3 vertices 3 segments 1 region enclosed "));
   const std::string cube =
       folder.write("cube.poly", kCubePoints + "7 0\n" + kCubeSquares + "1\n4 2 3 1 0\n0\n");
-  CHECK(folder.answers(cube, mesh) == Answers{3, 3, 3});
+  CHECK(folder.answers(cube, mesh) == AnswersToDefaults{3, 3, 3});
   CHECK(has(run({"inspect", cube}).out, "plc.polygons-overlap"));
 }
 
@@ -123,15 +123,15 @@ TEST_CASE("hole seeds: on a wall a fault whatever is filled, elsewhere ignored i
   };
   const std::string on_wall = cube("2 2 0");
   for (const auto& kind : {std::vector<std::string>{}, kEnclosed, kHull}) {
-    CHECK(folder.answers(on_wall, mesh, kind) == Answers{3, 3, 3});
+    CHECK(folder.answers(on_wall, mesh, kind) == AnswersToDefaults{3, 3, 3});
   }
   CHECK(has(run({"inspect", on_wall, "--domain-kind", "hull"}).out, "plc.hole-seed-on-wall"));
   const std::string inside = cube("2 2 2");
   CHECK(folder.answers(inside, mesh).check == 1);
-  CHECK(folder.answers(inside, mesh, kHull) == Answers{0, 0, 0});
+  CHECK(folder.answers(inside, mesh, kHull) == AnswersToDefaults{0, 0, 0});
   CHECK(has(run({"check", mesh, "--domain", inside, "--domain-kind", "hull"}).out,
             ": hole seed 1 at (2, 2, 2): ignored, there are no holes in a hull\n"));
-  CHECK(folder.answers(cube("9 9 9"), mesh) == Answers{0, 0, 0});
+  CHECK(folder.answers(cube("9 9 9"), mesh) == AnswersToDefaults{0, 0, 0});
 }
 
 TEST_CASE("a bridge over the mouth of a tunnel bounds what is beside the tunnel") {

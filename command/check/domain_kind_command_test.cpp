@@ -9,16 +9,18 @@ namespace {
 
 // A tetrahedron with a bounding triangle left out, or all of them, on the points 1 to 4, and an apex
 // above the open side: the hull is more than the tetrahedron.
-const std::string kPoints = "1 0 0 0\n2 4 0 0\n3 0 4 0\n4 0 0 4\n5 5 5 5\n";
-const std::string kClosed = "5 3\n" + kPoints + "4 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n0\n";
-const std::string kLeaky = "5 3\n" + kPoints + "3 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n0\n";
+const std::string kPointsOfPrism = "1 0 0 0\n2 4 0 0\n3 0 4 0\n4 0 0 4\n5 5 5 5\n";
+const std::string kClosed =
+    "5 3\n" + kPointsOfPrism + "4 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n0\n";
+const std::string kLeaky = "5 3\n" + kPointsOfPrism + "3 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n0\n";
 
 // The hull of the five points, and the tetrahedron alone.
 struct MeshesOfPrism {
   ScratchFolder folder;
   std::string hull, inner, triangles;
   MeshesOfPrism() {
-    for (const char* name : {"h.node", "i.node", "t.node"}) folder.write(name, "5 3\n" + kPoints);
+    for (const char* name : {"h.node", "i.node", "t.node"})
+      folder.write(name, "5 3\n" + kPointsOfPrism);
     hull = folder.write("h.ele", "2 4\n1 1 2 3 4\n2 2 3 4 5\n");
     inner = folder.write("i.ele", "1 4\n1 1 2 3 4\n");
     triangles = folder.write("t.ele", "0 4\n");
@@ -124,7 +126,8 @@ TEST_CASE("segments of the plane that enclose nothing: an end of one alone is na
 TEST_CASE("a leak beside something enclosed is noted, unless the kind is said") {
   const MeshesOfPrism meshes;
   const std::string domain = meshes.folder.write(
-      "beside.smesh", "5 3\n" + kPoints + "5 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n3 2 3 5\n0\n");
+      "beside.smesh",
+      "5 3\n" + kPointsOfPrism + "5 0\n3 1 2 3\n3 1 2 4\n3 1 3 4\n3 2 3 4\n3 2 3 5\n0\n");
   meshes.folder.write("i.face", "1 0\n1 2 3 5\n");
   const Run noted = run({"check", meshes.inner, "--domain", domain});
   CHECK_MESSAGE(noted.exit_code == 0, (noted.out + noted.err));
