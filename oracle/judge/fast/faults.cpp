@@ -12,6 +12,7 @@
 #include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/used_points.hpp"
+#include "oracle/judge/fast/whole_sweep.hpp"
 
 namespace circumspect::fast {
 namespace {
@@ -25,6 +26,11 @@ class FaultFinder {
       : mesh_(mesh), question_(question), threads_(threads), orientations_(mesh.size(), 0) {}
 
   tl::expected<Faults, Undecided> run() {
+    if (facets_are_sound()) {
+      list_turned();
+      judge_boundary();
+      return std::move(faults_);
+    }
     judge_simplices();
     const auto sound = std::find_if(orientations_.begin(), orientations_.end(),
                                     [](std::int8_t own) { return own != 0; });
@@ -37,14 +43,7 @@ class FaultFinder {
       return std::move(faults_);
     }
     if (const auto reason = match_facets()) return tl::unexpected(*reason);
-    if (!faults_.duplicates.empty()) return std::move(faults_);
-    list_turned();
-    if (!faults_.facets_match()) return std::move(faults_);
-    judge_boundary();
-    if (question_ == Question::kDelaunay) judge_balls<false>();
-    if (question_ == Question::kWeightedDelaunay) {
-      mesh_.weights.empty() ? judge_balls<false>() : judge_balls<true>();
-    }
+    if (faults_.duplicates.empty()) list_turned();
     return std::move(faults_);
   }
 
@@ -70,11 +69,10 @@ class FaultFinder {
     return all;
   }
 
-  template <bool kWeighted>
   SiteRow<kDimension> sites_of(std::size_t s) const {
     SiteRow<kDimension> row;
     for (std::size_t i = 0; i < kVertices; ++i) {
-      row[i] = mesh_.template site<kWeighted>(mesh_.row(s)[i]);
+      row[i] = mesh_.template site<false>(mesh_.row(s)[i]);
     }
     return row;
   }
@@ -86,6 +84,33 @@ class FaultFinder {
   }
   bool names_points(Row row) const {
     return std::all_of(row.begin(), row.end(), [this](Index v) { return mesh_.names_point(v); });
+  }
+
+  // ── Where simplices and facets are in order ───────────────────────────────────────────────────
+
+  // Matches facets, and sweeps as the judge does; true if that finds no simplex and no facet at fault.
+  bool facets_are_sound() {
+    // Complete: facets with the same vertices have the same hash.
+    auto matched = matched_facets(mesh_, threads_);
+    if (!matched) return false;
+    faults_.links = std::move(*matched);
+    if (!faults_.links.overused.empty()) return false;
+    WholeSweep<kDimension, Index, std::int32_t> sweep(mesh_, faults_.links.view(), threads_);
+    const bool weighted = question_ == Question::kWeightedDelaunay && !mesh_.weights.empty();
+    const Swept swept =
+        sweep.run({.balls = question_ != Question::kTriangulation, .weighted = weighted});
+    if (swept.undecided) return false;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      orientations_[s] = static_cast<std::int8_t>(sweep.orientations().of(s));
+    }
+    faults_.unused = sweep.unused();
+    for (const FacetId facet : swept.not_local) {
+      const std::size_t other = *beyond(facet.simplex(), facet.place());
+      const std::size_t place = across(facet.simplex(), facet.place(), other)->place;
+      faults_.not_local.push_back({facet, {other, place}});
+    }
+    faults_.stages = swept.stages;
+    return true;
   }
 
   // ── Simplices one by one ───────────────────────────────────────────────────────────────────────
@@ -101,7 +126,7 @@ class FaultFinder {
           // A simplex with a vertex twice is flat.
           if (names_points(row)) {
             orientations_[s] =
-                static_cast<std::int8_t>(orientation<kDimension>(sites_of<false>(s), stages));
+                static_cast<std::int8_t>(orientation<kDimension>(sites_of(s), stages));
           }
           if (orientations_[s] == 0) unsound.push_back(s);
         });
@@ -147,8 +172,8 @@ class FaultFinder {
 
   // ── Facets ─────────────────────────────────────────────────────────────────────────────────────
 
-  // The simplex's place of the vertex off a facet that it shares with a simplex before it, and whether the
-  // two are on opposite sides; nothing if it has not the facet, or has the same vertices.
+  // What is across a facet: the place of its vertex off it, and whether the two simplices are on opposite sides;
+  // nothing if it has not the facet, or has the same vertices.
   struct Across {
     std::size_t place;
     bool opposite;
@@ -173,10 +198,7 @@ class FaultFinder {
   }
 
   std::optional<Undecided> match_facets() {
-    // Complete: facets with the same vertices have the same hash.
-    auto matched = matched_facets(mesh_, threads_);
-    if (!matched) return matched.error();
-    faults_.links = std::move(*matched);
+    if (faults_.links.count == 0) return Undecided::kTooLarge;
     std::vector<std::size_t> doubtful;  // simplices that may be listed twice
     for (const std::vector<std::uint64_t>& facets : faults_.links.overused) {
       std::vector<FacetId>& group = faults_.overused.emplace_back();
@@ -217,8 +239,7 @@ class FaultFinder {
 
   // On which side of the facet is the site? 1: on that of its simplex.
   int side_of(FacetId facet, const Site<kDimension>& site, Stages& stages) const {
-    return orientation_with<kDimension>(sites_of<false>(facet.simplex()), facet.place(), site,
-                                        stages) *
+    return orientation_with<kDimension>(sites_of(facet.simplex()), facet.place(), site, stages) *
            orientations_[facet.simplex()];
   }
 
@@ -302,40 +323,20 @@ class FaultFinder {
   }
 
   void judge_sample_point(const std::vector<FacetId>& boundary) {
-    const SamplePoint<kDimension> sample = barycentre_of<kDimension>(sites_of<false>(0), 0);
+    const SamplePoint<kDimension> sample = barycentre_of<kDimension>(sites_of(0), 0);
     faults_.beyond = list_of<FacetId>(
         boundary.size(), [&](std::size_t i, std::vector<FacetId>& found, Stages& stages) {
           const FacetId facet = boundary[i];
           const int side =
-              orientation_with(sites_of<false>(facet.simplex()), facet.place(), sample, stages) *
+              orientation_with(sites_of(facet.simplex()), facet.place(), sample, stages) *
               orientations_[facet.simplex()];
           if (side <= 0) found.push_back(facet);
         });
     if (!faults_.beyond.empty()) return;
     faults_.covering = list_of<std::size_t>(
         mesh_.size(), [&](std::size_t s, std::vector<std::size_t>& found, Stages& stages) {
-          if (s > 0 && covers(sites_of<false>(s), orientations_[s], sample, stages)) {
+          if (s > 0 && covers(sites_of(s), orientations_[s], sample, stages)) {
             found.push_back(s);
-          }
-        });
-  }
-
-  // ── Balls ──────────────────────────────────────────────────────────────────────────────────────
-
-  template <bool kWeighted>
-  void judge_balls() {
-    faults_.not_local = list_of<FacetPair>(
-        mesh_.size(), [&](std::size_t s, std::vector<FacetPair>& found, Stages& stages) {
-          std::optional<Ball<kDimension, kWeighted>> ball;
-          for (std::size_t place = 0; place < kVertices; ++place) {
-            const auto other = beyond(s, place);
-            if (!other || *other <= s) continue;
-            if (!ball) ball.emplace(ball_of<kDimension, kWeighted>(sites_of<kWeighted>(s)));
-            const std::size_t off = across(s, place, *other)->place;
-            const auto apex = mesh_.template site<kWeighted>(mesh_.row(*other)[off]);
-            if (ball->contains(apex, stages) * orientations_[s] > 0) {
-              found.push_back({{s, place}, {*other, off}});
-            }
           }
         });
   }
