@@ -198,6 +198,75 @@ Measured print_row(const std::string& name, const std::string& claim, const Arra
           .bytes = std::max(with.bytes, without.bytes) / count};
 }
 
+struct Fault {
+  std::string name;
+  std::function<void(Arrays&)> add;
+};
+
+std::vector<Fault> faults() {
+  const auto row_in = [](Arrays& arrays, std::size_t part, std::size_t parts) {
+    return arrays.simplices.begin() +
+           static_cast<std::ptrdiff_t>(arrays.simplices.size() / 4 * part / parts * 4);
+  };
+  return {
+      {"none", [](Arrays&) {}},
+      {"an index that names no point", [=](Arrays& a) { *row_in(a, 1, 3) = -1; }},
+      {"a vertex twice in one", [=](Arrays& a) { row_in(a, 1, 3)[0] = row_in(a, 1, 3)[1]; }},
+      {"one listed twice",
+       [=](Arrays& a) {
+         const std::vector<std::int32_t> again(row_in(a, 1, 3), row_in(a, 1, 3) + 4);
+         a.simplices.insert(a.simplices.end(), again.begin(), again.end());
+       }},
+      {"a point that is no vertex",
+       [](Arrays& a) {
+         a.coordinates.insert(a.coordinates.end(), {0.5, 0.5, 0.5});
+       }},
+      {"one missing", [=](Arrays& a) { a.simplices.erase(row_in(a, 1, 3), row_in(a, 1, 3) + 4); }},
+      {"a vertex moved through a facet",
+       [=](Arrays& a) {
+         const auto row = row_in(a, 1, 3);
+         for (std::size_t axis = 0; axis < 3; ++axis) {
+           double& at = a.coordinates[static_cast<std::size_t>(row[0]) * 3 + axis];
+           double middle = 0;
+           for (std::size_t i = 1; i < 4; ++i) {
+             middle += a.coordinates[static_cast<std::size_t>(row[i]) * 3 + axis] / 3;
+           }
+           at += 1.5 * (middle - at);
+         }
+       }},
+      {"one of 30 missing", [=](Arrays& a) {
+         std::vector<std::int32_t> kept;
+         for (std::size_t i = 0; i < a.simplices.size(); ++i) {
+           if (i / 4 % 30 != 7) kept.push_back(a.simplices[i]);
+         }
+         a.simplices = std::move(kept);
+       }}};
+}
+
+// A mesh with one fault after the other, against the same mesh when it holds. Throws if one is not found fast.
+void print_failing(const std::string& name, const Arrays& good) {
+  fmt::print("\n{}, points and simplices only, with something wrong: one thread\n\n", name);
+  fmt::print(
+      "| what is wrong | first rule broken | nanoseconds a tetrahedron | times the mesh that holds "
+      "|");
+  fmt::print(" bytes a tetrahedron |\n| --- | --- | ---: | ---: | ---: |\n");
+  double holding = 0;
+  for (const Fault& fault : faults()) {
+    Arrays arrays = good;
+    fault.add(arrays);
+    const MeshArrays<std::int32_t> mesh{.coordinates = arrays.coordinates,
+                                        .simplices = arrays.simplices};
+    const MeshJudgement judgement = judge("delaunay", mesh);
+    if (!judgement.counts.fast) throw std::runtime_error(fault.name + ": judged slowly");
+    const Cost cost = cost_of("delaunay", mesh);
+    if (holding == 0) holding = cost.seconds;
+    const auto count = static_cast<double>(arrays.simplices.size() / 4);
+    fmt::print("| {} | {} | {} | {:.1f} | {:.0f} |\n", fault.name, judgement.rule,
+               in_nanoseconds(cost.seconds, count), cost.seconds / holding, cost.bytes / count);
+    std::fflush(stdout);
+  }
+}
+
 // From files to verdict, by the clock on the wall: the least of three.
 RunTime time_files(const std::string& stem) {
   const std::string program =
@@ -236,6 +305,7 @@ class Table {
       others.tetgen = tetgen_time(stem, "CC");
     }
     meshes_.push_back(print_row(name, "delaunay", arrays, others));
+    if (name == "random 10^5") failing_ = arrays;
     if (extent != Extent::kFiles) return;
     text_ = time_files(stem);
     built_in_ = others.building_on_wall;
@@ -253,6 +323,7 @@ class Table {
 
   void finish() const {
     print_goals(meshes_);
+    if (!failing_.simplices.empty()) print_failing("random 10^5", failing_);
     if (!text_.succeeded) return;
     fmt::print(
         "\n`.node` and `.ele` text to verdict, random 10^6, `circumspect check`, {} threads: "
@@ -278,6 +349,7 @@ class Table {
   std::string wanted_;
   Folder folder_;
   std::vector<Measured> meshes_;
+  Arrays failing_;  // one of them, that faults are added to
   RunTime text_;
   double built_in_ = 0;
 };

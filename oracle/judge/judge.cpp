@@ -11,6 +11,7 @@
 
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/verdict_of_facts.hpp"
+#include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/equal_points.hpp"
 
 namespace circumspect::check {
@@ -95,6 +96,20 @@ OrReason<Verdict> judged_fast(Claim claim, const Mesh& mesh, const Options& opti
   });
 }
 
+// Of a mesh that is at fault, and has no equal points.
+OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options& options) {
+  const bool weighted = claim == Claim::kWeightedDelaunay && mesh.is_weighted();
+  return asked_of_rows<Verdict>(mesh, weighted, [&](const auto& view) -> OrReason<Verdict> {
+    const auto faults = fast::faults(view, question_of(claim), threads_of(options));
+    if (!faults) return because(description(faults.error()));
+    auto verdict = verdict_of_faults(claim, view, mesh.neighbors ? &*mesh.neighbors : nullptr,
+                                     *faults, options);
+    if (!verdict) return because(description(fast::Undecided::kUnusedPoint));
+    verdict->course = {true, "", faults->stages.filtered, faults->stages.exact()};
+    return std::move(*verdict);
+  });
+}
+
 OrReason<fast::SimplexFacts> known_facts(Claim claim, const Mesh& mesh, DomainKind kind,
                                          const Options& options) {
   if (options.by != By::kLemma) return because("judged by definition");
@@ -134,6 +149,10 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   std::vector<Duplicate> repeated = equal_points(mesh);
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
   if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
+  if (options.by == By::kLemma) {
+    OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options);
+    if (verdict) return std::move(*verdict);
+  }
   Verdict verdict = judge_points(claim, exact(mesh), options);
   verdict.course.why_not_fast = why_not_fast;
   return verdict;

@@ -19,12 +19,12 @@ struct EqualPoints {
 
 // Does the claim hold of the mesh? By lemma, where coordinates (and weights, if they count) are doubles,
 // simplices are in rows, and d is 2 or 3, the fast engine (oracle/judge/fast) is asked first. It decides
-// where the claim holds, and where all that is wrong is that some facets are not locally Delaunay; these
-// are asked again, exactly. Of a mesh of a domain it finds out what is linear in the simplices. The exact
-// checkers judge everything else. The verdict is the same whoever finds it: Verdict::course tells who.
+// where the claim holds, and elsewhere lists what is at fault; that is looked at again, exactly. Of a mesh of
+// a domain it finds out what is linear in the simplices. The exact checkers judge everything else. The
+// verdict is the same whoever finds it: Verdict::course tells who.
 //
-// Equal points are an error where the exact checkers are needed; the fast engine decides only where there
-// are none. So nobody has to sort the points of a large mesh that holds.
+// Equal points are an error, unless the claim is found to hold, or to fail by facets that are not locally
+// Delaunay alone: then there are none. So nobody has to sort the points of a large mesh that holds.
 // Requires: `domain` if and only if the claim is about one; then what judge_domain requires. No weights
 // for `delaunay` and for claims about a domain.
 tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh,

@@ -3,11 +3,14 @@
 #include "oracle/judge/judge.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include <doctest/doctest.h>
 
 #include "oracle/judge/shaken_grid_test.hpp"
 #include "oracle/judge/witness_text_test.hpp"
+#include "reference/kernel/complex/facets.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -99,8 +102,6 @@ TEST_CASE("what the fast engine does not take, and why") {
   CHECK(why_not_fast(Claim::kDelaunay, square).empty());
   CHECK(why_not_fast(Claim::kWeightedDelaunay, square).empty());
   CHECK(why_not_fast(Claim::kDelaunay, square, {.by = By::kDefinition}) == "judged by definition");
-  CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, 2}, {1, 2, 3}}}, {.oriented = true}) ==
-        "simplices oriented by turns");
   const PointSet thirds({{0, 0}, {1, 0}, {0, 1}, {Rational(1) / 3, 1}});
   CHECK(why_not_fast(Claim::kDelaunay, {thirds, kTwo}) == "a number that is no double");
   const PointSet heavy({{0, 0}, {1, 0}, {0, 1}}, {Rational(1) / 3, 0, 0});
@@ -115,9 +116,88 @@ TEST_CASE("what the fast engine does not take, and why") {
   CHECK(why_not_fast(Claim::kDelaunay, {PointSet({}), {}}) == "no simplices");
   CHECK(why_not_fast(Claim::kDelaunay, {PointSet(std::vector<Point>{{0}, {1}}), {{0, 1}}}) ==
         "a dimension other than 2 and 3");
-  for (const Vertex wrong : {Vertex{-2}, Vertex{1} << 40}) {
-    CHECK(why_not_fast(Claim::kDelaunay, {kSquare, {{0, 1, wrong}, {1, 3, 2}}}) ==
-          "an index that names no point");
+}
+
+// Each fault by itself and all of them together, in the midst of a mesh that is large enough for several chunks.
+TEST_CASE(
+    "every fault of a mesh of doubles is found fast, and told in the words of the exact checkers") {
+  for (const std::size_t dimension : {2u, 3u}) {
+    const ExactMesh good = shaken_grid(dimension, dimension == 2 ? 50 : 10, false, 0);
+    REQUIRE(good.simplices.size() > 4000);
+    const auto n = static_cast<Vertex>(good.points.size());
+    const std::size_t s = good.simplices.size() / 2;
+    using Change = std::function<void(ExactMesh&)>;
+    const std::vector<std::pair<Rule, Change>> faults = {
+        {Rule::kUnknownVertex, [&](ExactMesh& m) { m.simplices[s][0] = n; }},
+        {Rule::kUnknownVertex, [&](ExactMesh& m) { m.simplices[0][1] = Vertex{-1} << 40; }},
+        {Rule::kRepeatedVertex, [&](ExactMesh& m) { m.simplices[s][0] = m.simplices[s][1]; }},
+        {Rule::kDuplicateSimplex,
+         [&](ExactMesh& m) {
+           m.simplices.push_back(m.simplices[s]);
+           std::swap(m.simplices.back()[0], m.simplices.back()[1]);
+         }},
+        {Rule::kOverlap,
+         [&](ExactMesh& m) {
+           std::vector<Point> points = m.points.points();
+           points[static_cast<std::size_t>(n) / 2 + 3][0] += Rational(9) / 8;
+           m.points = PointSet(points);
+         }},
+        {Rule::kHullNotConvex,
+         [&](ExactMesh& m) {
+           m.simplices.erase(m.simplices.begin() + static_cast<std::ptrdiff_t>(s));
+         }},
+        {Rule::kUnusedPoint,
+         [&](ExactMesh& m) {
+           std::vector<Point> points = m.points.points();
+           points.push_back(points[0]);
+           points.back()[0] -= Rational(1) / 8;
+           m.points = PointSet(points);
+         }},
+    };
+    ExactMesh all = good;
+    const auto check_fast = [](const ExactMesh& mesh, std::optional<Rule> rule) {
+      for (const Claim claim :
+           {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay}) {
+        if (claim == Claim::kWeightedDelaunay && rule == Rule::kUnusedPoint) continue;
+        for (const unsigned threads : {1u, 3u}) {
+          const Verdict verdict =
+              judged(claim, mesh, {.oriented = threads == 3, .threads = threads});
+          CHECK(verdict.course.fast);
+          if (rule) CHECK(verdict.tallies().contains(*rule));
+        }
+      }
+    };
+    for (const auto& [rule, change] : faults) {
+      CAPTURE(identifier(rule));
+      ExactMesh mesh = good;
+      change(mesh);
+      check_fast(mesh, rule);
+      change(all);
+    }
+    check_fast(all, std::nullopt);
+  }
+}
+
+TEST_CASE("neighbours that are wrong are found fast, beside facets that are not locally Delaunay") {
+  for (const std::size_t dimension : {2u, 3u}) {
+    ExactMesh mesh = shaken_grid(dimension, 5, false);
+    for (const Vertex first : {Vertex{0}, Vertex{1}}) {
+      std::vector<std::vector<Vertex>> rows(mesh.simplices.size(),
+                                            std::vector<Vertex>(dimension + 1, -1));
+      for_each_facet(facet_uses(mesh.simplices), [&](std::span<const FacetUse> uses) {
+        if (uses.size() != 2) return;
+        rows[uses[0].simplex][uses[0].opposite] = static_cast<Vertex>(uses[1].simplex) + first;
+        rows[uses[1].simplex][uses[1].opposite] = static_cast<Vertex>(uses[0].simplex) + first;
+      });
+      for (const Vertex wrong : {Vertex{-1}, Vertex{-2}, Vertex{7}, Vertex{1} << 20}) {
+        rows[9][1] = wrong;
+        mesh.neighbors = Neighbors{rows, first};
+        const Verdict verdict = judged(Claim::kDelaunay, mesh);
+        CHECK(verdict.course.fast);
+        CHECK(verdict.tallies().contains(Rule::kWrongNeighbor));
+        CHECK(verdict.tallies().contains(Rule::kFacetNotLocal));
+      }
+    }
   }
 }
 

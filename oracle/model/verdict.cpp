@@ -3,8 +3,11 @@
 namespace circumspect {
 namespace {
 
+// An index that names no point names none in the whole either.
 void rename(const std::vector<Vertex>& places, Simplex& vertices) {
-  for (Vertex& v : vertices) v = places[static_cast<std::size_t>(v)];
+  for (Vertex& v : vertices) {
+    if (v >= 0 && v < static_cast<Vertex>(places.size())) v = places[static_cast<std::size_t>(v)];
+  }
 }
 
 }  // namespace

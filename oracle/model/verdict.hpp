@@ -91,7 +91,8 @@ class Verdict {
   // Counts a violation without a witness.
   void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
   // Where a part of a mesh was judged: the witnesses name vertices and simplices as the whole mesh does.
-  // Of each of the part's: its place in the whole, ascending. Requires: all that is named is in the part.
+  // Of each of the part's: its place in the whole, ascending. Requires: all that is named is in the part, but for
+  // indices that name no point of the whole.
   void name_in_whole(const std::vector<Vertex>& vertex_of,
                      const std::vector<std::size_t>& simplex_of);
 

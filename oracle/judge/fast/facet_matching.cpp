@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -54,10 +55,13 @@ class Matching {
       while (last < piles_ && records + size_of(last) <= most_records_) records += size_of(last++);
       fill(first, last);
       match(first, last);
-      if (overused_.load()) return tl::unexpected(Undecided::kFacetOverused);
+      if (proposal_ == Proposal::kLikely && !overused_.empty()) {
+        return tl::unexpected(Undecided::kFacetOverused);
+      }
       first = last;
     }
-    return OwnedLinks{std::move(links_), mesh_.simplices.size()};
+    std::sort(overused_.begin(), overused_.end());  // which thread was first is chance
+    return OwnedLinks{std::move(links_), mesh_.simplices.size(), std::move(overused_)};
   }
 
  private:
@@ -226,7 +230,10 @@ class Matching {
       uses[vertices_of(facet)].push_back(facet);
     }
     for (const auto& [vertices, facets] : uses) {
-      if (facets.size() > 2) overused_.store(true);
+      if (facets.size() > 2) {
+        const std::lock_guard lock(mutex_);
+        overused_.push_back(facets);
+      }
       if (facets.size() == 2) link(facets[0], facets[1]);
     }
   }
@@ -254,7 +261,8 @@ class Matching {
   LargeArray<std::uint64_t> records_;  // and a place for each slice to write what is not wanted
   std::vector<std::size_t> begins_;    // of the piles in records_
   LargeArray<std::int32_t> links_;
-  std::atomic<bool> overused_ = false;
+  std::mutex mutex_;  // of:
+  std::vector<std::vector<std::uint64_t>> overused_;
 };
 
 }  // namespace

@@ -94,17 +94,25 @@ TEST_CASE("a facet of three simplices, and an index that names no point, are see
   MeshInArrays<2> mesh;
   mesh.coordinates.assign(10, 0);
   mesh.simplices = {0, 1, 2, 1, 0, 3, 0, 4, 1};
-  CHECK(matched_facets(mesh.view(), 1).error() == Undecided::kFacetOverused);
+  const auto overused = [](const auto& of, unsigned threads) {
+    CHECK(matched_facets(of.view(), threads, Proposal::kLikely).error() ==
+          Undecided::kFacetOverused);
+    return matched_facets(of.view(), threads)->overused;
+  };
+  CHECK(overused(mesh, 1) == std::vector<std::vector<std::uint64_t>>{{2, 5, 7}});
   MeshInArrays<2> book;  // all pages at one spine
   for (std::int32_t v = 2; v < 50000; ++v) {
     book.simplices.insert(book.simplices.end(), {0, 1, v});
   }
   book.coordinates.assign(100000, 0);
-  CHECK(matched_facets(book.view(), 1).error() == Undecided::kFacetOverused);
+  REQUIRE(overused(book, 1).size() == 1);
+  CHECK(overused(book, 2)[0].size() == 49998);
   auto grid = grid_mesh<3>(22);
   const std::vector<std::int32_t> first(grid.simplices.begin(), grid.simplices.begin() + 4);
   grid.simplices.insert(grid.simplices.end(), first.begin(), first.end());
-  CHECK(matched_facets(grid.view(), 2, Proposal::kComplete).error() == Undecided::kFacetOverused);
+  const auto found = overused(grid, 2);
+  CHECK(!found.empty());
+  CHECK(found == overused(grid, 1));
   mesh.simplices = {0, 1, 2, 1, 0, 3, 0, 4, 2};
   CHECK(listed(matched_facets(mesh.view(), 1).value()) ==
         std::vector<std::int32_t>{-1, 2, 1, -1, -1, 0, -1, 0, -1});

@@ -1,5 +1,5 @@
-// Does a mesh of doubles hold? Quickly, exactly, and only if it does: oracle/judge/points says what is wrong
-// with a mesh that does not, in its own words. docs/theory/fast.md proves that this is the same answer.
+// Does a mesh of doubles hold? Quickly and exactly. What else may be wrong with a mesh than that facets are
+// not locally Delaunay is listed by faults.hpp. docs/theory/fast.md proves that the answers are right.
 #pragma once
 
 #include <cstddef>

@@ -19,6 +19,7 @@ tl::expected<SimplexFacts, Undecided> simplex_facts(const MeshView<kDimension, I
   // linked at all their facets, and neither has a vertex off a facet that the other has not.
   const auto links = matched_facets(mesh, threads);
   if (!links) return tl::unexpected(links.error());
+  if (!links->overused.empty()) return tl::unexpected(Undecided::kFacetOverused);
   WholeSweep<kDimension, Index, std::int32_t> sweep(mesh, links->view(), threads);
   Swept swept = sweep.run({.balls = wanted.balls, .ties = wanted.balls});
   if (swept.undecided) return tl::unexpected(*swept.undecided);

@@ -5,17 +5,12 @@ namespace {
 
 // `across` is the place of the true neighbour in the list of simplices, or −1.
 void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
-  const Vertex first_index = mesh.neighbors->first_index;
-  const Vertex expected = across < 0 ? -1 : across + first_index;
+  const Vertex expected = across < 0 ? -1 : across + mesh.neighbors->first_index;
   const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
   if (listed == expected) return;
-  Witness witness{.simplices = {mesh.simplices[use.simplex]},
-                  .face = use.facet,
-                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
-                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
-  // The true neighbour by its vertices, so that nobody has to count simplices.
-  if (across >= 0) witness.simplices.push_back(mesh.simplices[static_cast<std::size_t>(across)]);
-  verdict.add(Rule::kWrongNeighbor, witness);
+  const Simplex* const simplex =
+      across < 0 ? nullptr : &mesh.simplices[static_cast<std::size_t>(across)];
+  add_wrong_neighbor(mesh, use, simplex, listed, expected, verdict);
 }
 
 }  // namespace
@@ -28,6 +23,17 @@ void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, V
       judge_link(mesh, group[i], across, verdict);
     }
   });
+}
+
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict) {
+  Witness witness{.simplices = {mesh.simplices[use.simplex]},
+                  .face = use.facet,
+                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
+                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+  // The true neighbour by its vertices, so that nobody has to count simplices.
+  if (across != nullptr) witness.simplices.push_back(*across);
+  verdict.add(Rule::kWrongNeighbor, witness);
 }
 
 }  // namespace circumspect::check

@@ -14,4 +14,9 @@ namespace circumspect::check {
 // facets lie in one or two of them. `uses` are those of the mesh.
 void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
 
+// The same of one facet, of which somebody else has found that the simplex across, `across` if there is one,
+// is not the one that is listed. `listed`, `expected`: the indices, as the program counts.
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict);
+
 }  // namespace circumspect::check

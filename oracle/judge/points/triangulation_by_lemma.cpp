@@ -63,31 +63,6 @@ bool judge_hinge(const ExactMesh& mesh, const Hinge& hinge, Verdict& verdict) {
   return true;
 }
 
-// Condition 2: each boundary ridge lies in exactly two boundary facets, and these do not make a
-// reflex or folded angle.
-bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
-                  Verdict& verdict) {
-  std::vector<Simplex> facets;
-  facets.reserve(boundary.size());
-  for (const BoundaryFacet& facet : boundary) facets.push_back(facet.facet);
-  bool closed = true;
-  bool convex = true;
-  for_each_facet(facet_uses(facets), [&](std::span<const FacetUse> group) {
-    if (group.size() == 2) {
-      const Hinge hinge{boundary[group[0].simplex], facets[group[0].simplex][group[0].opposite],
-                        boundary[group[1].simplex], facets[group[1].simplex][group[1].opposite],
-                        group[0].facet};
-      convex &= judge_hinge(mesh, hinge, verdict);
-      return;
-    }
-    closed = false;
-    Witness witness{.face = group.front().facet};
-    for (const FacetUse& use : group) witness.simplices.push_back(facets[use.simplex]);
-    verdict.add(Rule::kHullNotClosed, witness);
-  });
-  return closed && convex;
-}
-
 // A vertex of the sample's simplex that lies strictly beyond the facet. There is one whenever the
 // sample point does not lie strictly on the inner side: it is the mean of the vertices, and a sound
 // simplex does not lie in a hyperplane.
@@ -106,29 +81,6 @@ bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) 
     if (side * own < 0) return false;
   }
   return true;
-}
-
-// Condition 3: the barycentre of the first simplex lies strictly on the inner side of every
-// boundary facet and in no other closed simplex.
-void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
-                        Verdict& verdict) {
-  const Simplex& first = mesh.simplices.front();
-  const Point sample = barycentre(coordinates(mesh.points, first));
-  std::vector<Point> with_sample = mesh.points.points();
-  with_sample.push_back(sample);
-  const Configuration points(with_sample);
-  const auto o = static_cast<Vertex>(mesh.points.size());
-  bool inside_hull = true;
-  for (const BoundaryFacet& facet : boundary) {
-    if (side_of(points, facet, o) > 0) continue;
-    inside_hull = false;
-    verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, vertex_beyond(mesh, facet, first)));
-  }
-  if (!inside_hull) return;
-  for (std::size_t s = 1; s < mesh.simplices.size(); ++s) {
-    if (!covers(points, mesh.simplices[s], o)) continue;
-    verdict.add(Rule::kCoveredTwice, {.simplices = {first, mesh.simplices[s]}, .point = sample});
-  }
 }
 
 }  // namespace
@@ -150,12 +102,57 @@ bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& us
   return matched;
 }
 
+bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
+                  const std::vector<FacetUse>& ridges, Verdict& verdict) {
+  bool closed = true;
+  bool convex = true;
+  for_each_facet(ridges, [&](std::span<const FacetUse> group) {
+    const auto far = [&](const FacetUse& use) { return boundary[use.simplex].facet[use.opposite]; };
+    if (group.size() == 2) {
+      const Hinge hinge{boundary[group[0].simplex], far(group[0]), boundary[group[1].simplex],
+                        far(group[1]), group[0].facet};
+      convex &= judge_hinge(mesh, hinge, verdict);
+      return;
+    }
+    closed = false;
+    Witness witness{.face = group.front().facet};
+    for (const FacetUse& use : group) witness.simplices.push_back(boundary[use.simplex].facet);
+    verdict.add(Rule::kHullNotClosed, witness);
+  });
+  return closed && convex;
+}
+
+void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
+                        Verdict& verdict) {
+  const Simplex& first = mesh.simplices.front();
+  const Point sample = barycentre(coordinates(mesh.points, first));
+  std::vector<Point> with_sample = mesh.points.points();
+  with_sample.push_back(sample);
+  const Configuration points(with_sample);
+  const auto o = static_cast<Vertex>(mesh.points.size());
+  bool inside_hull = true;
+  for (const BoundaryFacet& facet : boundary) {
+    if (side_of(points, facet, o) > 0) continue;
+    inside_hull = false;
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, vertex_beyond(mesh, facet, first)));
+  }
+  if (!inside_hull) return;
+  for (std::size_t s = 1; s < mesh.simplices.size(); ++s) {
+    if (!covers(points, mesh.simplices[s], o)) continue;
+    verdict.add(Rule::kCoveredTwice, {.simplices = {first, mesh.simplices[s]}, .point = sample});
+  }
+}
+
 bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                             Verdict& verdict) {
   if (mesh.simplices.empty()) return true;
   if (!judge_facet_matching(mesh, uses, verdict)) return false;
   const std::vector<BoundaryFacet> boundary = boundary_facets(mesh, uses);
-  if (judge_ridges(mesh, boundary, verdict)) judge_sample_point(mesh, boundary, verdict);
+  std::vector<Simplex> facets;
+  facets.reserve(boundary.size());
+  for (const BoundaryFacet& facet : boundary) facets.push_back(facet.facet);
+  if (judge_ridges(mesh, boundary, facet_uses(facets), verdict))
+    judge_sample_point(mesh, boundary, verdict);
   return true;
 }
 

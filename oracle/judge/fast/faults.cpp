@@ -1,0 +1,368 @@
+#include "oracle/judge/fast/faults.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
+#include "oracle/judge/fast/in_chunks.hpp"
+#include "oracle/judge/fast/row_predicates.hpp"
+#include "oracle/judge/fast/sample_point.hpp"
+#include "oracle/judge/fast/sweep.hpp"
+#include "oracle/judge/fast/used_points.hpp"
+#include "oracle/judge/fast/whole_sweep.hpp"
+
+namespace circumspect::fast {
+namespace {
+
+constexpr std::size_t kSimplicesInChunk = std::size_t{1} << 12;
+
+template <std::size_t kDimension, typename Index>
+class FaultFinder {
+ public:
+  FaultFinder(const MeshView<kDimension, Index>& mesh, Question question, unsigned threads)
+      : mesh_(mesh), question_(question), threads_(threads), orientations_(mesh.size(), 0) {}
+
+  tl::expected<Faults, Undecided> run() {
+    if (facets_are_sound()) {
+      list_turned();
+      judge_boundary();
+      return std::move(faults_);
+    }
+    judge_simplices();
+    const auto sound = std::find_if(orientations_.begin(), orientations_.end(),
+                                    [](std::int8_t own) { return own != 0; });
+    if (sound == orientations_.end()) return tl::unexpected(Undecided::kFlatSimplex);
+    faults_.sound_simplex = static_cast<std::size_t>(sound - orientations_.begin());
+    if (!faults_.unsound.empty()) {
+      std::vector<std::size_t> all(mesh_.size());
+      std::iota(all.begin(), all.end(), std::size_t{0});
+      faults_.duplicates = duplicates_among(std::move(all));
+      return std::move(faults_);
+    }
+    if (const auto reason = match_facets()) return tl::unexpected(*reason);
+    if (faults_.duplicates.empty()) list_turned();
+    return std::move(faults_);
+  }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+  using Row = std::span<const Index, kVertices>;
+  using Set = std::array<Index, kVertices>;
+
+  // Calls look(i, list, stages) for each i below `count`; what it adds to the list comes back in order.
+  template <class Item, class Look>
+  std::vector<Item> list_of(std::size_t count, const Look& look) {
+    std::vector<std::vector<Item>> parts(chunks_of(count, kSimplicesInChunk));
+    std::vector<Stages> stages(parts.size());
+    in_chunks(count, kSimplicesInChunk, threads_,
+              [&](std::size_t chunk, std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) look(i, parts[chunk], stages[chunk]);
+              });
+    std::vector<Item> all;
+    for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
+      all.insert(all.end(), parts[chunk].begin(), parts[chunk].end());
+      faults_.stages = sum(faults_.stages, stages[chunk]);
+    }
+    return all;
+  }
+
+  SiteRow<kDimension> sites_of(std::size_t s) const {
+    SiteRow<kDimension> row;
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      row[i] = mesh_.template site<false>(mesh_.row(s)[i]);
+    }
+    return row;
+  }
+  static Set sorted_set(Row row) {
+    Set set;
+    std::copy(row.begin(), row.end(), set.begin());
+    std::sort(set.begin(), set.end());
+    return set;
+  }
+  bool names_points(Row row) const {
+    return std::all_of(row.begin(), row.end(), [this](Index v) { return mesh_.names_point(v); });
+  }
+
+  // ── Where simplices and facets are in order ───────────────────────────────────────────────────
+
+  // Matches facets, and sweeps as the judge does; true if that finds no simplex and no facet at fault.
+  bool facets_are_sound() {
+    // Complete: facets with the same vertices have the same hash.
+    auto matched = matched_facets(mesh_, threads_);
+    if (!matched) return false;
+    faults_.links = std::move(*matched);
+    if (!faults_.links.overused.empty()) return false;
+    WholeSweep<kDimension, Index, std::int32_t> sweep(mesh_, faults_.links.view(), threads_);
+    const bool weighted = question_ == Question::kWeightedDelaunay && !mesh_.weights.empty();
+    const Swept swept =
+        sweep.run({.balls = question_ != Question::kTriangulation, .weighted = weighted});
+    if (swept.undecided) return false;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      orientations_[s] = static_cast<std::int8_t>(sweep.orientations().of(s));
+    }
+    faults_.unused = sweep.unused();
+    for (const FacetId facet : swept.not_local) {
+      const std::size_t other = *beyond(facet.simplex(), facet.place());
+      const std::size_t place = across(facet.simplex(), facet.place(), other)->place;
+      faults_.not_local.push_back({facet, {other, place}});
+    }
+    faults_.stages = swept.stages;
+    return true;
+  }
+
+  // ── Simplices one by one ───────────────────────────────────────────────────────────────────────
+
+  void judge_simplices() {
+    UsedPoints used(mesh_.points());
+    faults_.unsound = list_of<std::size_t>(
+        mesh_.size(), [&](std::size_t s, std::vector<std::size_t>& unsound, Stages& stages) {
+          const Row row = mesh_.row(s);
+          for (const Index v : row) {
+            if (mesh_.names_point(v)) used.mark(static_cast<std::size_t>(v));
+          }
+          // A simplex with a vertex twice is flat.
+          if (names_points(row)) {
+            orientations_[s] =
+                static_cast<std::int8_t>(orientation<kDimension>(sites_of(s), stages));
+          }
+          if (orientations_[s] == 0) unsound.push_back(s);
+        });
+    faults_.unused = used.missing();
+  }
+
+  // Those of the simplices that have the same vertices as another of them, ascending.
+  std::vector<std::size_t> duplicates_among(std::vector<std::size_t> simplices) const {
+    std::vector<std::pair<std::uint64_t, std::size_t>> hashes;
+    hashes.reserve(simplices.size());
+    for (const std::size_t s : simplices) {
+      std::uint64_t hash = 0;
+      for (const Index v : mesh_.row(s)) hash += mixed_vertex(static_cast<std::uint64_t>(v));
+      hashes.emplace_back(hash, s);
+    }
+    std::sort(hashes.begin(), hashes.end());
+    std::vector<std::size_t> duplicates;
+    for (std::size_t i = 0; i < hashes.size(); ++i) {
+      // Others with the same hash, of which most have the same vertices.
+      for (std::size_t k = i + 1; k < hashes.size() && hashes[k].first == hashes[i].first; ++k) {
+        if (sorted_set(mesh_.row(hashes[i].second)) != sorted_set(mesh_.row(hashes[k].second))) {
+          continue;
+        }
+        duplicates.push_back(hashes[i].second);
+        duplicates.push_back(hashes[k].second);
+        break;
+      }
+    }
+    return distinct(std::move(duplicates));
+  }
+
+  static std::vector<std::size_t> distinct(std::vector<std::size_t> list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }
+
+  void list_turned() {
+    for (std::size_t s = 1; s < mesh_.size(); ++s) {
+      if (orientations_[s] != orientations_[0]) faults_.turned.push_back(s);
+    }
+  }
+
+  // ── Facets ─────────────────────────────────────────────────────────────────────────────────────
+
+  // What is across a facet: the place of its vertex off it, and whether the two simplices are on opposite sides;
+  // nothing if it has not the facet, or has the same vertices.
+  struct Across {
+    std::size_t place;
+    bool opposite;
+  };
+  std::optional<Across> across(std::size_t s, std::size_t place, std::size_t beyond) const {
+    std::array<Index, kVertices> own, other;
+    own[0] = mesh_.row(s)[place];
+    for (std::size_t k = 0; k < kDimension; ++k) {
+      own[k + 1] = mesh_.row(s)[kFacetPlaces<kVertices>[place][k]];
+    }
+    std::copy_n(mesh_.row(beyond).begin(), kVertices, other.begin());
+    const Fit<Index> fit = fit_of<kVertices, Index>(own, other);
+    if (fit.matches == 0) return std::nullopt;
+    const bool alike = orientations_[s] == orientations_[beyond];
+    return Across{static_cast<std::size_t>(fit.place), alike == (fit.odd != 0)};
+  }
+
+  std::optional<std::size_t> beyond(std::size_t s, std::size_t place) const {
+    const std::int32_t link = faults_.links.links[s * kVertices + place];
+    if (link < 0) return std::nullopt;
+    return static_cast<std::size_t>(link);
+  }
+
+  std::optional<Undecided> match_facets() {
+    if (faults_.links.count == 0) return Undecided::kTooLarge;
+    std::vector<std::size_t> doubtful;  // simplices that may be listed twice
+    for (const std::vector<std::uint64_t>& facets : faults_.links.overused) {
+      std::vector<FacetId>& group = faults_.overused.emplace_back();
+      for (const std::uint64_t facet : facets) {
+        group.emplace_back(facet / kVertices, facet % kVertices);
+        doubtful.push_back(facet / kVertices);
+      }
+    }
+    struct Suspect {
+      FacetPair pair;
+      bool matches;
+    };
+    const auto suspects =
+        list_of<Suspect>(mesh_.size(), [&](std::size_t s, std::vector<Suspect>& found, Stages&) {
+          for (std::size_t place = 0; place < kVertices; ++place) {
+            const auto other = beyond(s, place);
+            if (!other || *other <= s) continue;
+            const auto next = across(s, place, *other);
+            if (next && next->opposite) continue;
+            found.push_back({{{s, place}, {*other, next ? next->place : 0}}, next.has_value()});
+          }
+        });
+    for (const Suspect& suspect : suspects) {
+      const std::size_t s = suspect.pair.first.simplex(), t = suspect.pair.second.simplex();
+      doubtful.insert(doubtful.end(), {s, t});
+      if (suspect.matches) {
+        faults_.same_side.push_back(suspect.pair);
+      } else if (sorted_set(mesh_.row(s)) != sorted_set(mesh_.row(t))) {
+        return Undecided::kUnmatchedNeighbor;  // their hashes are equal by accident
+      }
+    }
+    // Two simplices with the same vertices are both in each of their facets.
+    faults_.duplicates = duplicates_among(distinct(std::move(doubtful)));
+    return std::nullopt;
+  }
+
+  // ── The boundary ───────────────────────────────────────────────────────────────────────────────
+
+  // On which side of the facet is the site? 1: on that of its simplex.
+  int side_of(FacetId facet, const Site<kDimension>& site, Stages& stages) const {
+    return orientation_with<kDimension>(sites_of(facet.simplex()), facet.place(), site, stages) *
+           orientations_[facet.simplex()];
+  }
+
+  struct RidgeUse {
+    std::array<Index, kDimension - 1> ridge;  // ascending
+    FacetId facet;
+    Index far;  // the vertex of the facet off the ridge
+  };
+
+  std::vector<RidgeUse> ridge_uses(const std::vector<FacetId>& boundary) const {
+    std::vector<RidgeUse> uses;
+    uses.reserve(boundary.size() * kDimension);
+    for (const FacetId facet : boundary) {
+      const Row row = mesh_.row(facet.simplex());
+      for (std::size_t off = 0; off < kVertices; ++off) {
+        if (off == facet.place()) continue;
+        RidgeUse use{{}, facet, row[off]};
+        std::size_t size = 0;
+        for (std::size_t i = 0; i < kVertices; ++i) {
+          if (i != off && i != facet.place()) use.ridge[size++] = row[i];
+        }
+        std::sort(use.ridge.begin(), use.ridge.end());
+        uses.push_back(use);
+      }
+    }
+    std::sort(uses.begin(), uses.end(), [](const RidgeUse& a, const RidgeUse& b) {
+      return std::tie(a.ridge, a.facet) < std::tie(b.ridge, b.facet);
+    });
+    return uses;
+  }
+
+  // Two boundary facets at a ridge: do they make no reflex angle, and are not folded?
+  bool is_convex(const RidgeUse& a, const RidgeUse& b, Stages& stages) const {
+    const Site<kDimension> far_of_a = mesh_.template site<false>(a.far),
+                           far_of_b = mesh_.template site<false>(b.far);
+    const int side = side_of(a.facet, far_of_b, stages);
+    if (side < 0 || side_of(b.facet, far_of_a, stages) < 0) return false;
+    if (side > 0) return true;
+    // In one hyperplane. That through the ridge and the vertex off it has the far vertices on either side.
+    SiteRow<kDimension> row;
+    for (std::size_t i = 0; i + 1 < kDimension; ++i) {
+      row[i] = mesh_.template site<false>(a.ridge[i]);
+    }
+    row[kDimension - 1] = mesh_.template site<false>(mesh_.row(a.facet.simplex())[a.facet.place()]);
+    row[kDimension] = far_of_a;
+    return orientation<kDimension>(row, stages) !=
+           orientation_with<kDimension>(row, kDimension, far_of_b, stages);
+  }
+
+  void judge_boundary() {
+    std::vector<FacetId> boundary;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      for (std::size_t place = 0; place < kVertices; ++place) {
+        if (!beyond(s, place)) boundary.emplace_back(s, place);
+      }
+    }
+    judge_ridges(ridge_uses(boundary));
+    if (faults_.ridges.empty()) judge_sample_point(boundary);
+  }
+
+  void judge_ridges(const std::vector<RidgeUse>& uses) {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      if (i == 0 || uses[i].ridge != uses[i - 1].ridge) starts.push_back(i);
+    }
+    starts.push_back(uses.size());
+    const auto faulty = list_of<std::size_t>(
+        starts.size() - 1, [&](std::size_t group, std::vector<std::size_t>& found, Stages& stages) {
+          const std::size_t first = starts[group], count = starts[group + 1] - first;
+          if (count != 2 || !is_convex(uses[first], uses[first + 1], stages))
+            found.push_back(group);
+        });
+    for (const std::size_t group : faulty) {
+      FaultyRidge& ridge = faults_.ridges.emplace_back();
+      const auto& vertices = uses[starts[group]].ridge;
+      ridge.vertices.assign(vertices.begin(), vertices.end());
+      for (std::size_t i = starts[group]; i < starts[group + 1]; ++i) {
+        ridge.facets.push_back(uses[i].facet);
+      }
+    }
+  }
+
+  void judge_sample_point(const std::vector<FacetId>& boundary) {
+    const SamplePoint<kDimension> sample = barycentre_of<kDimension>(sites_of(0), 0);
+    faults_.beyond = list_of<FacetId>(
+        boundary.size(), [&](std::size_t i, std::vector<FacetId>& found, Stages& stages) {
+          const FacetId facet = boundary[i];
+          const int side =
+              orientation_with(sites_of(facet.simplex()), facet.place(), sample, stages) *
+              orientations_[facet.simplex()];
+          if (side <= 0) found.push_back(facet);
+        });
+    if (!faults_.beyond.empty()) return;
+    faults_.covering = list_of<std::size_t>(
+        mesh_.size(), [&](std::size_t s, std::vector<std::size_t>& found, Stages& stages) {
+          if (s > 0 && covers(sites_of(s), orientations_[s], sample, stages)) {
+            found.push_back(s);
+          }
+        });
+  }
+
+  const MeshView<kDimension, Index>& mesh_;
+  Question question_;
+  unsigned threads_;
+  std::vector<std::int8_t> orientations_;  // 0: the simplex is not sound
+  Faults faults_;
+};
+
+}  // namespace
+
+template <std::size_t kDimension, typename Index>
+tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
+                                       unsigned threads) {
+  return FaultFinder<kDimension, Index>(mesh, question, threads).run();
+}
+
+template tl::expected<Faults, Undecided> faults(const MeshView<2, std::int32_t>&, Question,
+                                                unsigned);
+template tl::expected<Faults, Undecided> faults(const MeshView<2, std::int64_t>&, Question,
+                                                unsigned);
+template tl::expected<Faults, Undecided> faults(const MeshView<3, std::int32_t>&, Question,
+                                                unsigned);
+template tl::expected<Faults, Undecided> faults(const MeshView<3, std::int64_t>&, Question,
+                                                unsigned);
+
+}  // namespace circumspect::fast

@@ -1,0 +1,81 @@
+// Where a mesh of doubles is at fault: every place that breaks a rule, by the stages of the exact checkers
+// (ARCHITECTURE.md: "Stages"). These look at the places again and say what is wrong there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/judge/fast/facet_id.hpp"
+#include "oracle/judge/fast/facet_matching.hpp"
+#include "oracle/judge/fast/mesh_view.hpp"
+#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/undecided.hpp"
+
+namespace circumspect::fast {
+
+// A facet of two simplices, as each has it: the one that comes first in the list is `first`.
+struct FacetPair {
+  FacetId first, second;
+};
+
+// A ridge between boundary facets, which is not what a ridge of the boundary of a convex set is.
+struct FaultyRidge {
+  std::vector<std::int64_t> vertices = {};  // ascending
+  std::vector<FacetId> facets = {};         // all boundary facets that have it
+};
+
+// What is not listed is not at fault. Where a stage finds faults, the later ones are not looked at, and
+// their lists are empty; which ones follow which is said in oracle/judge/points/check.cpp. Lists of simplices
+// and points ascend.
+struct Faults {
+  std::size_t sound_simplex = 0;  // one that is a simplex
+
+  // Simplices that name no point, have a vertex twice, or are flat; those that have the vertices of
+  // another; those that are oriented unlike the first, if all others are sound; points that are no vertex.
+  std::vector<std::size_t> unsound = {};
+  std::vector<std::size_t> duplicates = {};
+  std::vector<std::size_t> turned = {};
+  std::vector<std::size_t> unused = {};
+
+  // Facets of three and more simplices, and facets of two that are on the same side.
+  std::vector<std::vector<FacetId>> overused = {};
+  std::vector<FacetPair> same_side = {};
+
+  // Ridges not of two boundary facets, or of two that make a reflex angle or are folded. If there are none:
+  // boundary facets that do not have the barycentre of the first simplex strictly on their inner sides. If
+  // there are none of these: other simplices that contain it.
+  std::vector<FaultyRidge> ridges = {};
+  std::vector<FacetId> beyond = {};
+  std::vector<std::size_t> covering = {};
+
+  // Facets that are not locally Delaunay.
+  std::vector<FacetPair> not_local = {};
+
+  // If facets match: what is across each of them.
+  OwnedLinks links = {};
+  Stages stages = {};  // what decided the signs
+
+  bool simplices_are_sound() const { return unsound.empty() && duplicates.empty(); }
+  bool facets_match() const {
+    return simplices_are_sound() && overused.empty() && same_side.empty();
+  }
+  bool is_triangulation() const {
+    return facets_match() && ridges.empty() && beyond.empty() && covering.empty();
+  }
+};
+
+// All faults that the question asks for. Of weighted points, whether those that are no vertices lie above
+// the lower hull is not looked at. Given neighbours are not looked at.
+// Undecided: no simplex that is sound; more simplices than are matched; hashes that are equal by accident.
+// The same answer for any number of threads. Instances: dimensions 2 and 3; std::int32_t and std::int64_t.
+// Requires: numbers are finite; no two points are equal; threads ≥ 1; weights, if the question is about them
+// and there are any.
+template <std::size_t kDimension, typename Index>
+tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
+                                       unsigned threads);
+
+}  // namespace circumspect::fast

@@ -1,0 +1,229 @@
+#include "oracle/judge/verdict_of_faults.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "oracle/judge/part.hpp"
+#include "oracle/judge/points/boundary_facet.hpp"
+#include "oracle/judge/points/neighbors.hpp"
+#include "oracle/judge/points/simplices.hpp"
+#include "oracle/judge/points/triangulation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// A neighbour that is listed, and what is across the facet.
+struct WrongLink {
+  fast::FacetId facet;
+  Vertex listed;                      // counted from 0; −1: none
+  std::optional<std::size_t> across;  // a simplex, if there is one
+};
+
+// Nothing if the mesh lists them in another form.
+template <std::size_t kVertices>
+std::optional<std::vector<WrongLink>> wrong_links(const ListedNeighbors& neighbors,
+                                                  const fast::OwnedLinks& links) {
+  const IndexLists& listed = neighbors.rows;
+  if (neighbors.are_as_listed || listed.size() * kVertices != links.count) return std::nullopt;
+  return listed.visit(
+      [&]<class Lists>(const Lists& lists) -> std::optional<std::vector<WrongLink>> {
+        if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
+          return std::nullopt;
+        } else {
+          if (lists.columns() != kVertices) return std::nullopt;
+          std::vector<WrongLink> wrong;
+          const auto values = lists.values();
+          for (std::size_t i = 0; i < links.count; ++i) {
+            if (values[i] == links.links[i]) continue;
+            const fast::FacetId facet(i / kVertices, i % kVertices);
+            wrong.push_back({facet, static_cast<Vertex>(values[i]), {}});
+            if (links.links[i] >= 0) wrong.back().across = static_cast<std::size_t>(links.links[i]);
+          }
+          return wrong;
+        }
+      });
+}
+
+// The exact checkers in their order, each of which looks at the places that are at fault.
+template <std::size_t kDimension, typename Index>
+class Retold {
+ public:
+  Retold(Claim claim, const fast::MeshView<kDimension, Index>& whole, const fast::Faults& faults,
+         const std::vector<WrongLink>& wrong, Vertex first_index, const Options& options)
+      : claim_(claim),
+        faults_(faults),
+        wrong_(wrong),
+        first_index_(first_index),
+        options_(options),
+        part_(whole, simplices(), all_are_vertices() ? faults.unused : std::vector<std::size_t>()),
+        mesh_(part_.mesh(claim == Claim::kWeightedDelaunay && !whole.weights.empty())),
+        verdict_(claim, options.max_violations) {}
+
+  Verdict verdict() {
+    judge_simplices(mesh_, options_.oriented, verdict_);
+    if (all_are_vertices()) judge_vertex_set(mesh_, verdict_);
+    if (faults_.simplices_are_sound()) judge_complex();
+    verdict_.name_in_whole(part_.vertices(), part_.simplices());
+    return std::move(verdict_);
+  }
+
+ private:
+  bool all_are_vertices() const { return claim_ != Claim::kWeightedDelaunay; }
+
+  // With the first one, which others are compared with, and a sound one, which spans space.
+  std::vector<std::size_t> simplices() const {
+    std::vector<std::size_t> all = {0, faults_.sound_simplex};
+    const auto take = [&all](const std::vector<std::size_t>& some) {
+      all.insert(all.end(), some.begin(), some.end());
+    };
+    const auto take_facets = [&all](const std::vector<fast::FacetId>& facets) {
+      for (const fast::FacetId facet : facets) all.push_back(facet.simplex());
+    };
+    const auto take_pairs = [&all](const std::vector<fast::FacetPair>& pairs) {
+      for (const auto& [first, second] : pairs) {
+        all.insert(all.end(), {first.simplex(), second.simplex()});
+      }
+    };
+    take(faults_.unsound);
+    take(faults_.duplicates);
+    if (options_.oriented) take(faults_.turned);
+    for (const auto& facets : faults_.overused) take_facets(facets);
+    take_pairs(faults_.same_side);
+    for (const fast::FaultyRidge& ridge : faults_.ridges) take_facets(ridge.facets);
+    take_facets(faults_.beyond);
+    take(faults_.covering);
+    for (const WrongLink& link : wrong_) {
+      all.push_back(link.facet.simplex());
+      if (link.across) all.push_back(*link.across);
+    }
+    take_pairs(faults_.not_local);
+    return all;
+  }
+
+  // As facet_uses() has them.
+  std::vector<FacetUse> uses_of(const std::vector<fast::FacetId>& facets) const {
+    std::vector<FacetUse> uses;
+    uses.reserve(facets.size());
+    for (const fast::FacetId facet : facets) uses.push_back(part_.use_of(facet));
+    std::sort(uses.begin(), uses.end(), [](const FacetUse& a, const FacetUse& b) {
+      return std::tie(a.facet, a.simplex) < std::tie(b.facet, b.simplex);
+    });
+    return uses;
+  }
+  static std::vector<fast::FacetId> both(const std::vector<fast::FacetPair>& pairs) {
+    std::vector<fast::FacetId> facets;
+    for (const auto& [first, second] : pairs) facets.insert(facets.end(), {first, second});
+    return facets;
+  }
+
+  void judge_complex() {
+    std::vector<fast::FacetId> facets = both(faults_.same_side);
+    for (const auto& group : faults_.overused) {
+      facets.insert(facets.end(), group.begin(), group.end());
+    }
+    if (!judge_facet_matching(mesh_, uses_of(facets), verdict_)) return;
+    judge_boundary();
+    add_wrong_neighbors();
+    Ambiguity ambiguity;  // of no interest where a claim does not hold
+    judge_facets_locally_delaunay(mesh_, uses_of(both(faults_.not_local)), verdict_, ambiguity);
+  }
+
+  void judge_boundary() {
+    std::vector<fast::FacetId> facets = faults_.beyond;
+    std::set<Simplex> faulty;
+    for (const fast::FaultyRidge& ridge : faults_.ridges) {
+      facets.insert(facets.end(), ridge.facets.begin(), ridge.facets.end());
+      Simplex vertices;
+      for (const std::int64_t v : ridge.vertices) vertices.push_back(part_.place_of(v));
+      faulty.insert(std::move(vertices));
+    }
+    std::sort(facets.begin(), facets.end());
+    facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+    std::vector<BoundaryFacet> boundary;
+    std::vector<Simplex> vertices_of_facets;
+    for (FacetUse& use : uses_of(facets)) {
+      vertices_of_facets.push_back(use.facet);
+      boundary.push_back(
+          {std::move(use.facet), mesh_.simplices[use.simplex][use.opposite], use.simplex});
+    }
+    std::vector<FacetUse> ridges = facet_uses(vertices_of_facets);
+    std::erase_if(ridges, [&](const FacetUse& use) { return !faulty.contains(use.facet); });
+    if (judge_ridges(mesh_, boundary, ridges, verdict_)) {
+      judge_sample_point(mesh_, boundary, verdict_);
+    }
+  }
+
+  void add_wrong_neighbors() {
+    std::vector<std::pair<FacetUse, const WrongLink*>> wrong;
+    wrong.reserve(wrong_.size());
+    for (const WrongLink& link : wrong_) wrong.emplace_back(part_.use_of(link.facet), &link);
+    std::sort(wrong.begin(), wrong.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.first.facet, a.first.simplex) < std::tie(b.first.facet, b.first.simplex);
+    });
+    for (const auto& [use, link] : wrong) {
+      const Simplex* across = nullptr;
+      Vertex expected = -1;
+      if (link->across) {
+        across = &mesh_.simplices[part_.place_of_simplex(*link->across)];
+        expected = index_of_place(static_cast<Vertex>(*link->across), first_index_);
+      }
+      const Vertex listed =
+          link->listed == -1 ? Vertex{-1} : index_of_place(link->listed, first_index_);
+      add_wrong_neighbor(mesh_, use, across, listed, expected, verdict_);
+    }
+  }
+
+  Claim claim_;
+  const fast::Faults& faults_;
+  const std::vector<WrongLink>& wrong_;
+  Vertex first_index_;  // of the simplices
+  const Options& options_;
+  Part<kDimension, Index> part_;
+  ExactMesh mesh_;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+template <std::size_t kDimension, typename Index>
+std::optional<Verdict> verdict_of_faults(Claim claim, const fast::MeshView<kDimension, Index>& mesh,
+                                         const ListedNeighbors* neighbors,
+                                         const fast::Faults& faults, const Options& options) {
+  std::vector<WrongLink> wrong;
+  if (neighbors != nullptr && faults.facets_match()) {
+    auto found = wrong_links<kDimension + 1>(*neighbors, faults.links);
+    if (!found) return std::nullopt;
+    wrong = std::move(*found);
+  }
+  const bool is_turned = options.oriented && !faults.turned.empty();
+  if (claim == Claim::kWeightedDelaunay && !faults.unused.empty() && faults.is_triangulation() &&
+      wrong.empty() && !is_turned) {
+    return std::nullopt;
+  }
+  const Vertex first_index = neighbors != nullptr ? neighbors->first_index : 0;
+  Verdict verdict =
+      Retold<kDimension, Index>(claim, mesh, faults, wrong, first_index, options).verdict();
+  if (verdict.holds()) return std::nullopt;
+  verdict.points = mesh.points();
+  verdict.simplices = mesh.size();
+  verdict.dimension = static_cast<int>(kDimension);
+  return verdict;
+}
+
+template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<2, std::int32_t>&,
+                                                  const ListedNeighbors*, const fast::Faults&,
+                                                  const Options&);
+template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<2, std::int64_t>&,
+                                                  const ListedNeighbors*, const fast::Faults&,
+                                                  const Options&);
+template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<3, std::int32_t>&,
+                                                  const ListedNeighbors*, const fast::Faults&,
+                                                  const Options&);
+template std::optional<Verdict> verdict_of_faults(Claim, const fast::MeshView<3, std::int64_t>&,
+                                                  const ListedNeighbors*, const fast::Faults&,
+                                                  const Options&);
+
+}  // namespace circumspect::check
