@@ -87,8 +87,8 @@ TEST_CASE("a link in the place of the scratch folder leads nobody to what it sho
 }
 
 TEST_CASE("judging has a limit, an outcome of its own, and can be interrupted") {
-  // Two million equal lines: more than can be judged in the time.
-  Subject subject = shell("echo '2000000 4 0' > $1; yes '0 0 1 2 3' | head -n 2000000 >> $1");
+  // A million equal simplices: more than can be judged in the time.
+  Subject subject = shell("echo '1000000 4 0' > $1; seq 0 999999 | sed 's/$/ 0 1 2 3/' >> $1");
   subject.judging_seconds = 0.05;
   const Outcome outcome = Runner(subject).run(kTetrahedron);
   CHECK(outcome.kind == OutcomeKind::kJudgingLimit);
