@@ -1,16 +1,20 @@
 // circumspect: the exact oracle for Delaunay triangulations.
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "command/options/unknown_words.hpp"
 #include "command/output/exit_code.hpp"
-#include "command/output/unfinished_file.hpp"
+#include "command/output/output.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "reference/existence/solver.hpp"
+#include "reference/kernel/exact/exhausted_memory.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
 namespace {
@@ -27,8 +31,8 @@ std::string version() {
 // Something is missing, or too much: most often since a word was mistyped.
 ExitCode usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = circumspect::cli::unknown_word_text(app);
-  fmt::print(stderr, "{}\nRun with --help for more information.\n",
-             circumspect::on_one_line(text.empty() ? error.what() : text));
+  circumspect::cli::say(circumspect::on_one_line(text.empty() ? error.what() : text) +
+                        "\nRun with --help for more information.\n");
   return ExitCode::kUsage;
 }
 
@@ -77,17 +81,28 @@ ExitCode run(int argc, char** argv) {
   return exit_code;
 }
 
+// Called where memory is exhausted: asks for none.
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view kText = "circumspect: out of memory\n";
+  const ssize_t ignored = write(STDERR_FILENO, kText.data(), kText.size());
+  static_cast<void>(ignored);
+  circumspect::formats::remove_unfinished_files();
+  _exit(static_cast<int>(ExitCode::kInternalError));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  circumspect::cli::let_writing_fail_at_file_limits();
+  circumspect::cli::keep_standard_files_apart();
+  circumspect::formats::let_writing_fail_at_file_limits();
+  circumspect::end_where_numbers_exhaust_memory(end_without_memory);
   try {
-    return static_cast<int>(run(argc, argv));
+    return static_cast<int>(circumspect::cli::when_written(run(argc, argv)));
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "circumspect: out of memory\n");
+    end_without_memory();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "circumspect: internal error, please report it: {}\n",
-               circumspect::on_one_line(error.what()));
+    circumspect::cli::say("circumspect: internal error, please report it: " +
+                          circumspect::on_one_line(error.what()) + "\n");
   }
   return static_cast<int>(ExitCode::kInternalError);
 }

@@ -109,7 +109,6 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   if (!write_files(options, mesh, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
-    std::cout.flush();
   }
   if (!output.wants_text()) return;
   if (options.statistics) output.text(statistics_text(statistics));

@@ -108,7 +108,7 @@ std::string write(const ConstrainedOptions& options, const std::string& points_n
 // Standard output holds the mesh alone, as a JSON document or, for "-", as an .ele.
 void say_note(const ConstrainedOptions& options, const std::string& note, Output& output) {
   if (output.wants_json() || (options.output_file == "-" && !options.output.quiet)) {
-    fmt::print(stderr, "note: {}\n", on_one_line(note));
+    say("note: " + on_one_line(note) + "\n");
   }
   output.note(note);
 }
@@ -151,7 +151,6 @@ void build(const ConstrainedOptions& options, Output& output) {
   }
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(*mesh, domain.first_index));
-    std::cout.flush();
   }
   output.text(steiner_text(*mesh, domain.first_index) + built_line(options, *mesh));
 }

@@ -27,7 +27,7 @@ namespace {
 struct CampaignOptions {
   SubjectOptions subject;
   std::uint64_t seed = 0;
-  double seconds = 0;  // 0: not said
+  std::optional<double> seconds;
   std::optional<std::size_t> cases;
   std::vector<std::string> families;
   std::size_t max_points = 20;
@@ -35,6 +35,8 @@ struct CampaignOptions {
   std::string folder = "campaign";
   std::string corpus;
   std::string junit;
+  std::string sarif;
+  bool annotates = false;
   OutputOptions output;
 };
 
@@ -77,14 +79,13 @@ class Narrator {
   Narrator(const campaign::Plan& plan, const OutputOptions& output)
       : plan_(plan), speaks_(!output.quiet), is_terminal_(speaks_ && isatty(STDERR_FILENO) == 1) {
     if (!speaks_ || !plan.seconds) return;
-    fmt::print(
-        stderr,
+    say(fmt::format(
         "campaign: {:g} s; once something is found, the last {:g} s of them are for making it "
         "small\n",
-        *plan.seconds, campaign::kMinimisingShare * *plan.seconds);
+        *plan.seconds, campaign::kMinimisingShare * *plan.seconds));
   }
   ~Narrator() {
-    if (is_terminal_) fmt::print(stderr, "\r{:60}\r", "");
+    if (is_terminal_) say(fmt::format("\r{:60}\r", ""));
   }
   Narrator(const Narrator&) = delete;
   Narrator& operator=(const Narrator&) = delete;
@@ -92,15 +93,13 @@ class Narrator {
   void show(const campaign::Progress& progress) {
     if (speaks_ && !progress.drawing && progress.minimising > 0 && !said_) {
       said_ = true;
-      fmt::print(stderr,
-                 "{}campaign: {:.1f} s, no more cases; findings that are made small: {}, {}\n",
-                 is_terminal_ ? "\r" : "", progress.seconds, progress.minimising, until());
+      say(fmt::format("{}campaign: {:.1f} s, no more cases; findings that are made small: {}, {}\n",
+                      is_terminal_ ? "\r" : "", progress.seconds, progress.minimising, until()));
     }
     if (!is_terminal_) return;
-    fmt::print(
-        stderr, "\r{}, {}, {} to make small, {:.0f} s ", report::counted(progress.cases, "case"),
-        report::counted(progress.signatures, "signature"), progress.minimising, progress.seconds);
-    std::fflush(stderr);
+    say(fmt::format(
+        "\r{}, {}, {} to make small, {:.0f} s ", report::counted(progress.cases, "case"),
+        report::counted(progress.signatures, "signature"), progress.minimising, progress.seconds));
   }
 
  private:
@@ -125,12 +124,15 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
             const CampaignOptions& options, Output& output) {
   const std::string program = std::filesystem::path(plan.subject.command.front()).filename();
   output.exit_with(exit_code_of(result));
-  if (!options.junit.empty()) {
-    const std::string failure = write_file(
-        options.junit, [&](std::ostream& stream) { stream << campaign_junit(result, program); });
-    if (!failure.empty()) output.error(ExitCode::kUsage, "report", options.junit, failure);
-  }
+  const auto write_report = [&output](const std::string& path, const std::string& text) {
+    if (path.empty()) return;
+    const std::string failure = write_file(path, [&](std::ostream& stream) { stream << text; });
+    if (!failure.empty()) output.error(ExitCode::kUsage, "report", path, failure);
+  };
+  write_report(options.junit, campaign_junit(result, program));
+  write_report(options.sarif, report::document_text(campaign_sarif(result)));
   output.text(campaign_text(result));
+  if (options.annotates) output.text(campaign_annotations(result, program));
   output.text(campaign_verdict(result, program) + "\n");
   if (output.wants_json()) output.json(campaign_json(result, plan, program));
 }
@@ -138,9 +140,11 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
 // What a campaign would write over something that it reads; empty if nothing.
 std::string overwriting_fault_of(const CampaignOptions& options, const campaign::Plan& plan) {
   std::vector<Written> written = {{"the journal", plan.output + "/journal.tsv"}};
-  if (!options.junit.empty()) written.push_back({"the report", options.junit});
+  for (const std::string& report : {options.junit, options.sarif}) {
+    if (!report.empty()) written.push_back({"the report", report});
+  }
   std::vector<std::string> read = plan.subject.command;
-  const std::string findings = plan.output + "/findings";
+  const std::string findings = campaign::findings_folder(plan.output);
   for (const campaign::Replayed& replayed : plan.replayed) {
     read.push_back(replayed.name);
     if (!lies_in(replayed.name, findings)) continue;
@@ -149,9 +153,10 @@ std::string overwriting_fault_of(const CampaignOptions& options, const campaign:
         "read",
         options.folder, replayed.name);
   }
-  if (!options.junit.empty() && lies_in(options.junit, findings)) {
+  for (const std::string& report : {options.junit, options.sarif}) {
+    if (report.empty() || !lies_in(report, findings)) continue;
     return fmt::format("expected another name for the report, found {}, among the findings",
-                       options.junit);
+                       report);
   }
   return overwriting_fault(written, read);
 }
@@ -179,7 +184,7 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   }
   plan.seed = options.seed;
   plan.cases = options.cases;
-  if (options.seconds > 0) plan.seconds = options.seconds;
+  plan.seconds = options.seconds;
   if (!plan.cases && !plan.seconds) plan.seconds = 60;
   plan.jobs = options.jobs;
   plan.output = std::filesystem::absolute(options.folder).lexically_normal().string();
@@ -194,6 +199,7 @@ ExitCode run(const CampaignOptions& options) {
   const auto plan = plan_of(options);
   if (!plan) return plan.error();
   Output output(options.output);
+  if (!options.output.quiet) say(note_on_names(options.subject));
   const auto result = [&] {
     Narrator narrator(*plan, options.output);
     return campaign::run(*plan, stop_flag(), [&narrator](const campaign::Progress& progress) {
@@ -268,9 +274,13 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--output", options->folder,
                    "The folder for the journal, and for what is found in FOLDER/findings (default: "
-                   "campaign)")
+                   "campaign). Where its own name is findings, that is both")
       ->option_text("FOLDER");
   command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
+  command->add_option("--sarif", options->sarif, "Also write a report for code scanning (SARIF)")
+      ->option_text("FILE");
+  command->add_flag("--annotations", options->annotates,
+                    "Also print a line for each finding that GitHub Actions shows as an error");
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

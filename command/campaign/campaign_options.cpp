@@ -15,6 +15,7 @@
 #include "command/options/whole_number.hpp"
 #include "fuzz/campaign/input.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/model/printable.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -92,11 +93,15 @@ void add_claims(CLI::App& command, SubjectOptions& options) {
       ->option_text("TEXT ...");
 }
 
-// The only files of the user's that arguments can name are found from the folder in which the program
-// runs only by their whole path.
-std::string with_whole_path(const std::string& argument) {
+bool names_file(const std::string& argument) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(argument, error)) return argument;
+  return std::filesystem::is_regular_file(argument, error);
+}
+
+// A path to a file of the user's is found from the folder in which the program runs only if it is whole. A word
+// without a slash is no path: the i of `qdelaunay Qt i` stays so where there is a file i.
+std::string with_whole_path(const std::string& argument) {
+  if (argument.find('/') == std::string::npos || !names_file(argument)) return argument;
   return std::filesystem::absolute(argument).string();
 }
 
@@ -171,13 +176,13 @@ std::string read_bytes(const std::string& text, std::uint64_t& bytes) {
   return "";
 }
 
-void add_duration(CLI::App& command, const std::string& name, double& seconds,
+void add_duration(CLI::App& command, const std::string& name, std::optional<double>& seconds,
                   const std::string& about) {
   command
       .add_option_function<std::string>(
           name,
           [&seconds](const std::string& text) {
-            const std::string fault = read_duration(text, seconds);
+            const std::string fault = read_duration(text, seconds.emplace());
             if (!fault.empty()) throw CLI::ValidationError(fault);
           },
           about)
@@ -190,7 +195,8 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
           "command", options.command,
           "The program and its arguments, after --. In them, {points} or {domain} stands for the "
           "input file, {mesh} for the file of the mesh, and {folder} for the folder of both. The "
-          "program runs in that folder; paths to existing files of yours still work")
+          "program runs in that folder; paths with a slash to files of yours still work, such as "
+          "./script.py")
       ->required();
   add_files(command, options);
   add_claims(command, options);
@@ -206,6 +212,19 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
                   "How many processes it may have at a time (default: 256)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
+  add_duration(command, "--limit-judging", options.judging_seconds,
+               "How long it may take to judge one of its meshes (default: ten times --limit-time)");
+  const std::map<std::string, campaign::Containment> ways = {
+      {"namespaces", campaign::Containment::kNamespaces},
+      {"supervisor", campaign::Containment::kSupervisor}};
+  command
+      .add_option(
+          "--containment", options.containment,
+          "What keeps the processes of the program together: a process namespace of its own, "
+          "from which it sees no other process, or a supervisor that looks for them "
+          "(default: namespaces where the system allows them)")
+      ->transform(one_of(ways))
+      ->option_text("namespaces|supervisor");
   add_duration(command, "--minimize-time", options.minimise_seconds,
                "Stop making an input smaller after this time (default: 120s)");
   command
@@ -213,6 +232,16 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
                   "Stop making an input smaller after N runs (default: 50000)")
       ->check(whole_number())
       ->option_text("N");
+}
+
+std::string note_on_names(const SubjectOptions& options) {
+  for (std::size_t i = 1; i < options.command.size(); ++i) {
+    const std::string& argument = options.command[i];
+    if (argument.find('/') != std::string::npos || !names_file(argument)) continue;
+    return fmt::format("note: the argument {0} is given as it is; the file is ./{0}\n",
+                       on_one_line(argument));
+  }
+  return "";
 }
 
 tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, bool& not_found) {
@@ -231,7 +260,11 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   subject.full_dimension = options.full_dimension;
   subject.refusal_codes.insert(options.refusal_codes.begin(), options.refusal_codes.end());
   subject.refusal_texts = options.refusal_texts;
-  subject.limits = {options.seconds, options.memory, options.output, options.processes};
+  subject.limits = {options.seconds.value_or(10), options.memory, options.output,
+                    options.processes};
+  subject.containment = options.containment;
+  constexpr double kJudging = 10;  // times a run
+  subject.judging_seconds = options.judging_seconds.value_or(kJudging * subject.limits.seconds);
   const std::string fault = fault_of(options, subject);
   if (!fault.empty()) return tl::unexpected(fault);
   const std::string program = campaign::find_program(options.command.front());

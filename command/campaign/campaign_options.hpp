@@ -30,15 +30,17 @@ struct SubjectOptions {
   bool full_dimension = false;
   std::vector<int> refusal_codes;
   std::vector<std::string> refusal_texts;
-  double seconds = 10;
+  std::optional<double> seconds;
   std::uint64_t memory = campaign::Limits{}.memory;
   std::uint64_t output = campaign::Limits{}.output;
   std::size_t processes = campaign::Limits{}.processes;
-  double minimise_seconds = 120;
+  std::optional<double> judging_seconds;
+  std::optional<campaign::Containment> containment;
+  std::optional<double> minimise_seconds;
   std::size_t minimise_tries = campaign::MinimiseLimits{}.tries;
 
   campaign::MinimiseLimits minimise() const {
-    return {minimise_tries, std::chrono::duration<double>(minimise_seconds)};
+    return {minimise_tries, std::chrono::duration<double>(minimise_seconds.value_or(120))};
   }
 };
 
@@ -50,8 +52,11 @@ std::string read_duration(const std::string& text, double& seconds);
 std::string read_bytes(const std::string& text, std::uint64_t& bytes);
 
 // An option whose value is such a text.
-void add_duration(CLI::App& command, const std::string& name, double& seconds,
+void add_duration(CLI::App& command, const std::string& name, std::optional<double>& seconds,
                   const std::string& about);
+
+// A note, for people, on an argument of the command that is also the name of a file; empty if there is none.
+std::string note_on_names(const SubjectOptions& options);
 
 // The program as it is to be run. Errors: what is wrong with the options, for people; `not_found` is
 // set if it is that there is no such program.

@@ -1,6 +1,8 @@
 #include "command/campaign/campaign_report.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -37,14 +39,31 @@ std::size_t found_in(const Counts& counts) {
   return sum;
 }
 
-// What stands in the folder of a finding: the first result of verdict.json.
+// Is it as write_minimal writes it, as far as anybody here reads it? Whatever has the folder may have changed it.
+bool are_details(const report::Json& details) {
+  const auto is_count = [&details](const char* key) {
+    return details.contains(key) && details[key].is_number_unsigned();
+  };
+  return details.is_object() && details.contains("text") && details["text"].is_string() &&
+         is_count("points") && is_count("minimal_points");
+}
+
+// What stands in the folder of a finding: the first result of verdict.json; nothing if that is not as it was written.
 report::Json details_of(const Finding& finding) {
-  std::ifstream file(finding.folder + "/verdict.json");
-  const report::Json document = report::Json::parse(file, nullptr, false);
-  if (!document.is_object() || !document.contains("results") || document["results"].empty()) {
+  constexpr int kDeepest = 64;
+  const std::string path = finding.folder + "/verdict.json";
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path))) {
     return report::Json::object();
   }
-  return document["results"][0];
+  std::ifstream file(path);
+  const auto is_shallow = [](int depth, report::Json::parse_event_t, report::Json&) {
+    return depth < kDeepest;
+  };
+  const report::Json document = report::Json::parse(file, is_shallow, false);
+  if (!document.is_object() || !document.contains("results")) return report::Json::object();
+  const report::Json& results = document["results"];
+  const bool is_whole = results.is_array() && !results.empty() && are_details(results.front());
+  return is_whole ? results.front() : report::Json::object();
 }
 
 // XML has no way to say a control character, nor bytes that are no UTF-8: those have been written otherwise.
@@ -68,7 +87,8 @@ std::string for_xml(const std::string& text) {
 
 std::string finding_text(const Finding& finding) {
   const report::Json details = details_of(finding);
-  const std::string text = details.value("text", "not made small yet: run the command again");
+  const std::string text =
+      details.value("text", "not made small yet, or its verdict.json is not as it was written");
   std::string sizes;
   if (details.contains("minimal_points")) {
     sizes = fmt::format(", {} made {}{}",
@@ -79,6 +99,37 @@ std::string finding_text(const Finding& finding) {
   return fmt::format("{}: {}, first case {} of {}{}\n  {}\n  {}/reproduce.sh\n", finding.signature,
                      report::counted(finding.count, "case"), finding.case_number, finding.family,
                      sizes, on_one_line(text), on_one_line(finding.folder));
+}
+
+// Where people read about it, from the folder in which the campaign runs if it is there.
+std::string place_of(const Finding& finding) {
+  std::error_code error;
+  const std::filesystem::path whole = finding.folder + "/README.txt";
+  const auto from_here = std::filesystem::proximate(whole, error).string();
+  return error || from_here.rfind("../", 0) == 0 ? whole.string() : from_here;
+}
+
+// With %XX in place of these bytes.
+template <class MustBeWritten>
+std::string with_percents(const std::string& text, const MustBeWritten& must_be_written) {
+  std::string result;
+  for (const char c : text) {
+    result += must_be_written(c) ? fmt::format("%{:02X}", static_cast<unsigned char>(c))
+                                 : std::string(1, c);
+  }
+  return result;
+}
+
+std::string uri_of(const std::string& path) {
+  const std::string_view plain = "-._~/+";
+  const std::string text = with_percents(path, [plain](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) == 0 && plain.find(c) == plain.npos;
+  });
+  return (path.front() == '/' ? "file://" : "") + text;
+}
+
+std::string for_annotation(const std::string& text, std::string_view special) {
+  return with_percents(text, [special](char c) { return special.find(c) != special.npos; });
 }
 
 }  // namespace
@@ -107,6 +158,9 @@ std::string campaign_text(const Result& result) {
       result.cases_before == 0
           ? ""
           : fmt::format(", {} before that", report::counted(result.cases_before, "case")));
+  if (result.containment == campaign::Containment::kSupervisor) {
+    text += "note: a supervisor contained the programs, and no process namespace (--containment)\n";
+  }
   for (const Finding& finding : result.findings) text += finding_text(finding);
   return text;
 }
@@ -134,6 +188,7 @@ report::Json campaign_json(const Result& result, const campaign::Plan& plan,
       {"cases", result.cases},
       {"judged", judged_cases(result)},
       {"interrupted", result.interrupted},
+      {"containment", name(result.containment)},
       {"holds", result.findings.empty() && !result.interrupted && judged_cases(result) > 0},
       {"seconds", result.seconds}};
   report::Json families = report::Json::object();
@@ -179,6 +234,38 @@ std::string campaign_junit(const Result& result, const std::string& program) {
       "  <testsuite name=\"circumspect campaign {}\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
       "time=\"{:.3f}\">\n{}  </testsuite>\n</testsuites>\n",
       for_xml(on_one_line(program)), tests, failures, result.seconds, cases);
+}
+
+report::Json campaign_sarif(const Result& result) {
+  report::Json rules = report::Json::array();
+  report::Json results = report::Json::array();
+  for (const Finding& finding : result.findings) {
+    rules.push_back({{"id", finding.signature}});
+    const report::Json place = {{"uri", uri_of(place_of(finding))}};
+    results.push_back(
+        {{"ruleId", finding.signature},
+         {"level", "error"},
+         {"message", {{"text", on_lines(finding_text(finding))}}},
+         {"locations",
+          report::Json::array({{{"physicalLocation", {{"artifactLocation", place}}}}})}});
+  }
+  const report::Json driver = {
+      {"name", "circumspect"}, {"version", CIRCUMSPECT_VERSION}, {"rules", std::move(rules)}};
+  const report::Json run = {{"tool", {{"driver", driver}}}, {"results", std::move(results)}};
+  return {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+          {"version", "2.1.0"},
+          {"runs", report::Json::array({run})}};
+}
+
+std::string campaign_annotations(const Result& result, const std::string& program) {
+  std::string lines;
+  for (const Finding& finding : result.findings) {
+    lines +=
+        fmt::format("::error file={},title={}::{}\n", for_annotation(place_of(finding), "%\r\n:,"),
+                    for_annotation(on_one_line(program) + ": " + finding.signature, "%\r\n:,"),
+                    for_annotation(on_lines(finding_text(finding)), "%\r\n"));
+  }
+  return lines;
 }
 
 }  // namespace circumspect::cli

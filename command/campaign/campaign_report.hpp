@@ -21,6 +21,12 @@ report::Json campaign_json(const campaign::Result& result, const campaign::Plan&
 // JUnit: a suite of one test case a family, and one for each signature that was met there, which fails.
 std::string campaign_junit(const campaign::Result& result, const std::string& program);
 
+// SARIF 2.1.0, which code scanning takes: a result for each signature, at the README.txt of its finding.
+report::Json campaign_sarif(const campaign::Result& result);
+
+// A line for each signature that GitHub Actions shows as an error: "::error file=…,title=…::…".
+std::string campaign_annotations(const campaign::Result& result, const std::string& program);
+
 // How many cases were judged: neither skipped nor refused.
 std::size_t judged_cases(const campaign::Result& result);
 

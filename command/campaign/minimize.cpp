@@ -72,8 +72,8 @@ void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
               const campaign::Input& input, const std::string& signature, campaign::Runner& runner,
               Output& output) {
   if (!options.output.quiet) {
-    fmt::print(stderr, "minimize: {} points; ends after {:g} s at the latest (--minimize-time)\n",
-               campaign::point_count(input), options.subject.minimise_seconds);
+    say(fmt::format("minimize: {} points; ends after {:g} s at the latest (--minimize-time)\n",
+                    campaign::point_count(input), options.subject.minimise().time.count()));
   }
   const campaign::Input minimal =
       campaign::minimised(input, signature, runner, options.subject.minimise(), stop_flag());
@@ -116,6 +116,7 @@ ExitCode run(const MinimizeOptions& options) {
   const std::string overwriting =
       overwriting_fault({{"the small input", options.output_file}}, read);
   if (!overwriting.empty()) return fault(ExitCode::kUsage, overwriting);
+  if (!options.output.quiet) say(note_on_names(options.subject));
   const auto input = campaign_input(*subject, options.input);
   if (!input) return fault(ExitCode::kInputFault, input.error());
   const auto runner = new_runner(*subject);

@@ -77,8 +77,7 @@ std::string usage_fault(const CertifyOptions& options) {
 
 ExitCode run(CertifyOptions& options) {
   if (const std::string fault = usage_fault(options); !fault.empty()) {
-    fmt::print(stderr, "circumspect: {}\n", fault);
-    return ExitCode::kUsage;
+    return usage_error(fault);
   }
   OutputOptions spoken = options.output;
   if (options.certificate == "-") {

@@ -56,7 +56,19 @@ class Output {
 // Says what is wrong with a command line, in one line on stderr.
 ExitCode usage_error(const std::string& message);
 
-// Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message, or an empty string.
+// To stderr, at once; where nobody can be told, nobody is.
+void say(const std::string& text);
+
+// What to exit with, after all that stands on stdout has been written: kInternalError, with a line on stderr, if
+// that was not possible. The last call of every command, whatever it has written and how.
+ExitCode when_written(ExitCode code);
+
+// A command may be started without one of the three standard files: then the first that it opens would be
+// taken for it. Called before anything is opened.
+void keep_standard_files_apart();
+
+// Writes a file whole or not at all (unfinished_file.hpp); "-" is stdout. Returns an error message, or an empty string
+// (about stdout always: when_written says it).
 std::string write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace circumspect::cli

@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "command/output/unfinished_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::cli {
@@ -83,14 +82,9 @@ std::string overwriting_fault(const std::vector<Written>& written,
                               const std::vector<std::string>& read) {
   for (std::size_t i = 0; i < written.size(); ++i) {
     const Written& file = written[i];
-    std::vector<std::string> targets = {file.path};
-    if (file.path != "-") targets.push_back(name_until_complete(file.path));
-    for (const std::string& target : targets) {
-      const auto written_to = identity(target, STDOUT_FILENO);
-      if (!written_to) continue;
-      for (const std::string& source : read) {
-        if (identity(source, STDIN_FILENO) == written_to) return clash({file.what, target}, source);
-      }
+    const auto written_to = identity(file.path, STDOUT_FILENO);
+    for (const std::string& source : read) {
+      if (written_to && identity(source, STDIN_FILENO) == written_to) return clash(file, source);
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!are_one_place(written[j].path, file.path)) continue;

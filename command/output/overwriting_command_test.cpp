@@ -53,7 +53,7 @@ TEST_CASE(
   CHECK(run({"certify", files.mesh, "-o", files.folder.path("z.cert"), "--quiet"}).exit_code == 0);
 }
 
-TEST_CASE("certify: nor does it under another spelling, through links, or by its unfinished file") {
+TEST_CASE("certify: nor does it under another spelling, or through links") {
   const Files files;
   fs::create_directory(files.folder.path("sub"));
   fs::create_symlink(files.points, files.folder.path("soft"));
@@ -66,11 +66,6 @@ TEST_CASE("certify: nor does it under another spelling, through links, or by its
     CHECK(fs::is_symlink(files.folder.path("soft")));
     CHECK(fs::hard_link_count(files.points) == 2);
   }
-  // A file is written under another name first.
-  const std::string unfinished = files.folder.write("z.cert.unfinished", kQuadTriangles);
-  files.are_kept(
-      {"certify", unfinished, "--points", files.points, "-o", files.folder.path("z.cert")},
-      unfinished);
   const std::string elsewhere = files.folder.write("elsewhere.txt", kQuadPoints);
   files.are_kept({"certify", files.mesh, "--points", elsewhere, "-o", elsewhere}, elsewhere);
   const std::string listed = files.folder.write(

@@ -58,7 +58,11 @@ class Campaign {
     one_ended_.notify_one();
   }
 
-  void start(std::size_t jobs) { working_ = jobs; }
+  // One thread more is about to work, or was not to be had.
+  void expect_one(bool more) {
+    const std::lock_guard lock(mutex_);
+    working_ += more ? 1 : static_cast<std::size_t>(-1);
+  }
   // Waits for the end, but not longer than this.
   bool is_over_within(std::chrono::milliseconds time) {
     std::unique_lock lock(mutex_);
@@ -299,10 +303,19 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
     return tl::unexpected(std::string(error.what()));
   }
   Campaign campaign(plan, std::move(*journal), stop);
-  campaign.start(runners.size());
   std::vector<std::thread> threads;
-  for (const auto& runner : runners) {
-    threads.emplace_back([&campaign, &runner] { campaign.work(*runner); });
+  try {
+    for (const auto& runner : runners) {
+      campaign.expect_one(true);
+      threads.emplace_back([&campaign, &runner] { campaign.work(*runner); });
+    }
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do the work.
+    campaign.expect_one(false);
+    if (threads.empty()) {
+      campaign.expect_one(true);
+      campaign.work(*runners.front());
+    }
   }
   while (!campaign.is_over_within(std::chrono::milliseconds(20))) {
     if (campaign.must_stop()) {
@@ -311,7 +324,9 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
     progress(campaign.progress());
   }
   for (std::thread& thread : threads) thread.join();
-  return campaign.result();
+  auto result = campaign.result();
+  if (result) result->containment = runners.front()->containment();
+  return result;
 }
 
 }  // namespace circumspect::campaign

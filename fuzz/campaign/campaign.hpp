@@ -65,6 +65,7 @@ struct Result {
   std::map<std::string, std::map<std::string, std::size_t>> statistics = {};
   bool interrupted = false;
   double seconds = 0;  // of this call
+  Containment containment = Containment::kSupervisor;
 };
 
 // How far it is, for a progress line.

@@ -11,10 +11,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "fuzz/process/folders.hpp"
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
 
@@ -30,20 +33,25 @@ std::string own_extension(const Input& input) {
 
 // Whole or not at all, and on the disk.
 void write_durably(const std::string& path, const std::string& text) {
-  const std::string unfinished = path + ".unfinished";
-  const int file = open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  bool done = file >= 0;
-  for (std::size_t at = 0; done && at < text.size();) {
-    const ssize_t count = write(file, text.data() + at, text.size() - at);
-    done = count > 0;
-    at += done ? static_cast<std::size_t>(count) : 0;
-  }
-  done = done && fsync(file) == 0;
-  if (file >= 0) close(file);
-  if (!done || rename(unfinished.c_str(), path.c_str()) != 0) {
-    const int reason = errno;
-    unlink(unfinished.c_str());
-    throw std::system_error(reason, std::generic_category(), path);
+  const int reason = formats::write_whole_file(path, text);
+  if (reason != 0) throw std::system_error(reason, std::generic_category(), path);
+}
+
+// Makes a folder in one that is there. A link or a file in its place is no folder, wherever it leads.
+void make_folder(const std::string& path) {
+  if (mkdir(path.c_str(), 0777) == 0 || (errno == EEXIST && is_folder(path))) return;
+  throw std::system_error(errno == EEXIST ? ENOTDIR : errno, std::generic_category(), path);
+}
+
+// A folder that the journal does not name was begun when this process, or the one before it, was killed, and holds
+// an input at most. Anything else in it is somebody else's, and stays as it is.
+void expect_ours(const std::string& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().stem() == "input") continue;
+    throw std::system_error(EEXIST, std::generic_category(),
+                            folder +
+                                ": expected no folder of this name, for the journal does not "
+                                "name it; choose another --output, or move it away");
   }
 }
 
@@ -63,14 +71,14 @@ constexpr std::size_t kMostCopies = 100;
 void copy_file(const std::string& from, const std::string& to, const Runner& runner) {
   std::ostringstream text;
   text << std::ifstream(from, std::ios::binary).rdbuf();
-  std::ofstream(to, std::ios::binary) << runner.without_places(text.str());
+  write_durably(to, runner.without_places(text.str()));
 }
 
 // What the program wrote, without its input.
 void copy_output(const std::string& folder, const Subject& subject, const Runner& runner) {
   std::error_code error;
-  fs::remove_all(folder + "/output", error);
-  fs::create_directories(folder + "/output", error);
+  removed(folder + "/output");
+  make_folder(folder + "/output");
   std::vector<std::string> paths;
   fs::directory_iterator entry(runner.work_folder(), error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
@@ -156,12 +164,19 @@ std::string check_line(const Subject& subject, const Input& minimal) {
 
 }  // namespace
 
+std::string findings_folder(const std::string& output) {
+  return fs::path(output + "/.").parent_path().filename() == "findings" ? output
+                                                                        : output + "/findings";
+}
+
 std::string finding_folder(const std::string& output, const std::string& signature) {
-  return output + "/findings/" + signature;
+  return findings_folder(output) + "/" + signature;
 }
 
 void write_input(const std::string& folder, const Subject& subject, const Input& input) {
-  fs::create_directories(folder);
+  make_folder(fs::path(folder).parent_path().string());
+  make_folder(folder);
+  expect_ours(folder);
   write_input_as(folder + "/input", subject, input);
   for (const std::string& path : {folder, fs::path(folder).parent_path().string()}) {
     const int directory = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -15,12 +15,15 @@ struct Origin {
   std::uint64_t seed = 0;  // of the campaign
 };
 
-// The folder of a signature: OUTPUT/findings/SIGNATURE.
+// OUTPUT/findings, or OUTPUT itself if findings is its name.
+std::string findings_folder(const std::string& output);
+
+// The folder of a signature, in that one.
 std::string finding_folder(const std::string& output, const std::string& signature);
 
 // Makes the folder and writes the input as it was found: input.node (or input.poly), and in the
 // program's own format if that is another. All of it is on the disk when this returns. Throws
-// std::system_error.
+// std::system_error, also if the folder holds what no campaign has begun. Links are not followed.
 void write_input(const std::string& folder, const Subject& subject, const Input& input);
 
 // Adds the smallest input, what the program made of it, the verdict, README.txt and reproduce.sh.

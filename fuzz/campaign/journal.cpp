@@ -1,6 +1,7 @@
 #include "fuzz/campaign/journal.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -62,6 +63,14 @@ std::optional<std::size_t> number_of(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
   return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+// A signature is also the name of a folder: what the journal says must not lead out of the findings.
+bool is_signature(const std::string& text) {
+  const auto is_allowed = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '.';
+  };
+  return !text.empty() && text.front() != '.' && std::all_of(text.begin(), text.end(), is_allowed);
 }
 
 }  // namespace
@@ -155,6 +164,7 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
   } else if (kind == "finding" && fields.size() == 3) {
     const auto number = number_of(fields[2]);
     if (!number) return "a finding with the number of its case";
+    if (!is_signature(fields[1])) return "the signature of a finding, of letters, digits, - and .";
     // It may be there twice, if the line of its case was lost.
     const auto same = [&](const FindingRecord& finding) { return finding.signature == fields[1]; };
     if (std::none_of(findings_.begin(), findings_.end(), same)) {
@@ -170,6 +180,7 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
     }
   } else if (kind == "case" && fields.size() == 5) {
     if (number_of(fields[1]) != cases_.size()) return "case " + std::to_string(cases_.size());
+    if (!is_signature(fields[4])) return "what became of the case, of letters, digits, - and .";
     cases_.push_back({fields[2], fields[4], fields[3] == "finding"});
   } else {
     return "a setting, a finding or a case";

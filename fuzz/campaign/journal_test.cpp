@@ -87,7 +87,11 @@ TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {
   CHECK(!Journal::open(folder.path(""), kSettings));
   std::filesystem::remove(folder.path("journal.tsv"));
   { CHECK(Journal::open(folder.path(""), kSettings)); }
-  for (const char* line : {"finding\thang\t-1\n", "case\t1\tgrid\tholds\tholds\n", "nonsense\n"}) {
+  // A signature names a folder among the findings, and nothing elsewhere.
+  for (const char* line :
+       {"finding\thang\t-1\n", "case\t1\tgrid\tholds\tholds\n", "nonsense\n",
+        "finding\t../../mine\t0\n", "finding\t/etc\t0\n", "finding\t.\t0\n", "finding\t\t0\n",
+        "finding\ta\x1b[2J\t0\n", "case\t0\tgrid\tfinding\t../mine\n"}) {
     const std::string whole = text_of(folder.path("journal.tsv"));
     folder.write("journal.tsv", whole + line);
     const auto journal = Journal::open(folder.path(""), kSettings);

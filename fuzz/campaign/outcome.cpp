@@ -2,6 +2,20 @@
 
 namespace circumspect::campaign {
 
+std::string bytes_of(const Outcome& outcome) {
+  const report::Json fields = {static_cast<int>(outcome.kind), outcome.signature, outcome.text,
+                               outcome.explanation, outcome.verdict};
+  std::string bytes;
+  report::Json::to_cbor(fields, bytes);
+  return bytes;
+}
+
+Outcome outcome_of_bytes(const std::string& bytes) {
+  const report::Json fields = report::Json::from_cbor(bytes);
+  return {static_cast<OutcomeKind>(fields.at(0).get<int>()), fields.at(1), fields.at(2),
+          fields.at(3), fields.at(4)};
+}
+
 bool is_finding(OutcomeKind kind) {
   switch (kind) {
     case OutcomeKind::kHolds:
@@ -45,6 +59,8 @@ std::string word(OutcomeKind kind) {
       return "process-limit";
     case OutcomeKind::kKillsParent:
       return "kills-parent";
+    case OutcomeKind::kJudgingLimit:
+      return "judging-limit";
     case OutcomeKind::kNotRun:
       return "not-run";
     case OutcomeKind::kInterrupted:

@@ -22,8 +22,9 @@ enum class OutcomeKind {
   kOutputLimit,   // it wrote more than allowed
   kProcessLimit,  // it started more processes than allowed
   kKillsParent,   // it killed the process that started it, twice
+  kJudgingLimit,  // its mesh could not be judged within the time or the memory that there is for that
   kNotRun,        // it could not be started, or the disk is full: no fault of the program
-  kInterrupted,   // this process is to end
+  kInterrupted,  // this process is to end
 };
 
 struct Outcome {
@@ -37,6 +38,10 @@ struct Outcome {
   std::string explanation = {};  // the witnesses of a broken rule; else what the program said
   report::Json verdict = {};     // kFails: the whole verdict
 };
+
+// An outcome as bytes, and back: for a process apart. Requires: bytes of this function.
+std::string bytes_of(const Outcome& outcome);
+Outcome outcome_of_bytes(const std::string& bytes);
 
 // Is it something that the user wants to hear of?
 bool is_finding(OutcomeKind kind);

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <system_error>
 
+#include <fmt/format.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -17,6 +18,7 @@
 
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "fuzz/campaign/replace_all.hpp"
+#include "fuzz/process/apart.hpp"
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
@@ -32,7 +34,8 @@ fs::path place_for_scratch(const Limits& limits) {
   std::error_code error;
   const fs::space_info space = fs::space(memory, error);
   const bool has_room = !error && space.available / 32 >= limits.output;
-  const char* const chosen = std::getenv("TMPDIR");
+  const char* chosen = std::getenv("TMPDIR");
+  if (chosen != nullptr && *chosen == '\0') chosen = nullptr;
   if (has_room && chosen == nullptr && access(memory.c_str(), W_OK) == 0) return memory;
   return fs::absolute(chosen == nullptr ? "/tmp" : chosen);
 }
@@ -105,7 +108,7 @@ bool is_full(const std::string& folder) {
 Runner::Runner(const Subject& subject, Turn turn)
     : subject_(subject),
       scratch_(new_scratch_folder(subject.limits)),
-      supervisor_(scratch_, turn) {}
+      supervisor_(scratch_, turn, subject.containment) {}
 
 Runner::~Runner() = default;
 
@@ -131,16 +134,16 @@ std::string Runner::without_places(std::string text) const {
 // The folder of the last run may resist; then it is left, and the next one has another. The program
 // may have deleted the one around it.
 std::string Runner::prepare_work_folder() {
+  // A link in its place would lead to files of somebody else's, which are not to be deleted.
+  if (!is_folder(scratch_) && (!removed(scratch_) || mkdir(scratch_.c_str(), 0700) != 0)) {
+    return scratch_ + ": " + std::strerror(errno);
+  }
   if (!work_.empty() && emptied(work_)) return "";
   if (work_.empty() || !removed(work_)) {
     work_ = scratch_ + "/work" + (folders_ == 0 ? "" : std::to_string(folders_));
     ++folders_;
   }
   if (mkdir(work_.c_str(), 0700) == 0) return "";
-  if (errno == ENOENT || errno == ENOTDIR) {
-    removed(scratch_);
-    if (mkdir(scratch_.c_str(), 0700) == 0 && mkdir(work_.c_str(), 0700) == 0) return "";
-  }
   return work_ + ": " + std::strerror(errno);
 }
 
@@ -226,7 +229,35 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
     return named(OutcomeKind::kNoMesh, "",
                  "it ended with exit code 0 and wrote no " + subject_.mesh_name);
   }
-  return judged(subject_, input, mesh);
+  return judged_in_time(input, mesh);
+}
+
+// The numbers of a small file are short, and what they say is soon judged: a process apart would take longer.
+Outcome Runner::judged_in_time(const Input& input, const std::string& mesh) const {
+  constexpr std::uintmax_t kSmallFile = 4096;
+  constexpr std::size_t kFewPoints = 64;
+  if (fs::file_size(mesh) <= kSmallFile && point_count(input) <= kFewPoints) {
+    return judged(subject_, input, mesh);
+  }
+  constexpr std::uint64_t kMemory = 4;  // times that of the program
+  const Apart apart =
+      computed_apart([&] { return bytes_of(judged(subject_, input, mesh)); },
+                     subject_.judging_seconds, kMemory * subject_.limits.memory, is_interrupted_);
+  const auto limited = [&](const std::string& what) {
+    return Outcome{OutcomeKind::kJudgingLimit, word(OutcomeKind::kJudgingLimit),
+                   subject_.mesh_name + ": to judge it takes " + what, indented(said())};
+  };
+  switch (apart.end) {
+    case Apart::End::kTimeLimit:
+      return limited(fmt::format("longer than {:g} s (--limit-judging)", subject_.judging_seconds));
+    case Apart::End::kMemoryLimit:
+      return limited("more memory than there is for it (--limit-memory, four times)");
+    case Apart::End::kInterrupted:
+      return {OutcomeKind::kInterrupted, word(OutcomeKind::kInterrupted), "interrupted"};
+    case Apart::End::kDone:
+      break;
+  }
+  return outcome_of_bytes(apart.text);
 }
 
 }  // namespace circumspect::campaign

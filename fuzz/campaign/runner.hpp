@@ -1,6 +1,7 @@
 // Runs one case: writes the input, runs the program, reads and judges the mesh.
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "fuzz/campaign/input.hpp"
@@ -19,6 +20,7 @@ namespace circumspect::campaign {
 class Runner {
  public:
   // `turn`: of the gate that limits how many programs run at a time.
+  // Throws std::system_error.
   explicit Runner(const Subject& subject, Turn turn = {});
   ~Runner();
   Runner(const Runner&) = delete;
@@ -34,10 +36,16 @@ class Runner {
   // The text with names in place of the paths of files in the scratch folder, which differ each time.
   std::string without_places(std::string text) const;
 
-  // From any thread: the run that is under way ends at once.
-  void interrupt() { supervisor_.interrupt(); }
+  // From any thread: the run that is under way ends at once, and so does the judging.
+  void interrupt() {
+    is_interrupted_ = true;
+    supervisor_.interrupt();
+  }
+
+  Containment containment() const { return supervisor_.containment(); }
 
  private:
+  Outcome judged_in_time(const Input& input, const std::string& mesh) const;
   Outcome outcome_of(const Ended& ended, const Input& input) const;
   Outcome run_on(const Input& input, const std::string& text);
   // What is wrong if there is none in the end; else an empty string.
@@ -47,6 +55,7 @@ class Runner {
   std::string scratch_;
   std::string work_;
   std::size_t folders_ = 0;
+  std::atomic<bool> is_interrupted_ = false;
   Supervisor supervisor_;
 };
 

@@ -1,8 +1,12 @@
 #include "fuzz/campaign/runner.hpp"
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include <doctest/doctest.h>
+
+#include "inputs/scratch_folder_test.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -67,12 +71,66 @@ TEST_CASE("a program may delete the folder around its own, or put a link or a pi
   for (int i = 0; i < 2; ++i) CHECK(third.run(kTetrahedron).kind == OutcomeKind::kHolds);
 }
 
+TEST_CASE("a link in the place of the scratch folder leads nobody to what it shows") {
+  const formats::ScratchFolder mine;
+  std::filesystem::create_directories(mine.path("work"));
+  mine.write("work/precious", "precious");
+  const Subject linking = shell(
+      "scratch=$(dirname \"$(dirname \"$0\")\"); cd /; rm -rf $scratch; "
+      "ln -s " +
+      mine.path("") + " $scratch");
+  {
+    Runner runner(linking);
+    for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).signature == "no-mesh");
+  }
+  CHECK(std::filesystem::exists(mine.path("work/precious")));
+}
+
+TEST_CASE("judging has a limit, an outcome of its own, and can be interrupted") {
+  // A million equal simplices: more than can be judged in the time.
+  Subject subject = shell("echo '1000000 4 0' > $1; seq 0 999999 | sed 's/$/ 0 1 2 3/' >> $1");
+  subject.judging_seconds = 0.05;
+  const Outcome outcome = Runner(subject).run(kTetrahedron);
+  CHECK(outcome.kind == OutcomeKind::kJudgingLimit);
+  CHECK(outcome.signature == "judging-limit");
+  CHECK(outcome.text == "x.ele: to judge it takes longer than 0.05 s (--limit-judging)");
+  subject.judging_seconds = 100;
+  Runner runner(subject);
+  std::thread other([&] {
+    while (runner.mesh_file().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    runner.interrupt();
+  });
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(runner.run(kTetrahedron).kind == OutcomeKind::kInterrupted);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  other.join();
+}
+
+TEST_CASE("what is judged apart is judged alike") {
+  const auto outcome_of = [](const std::string& before) {
+    const Subject subject = shell(before + "echo '1 4 0\n0 0 1 2 2' >> $1");
+    return Runner(subject).run(kTetrahedron);
+  };
+  // Longer than what is judged at once, for its comment.
+  const Outcome apart = outcome_of("printf '#%5000s\\n' x > $1; ");
+  const Outcome at_once = outcome_of("");
+  CHECK(apart.kind == OutcomeKind::kFails);
+  CHECK(apart.signature == at_once.signature);
+  CHECK(apart.text == at_once.text);
+  CHECK(apart.explanation == at_once.explanation);
+  CHECK(!apart.verdict["violations"].empty());
+  CHECK(apart.verdict == at_once.verdict);
+}
+
 TEST_CASE(
     "a program that kills the process that started it is told apart, and no other is blamed") {
-  const Subject killing = shell("[ -e ../killed ] && exit 3; touch ../killed; kill -9 $PPID");
+  Subject killing = shell("[ -e ../killed ] && exit 3; touch ../killed; kill -9 $PPID");
+  killing.containment = Containment::kSupervisor;
   Runner runner(killing);
   CHECK(runner.run(kTetrahedron).signature == "exit-code-3");
-  const Subject always = shell("kill -9 $PPID; sleep 100");
+  Subject always = shell("kill -9 $PPID; sleep 100");
+  always.containment = Containment::kSupervisor;
   CHECK(Runner(always).run(kTetrahedron).signature == "kills-parent");
 }
 

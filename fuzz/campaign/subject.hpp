@@ -1,6 +1,7 @@
 // The program under test: how it is called, what it reads and writes, what is claimed of it.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct Subject {
   std::set<int> refusal_codes = {};             // exit codes that say: not an input for me
   std::vector<std::string> refusal_texts = {};  // what it prints when it says so
   Limits limits = {};
+  std::optional<Containment> containment = {};  // without it, the strongest that there is
+  double judging_seconds = 100;                 // how long it may take to judge one mesh
 
   bool is_about_domains() const { return is_about_a_domain(claim); }
 };

@@ -23,7 +23,8 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
-// Adds the children that the kernel lists for each thread of a process.
+}  // namespace
+
 void add_children(pid_t process, std::vector<pid_t>& found) {
   const std::string tasks = "/proc/" + std::to_string(process) + "/task";
   DIR* const folder = opendir(tasks.c_str());
@@ -38,8 +39,6 @@ void add_children(pid_t process, std::vector<pid_t>& found) {
   }
   closedir(folder);
 }
-
-}  // namespace
 
 std::vector<pid_t> descendants(std::size_t enough) {
   std::vector<pid_t> found;

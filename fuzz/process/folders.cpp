@@ -110,6 +110,8 @@ std::uint64_t bytes_in(const std::string& folder, std::uint64_t enough) {
   return bytes;
 }
 
+bool is_folder(const std::string& path) { return is_folder(AT_FDCWD, path.c_str()); }
+
 bool emptied(const std::string& folder) {
   struct stat status {};
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) return false;

@@ -13,6 +13,9 @@ constexpr std::uint64_t kEntryBytes = 1024;
 constexpr int kDeepest = 64;
 std::uint64_t bytes_in(const std::string& folder, std::uint64_t enough);
 
+// Is it a folder, and not a link to one?
+bool is_folder(const std::string& path);
+
 // Deletes all that is in a folder and lets its owner do everything there; false if it is no folder, or
 // something stays. Links are deleted and not followed.
 bool emptied(const std::string& folder);

@@ -119,7 +119,7 @@ TEST_CASE(
     "the place of a supervisor that was killed, or of a program that is none, is free again") {
   const ScratchFolder folder;
   Gate gate(1);
-  Supervisor first("", gate.turn());
+  Supervisor first("", gate.turn(), Containment::kSupervisor);
   Supervisor second("", gate.turn());
   const Ended killed = first.run(script(folder, "kill -9 $PPID; sleep 100"), {});
   CHECK(killed.ending == Ending::kSupervisorKilled);

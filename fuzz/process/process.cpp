@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <type_traits>
@@ -14,6 +15,7 @@
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -128,16 +130,23 @@ Request request_of(Message& message) {
 }
 
 // The life of the process that runs the programs.
-[[noreturn]] void supervise(int socket, const std::string& folder, Turn turn) {
+[[noreturn]] void supervise(int socket, const std::string& folder, Turn turn,
+                            Containment containment) {
   while (std::optional<Message> message = Message::receive(socket)) {
     const auto limits = message->take<Limits>();
     std::string answer;
-    put(answer, run_supervised(request_of(*message), limits, {socket, turn}));
+    put(answer, run_supervised(request_of(*message), limits, {socket, turn, containment}));
     if (!send_message(socket, answer)) break;
   }
   if (!folder.empty()) removed(folder);
   _exit(0);
 }
+
+// What the guardian says of the process that it has started: it knows its number outside of its namespace.
+struct Hello {
+  Containment containment = Containment::kSupervisor;
+  pid_t supervisor = -1;
+};
 
 // Waits for a child until it ends, and lets it go on whenever it is stopped. Its exit status.
 int status_of(pid_t child) {
@@ -152,7 +161,8 @@ int status_of(pid_t child) {
 
 // The life of the guardian. Its own file is the only one of its parent's that it keeps, and its child
 // after it.
-[[noreturn]] void guard(int socket, const std::string& folder, Turn turn, pid_t parent) {
+[[noreturn]] void guard(int socket, const std::string& folder, Turn turn, pid_t parent,
+                        std::optional<Containment> wanted) {
   const int null = open("/dev/null", O_RDWR);
   for (int file = 0; file < 3; ++file) dup2(null, file);
   const int own = 3;
@@ -163,23 +173,61 @@ int status_of(pid_t child) {
   setsid();
   for (const int ignored : kIgnored) signal(ignored, SIG_IGN);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  const pid_t child = fork();
-  if (child == 0) {
-    prctl(PR_SET_CHILD_SUBREAPER, 1);  // It is not inherited.
-    supervise(own, folder, turn);
+  Hello hello{Containment::kNamespaces, -1};
+  if (wanted != Containment::kSupervisor) hello.supervisor = fork_into_namespaces();
+  if (hello.supervisor < 0 && wanted != Containment::kNamespaces) {
+    hello = {Containment::kSupervisor, fork()};
   }
+  // Nobody of this user may trace it, or the child, which does the same.
+  prctl(PR_SET_DUMPABLE, 0);
+  if (hello.supervisor == 0) {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // It is not inherited.
+    supervise(own, folder, turn, hello.containment);
+  }
+  std::string said;
+  put(said, hello);
+  send_message(own, said);
   close(own);
-  const bool was_killed = child < 0 || WIFSIGNALED(status_of(child));
-  kill_descendants();
+  const bool was_killed = hello.supervisor < 0 || WIFSIGNALED(status_of(hello.supervisor));
+  if (hello.containment == Containment::kSupervisor) kill_descendants(Containment::kSupervisor);
   // Else the parent has another one for the same folder.
   if (was_killed && getppid() != parent && !folder.empty()) removed(folder);
   _exit(0);
 }
 
+// All guardians and supervisors of this process. Locked while one is started, and while those processes are
+// killed that are none: what became children of this one when the guardian above them was killed.
+struct Ours {
+  std::mutex mutex;
+  std::set<pid_t> processes;
+};
+Ours& ours() {
+  static Ours all;
+  return all;
+}
+
+// Programs, unlike other children of this process, descend from a guardian, which began a session.
+std::vector<pid_t> adopted_programs() {
+  std::vector<pid_t> found;
+  const pid_t own_session = getsid(0);
+  add_children(getpid(), found);
+  std::erase_if(found, [own_session](pid_t child) {
+    return ours().processes.count(child) != 0 || getsid(child) == own_session;
+  });
+  return found;
+}
+
+constexpr int kTick = 100;      // milliseconds between two looks after a supervisor
+constexpr int kMostStops = 20;  // looks that find one stopped before it is given up
+
 }  // namespace
 
-Supervisor::Supervisor(const std::string& folder, Turn turn) : folder_(folder), turn_(turn) {
+Supervisor::Supervisor(const std::string& folder, Turn turn, std::optional<Containment> wanted)
+    : folder_(folder), turn_(turn), wanted_(wanted) {
   start();
+  if (supervisor_.number() > 0) return;
+  end();
+  throw std::system_error(EPERM, std::generic_category(), "a process namespace");
 }
 
 Supervisor::~Supervisor() {
@@ -193,14 +241,54 @@ void Supervisor::start() {
     throw std::system_error(errno, std::generic_category(), "socketpair");
   }
   const pid_t parent = getpid();
-  guardian_ = fork();
-  if (guardian_ == 0) guard(ends[1], folder_, turn_, parent);
+  const std::lock_guard one_at_a_time(ours().mutex);
+  const pid_t guardian = fork();
+  if (guardian == 0) guard(ends[1], folder_, turn_, parent, wanted_);
   const int error = errno;
   close(ends[1]);
+  {
+    const std::lock_guard lock(mutex_);
+    socket_ = ends[0];
+  }
+  if (guardian < 0) throw std::system_error(error, std::generic_category(), "fork");
+  guardian_ = Known(guardian);
+  ours().processes.insert(guardian);
+  std::optional<Message> said = Message::receive(socket_);
+  const Hello hello = said ? said->take<Hello>() : Hello{};
+  containment_ = hello.containment;
+  if (hello.supervisor > 0) {
+    supervisor_ = Known(hello.supervisor);
+    ours().processes.insert(hello.supervisor);
+  }
+  // What a program leaves that kills both of them comes to this process, which then kills it.
+  if (containment_ == Containment::kSupervisor) prctl(PR_SET_CHILD_SUBREAPER, 1);
   const std::lock_guard lock(mutex_);
-  socket_ = ends[0];
   if (is_interrupted_) shutdown(socket_, SHUT_RDWR);
-  if (guardian_ < 0) throw std::system_error(error, std::generic_category(), "fork");
+}
+
+bool Supervisor::look_after() {
+  bool is_stopped = false;
+  bool is_traced = false;
+  for (const Known* const process : {&guardian_, &supervisor_}) {
+    const char state = process->state();
+    is_stopped = is_stopped || state == 'T';
+    is_traced = is_traced || state == 't';
+    if (state == 'T') process->send(SIGCONT);
+  }
+  if (is_stopped) ++stops_;
+  if (!is_traced && stops_ <= kMostStops) return true;
+  guardian_.send(SIGKILL);
+  supervisor_.send(SIGKILL);
+  return false;
+}
+
+bool Supervisor::wait_for_answer() {
+  pollfd waited = {socket_, POLLIN, 0};
+  while (true) {
+    const int ready = poll(&waited, 1, kTick);
+    if (ready > 0) return true;
+    if (ready == 0 && !look_after()) return false;
+  }
 }
 
 void Supervisor::end() {
@@ -209,14 +297,25 @@ void Supervisor::end() {
     if (socket_ >= 0) close(socket_);
     socket_ = -1;
   }
-  while (guardian_ > 0 && waitpid(guardian_, nullptr, 0) < 0 && errno == EINTR) {
+  for (Known* const process : {&guardian_, &supervisor_}) {
+    while (!process->has_ended_within(kTick)) look_after();
+    // The supervisor is a child of this process if somebody has killed the guardian.
+    while (process->number() > 0 && waitpid(process->number(), nullptr, 0) < 0 && errno == EINTR) {
+    }
+    const std::lock_guard one_at_a_time(ours().mutex);
+    ours().processes.erase(process->number());
+    *process = Known();
   }
-  guardian_ = -1;
+  if (containment_ == Containment::kSupervisor) {
+    const std::lock_guard one_at_a_time(ours().mutex);
+    kill_children(adopted_programs);
+  }
   turn_.give_back();  // The supervisor may have been killed before it did.
 }
 
 Ended Supervisor::run(const Request& request, const Limits& limits) {
-  if (socket_ >= 0 && send_message(socket_, message_of(request, limits))) {
+  stops_ = 0;
+  if (socket_ >= 0 && send_message(socket_, message_of(request, limits)) && wait_for_answer()) {
     std::optional<Message> answer = Message::receive(socket_);
     if (answer) return answer->take<Ended>();
   }

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fuzz/process/containment.hpp"
 #include "fuzz/process/gate.hpp"
 
 namespace circumspect::campaign {
@@ -44,21 +46,26 @@ struct Ended {
   double seconds = 0;
 };
 
-// A process apart that runs programs one after the other. All that a program starts are descendants
-// of this process, even if they leave their process group, their session and their parent (it is a
-// "child subreaper"), so that it can kill them all when the program ends; it does the same when this
-// process dies, even by SIGKILL. It has one thread, little memory and no terminal, so that to start a
-// program from it is cheap. Its own parent, the guardian, does nothing but wait for it: if a program
-// kills the process that started it, the guardian kills the rest; if the program stops it, the
-// guardian lets it go on. Threads may have one each.
+// A process apart that runs programs one after the other. Where the system allows it, it is the first process of
+// a process namespace (containment.hpp), and what it starts lives and ends there. Elsewhere all that a program
+// starts are descendants of this process, even if they leave their process group, their session and their
+// parent (it is a "child subreaper"), so that it can kill them all when the program ends. Either does the same
+// when this process dies, even by SIGKILL. It has one thread, little memory and no terminal, so that to start a
+// program from it is cheap. Its own parent, the guardian, does nothing but wait for it: if a program kills the
+// process that started it, the guardian kills the rest. This process looks after both while it waits for them:
+// it lets them go on when they were stopped, and kills them and all that they started if that is no help or if
+// somebody traces them. Threads may have one each.
 //
-// What is not prevented: a program that kills processes of its user at random, that writes outside
-// of its folder, or that holds files open that it has deleted (each of which is limited, not their sum).
+// What is not prevented: a program that writes outside of its folder, or that holds files open that it has
+// deleted (each of which is limited, not their sum); without namespaces also one that kills processes of its
+// user at random.
 class Supervisor {
  public:
   // Forks. `folder`, if any, is removed with all that is in it at the end of the supervisor, even if
-  // this process dies before it. `turn`: what it waits for before each program. Throws std::system_error.
-  explicit Supervisor(const std::string& folder = "", Turn turn = {});
+  // this process dies before it. `turn`: what it waits for before each program. `wanted`: without it the
+  // strongest containment that the system allows. Throws std::system_error, also if what is wanted is not allowed.
+  explicit Supervisor(const std::string& folder = "", Turn turn = {},
+                      std::optional<Containment> wanted = {});
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
@@ -69,16 +76,26 @@ class Supervisor {
   // From any thread: the program that runs is killed, and `run` returns; so do all later ones.
   void interrupt();
 
-  // The process that runs the programs has this parent.
-  int guardian() const { return guardian_; }
+  Containment containment() const { return containment_; }
+
+  // The process that runs the programs, and its parent.
+  int supervisor() const { return supervisor_.number(); }
+  int guardian() const { return guardian_.number(); }
 
  private:
   void start();
   void end();
+  // Lets both processes go on if they were stopped. False if they have to be given up, and are killed.
+  bool look_after();
+  bool wait_for_answer();
 
   std::string folder_;
   Turn turn_;
-  int guardian_ = -1;
+  std::optional<Containment> wanted_;
+  Containment containment_ = Containment::kSupervisor;
+  Known guardian_;
+  Known supervisor_;
+  int stops_ = 0;     // how often they were found stopped since the last answer
   std::mutex mutex_;  // for what interrupt needs
   int socket_ = -1;
   bool is_interrupted_ = false;

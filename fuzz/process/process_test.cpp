@@ -9,7 +9,9 @@
 
 #include <doctest/doctest.h>
 #include <signal.h>
+#include <unistd.h>
 
+#include "fuzz/process/apart.hpp"
 #include "inputs/scratch_folder_test.hpp"
 
 namespace circumspect::campaign {
@@ -17,13 +19,22 @@ namespace {
 
 using formats::ScratchFolder;
 
+// Both ways in which programs are kept together, as far as this system has them.
+std::vector<Containment> ways() {
+  std::vector<Containment> ways = {Containment::kSupervisor};
+  const Supervisor any;
+  if (any.containment() == Containment::kNamespaces) ways.push_back(any.containment());
+  return ways;
+}
+
 struct Trial {
   ScratchFolder folder;
   Limits limits;
   Supervisor supervisor;
   Ended ended;
 
-  Trial() {
+  explicit Trial(Containment containment = Containment::kSupervisor)
+      : supervisor("", {}, containment) {
     limits.seconds = 5;
     limits.output = 1 << 20;
     std::filesystem::create_directory(folder.path("work"));
@@ -42,11 +53,15 @@ struct Trial {
     text << std::ifstream(folder.path(name)).rdbuf();
     return text.str();
   }
-  // Is the process whose number a script has written still there?
-  bool runs(const std::string& name) const {
-    const std::string number = text("work/" + name);
-    REQUIRE(!number.empty());
-    return kill(static_cast<pid_t>(std::stol(number)), 0) == 0;
+  // How many processes are in the folder of the program: what a script starts stays there.
+  std::size_t left_behind() const {
+    std::size_t count = 0;
+    std::error_code gone;
+    for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+      const auto place = std::filesystem::read_symlink(process.path() / "cwd", gone);
+      if (!gone && place.string().rfind(folder.path("work"), 0) == 0) ++count;
+    }
+    return count;
   }
 };
 
@@ -76,23 +91,25 @@ TEST_CASE("what cannot be started is told apart from what fails") {
 TEST_CASE("a program that never ends is killed, with its children") {
   Trial trial;
   trial.limits.seconds = 0.2;
-  CHECK(trial.run("sleep 1000 & echo $! > child; sleep 1000").ending == Ending::kTimeLimit);
+  CHECK(trial.run("sleep 1000 & sleep 1000").ending == Ending::kTimeLimit);
   CHECK(trial.ended.seconds >= 0.2);
   CHECK(trial.ended.seconds < 2);
-  CHECK(!trial.runs("child"));
+  CHECK(trial.left_behind() == 0);
   CHECK(trial.run("trap '' TERM INT; while :; do :; done").ending == Ending::kTimeLimit);
 }
 
 TEST_CASE("what a program leaves running is killed, even in a session of its own") {
-  Trial trial;
-  CHECK(trial.run("sleep 1000 & echo $! > a").ending == Ending::kExited);
-  CHECK(!trial.runs("a"));
-  CHECK(trial
-            .run("setsid sh -c 'echo $$ > b; exec sleep 1000' & "
-                 "while [ ! -s b ]; do :; done")
-            .ending == Ending::kExited);
-  CHECK(trial.ended.code == 0);
-  CHECK(!trial.runs("b"));
+  for (const Containment containment : ways()) {
+    CAPTURE(name(containment));
+    Trial trial(containment);
+    CHECK(trial.run("sleep 1000 & exit 4").ending == Ending::kExited);
+    CHECK(trial.ended.code == 4);
+    CHECK(trial.left_behind() == 0);
+    CHECK(trial.run("setsid sh -c 'touch b; exec sleep 1000' & while [ ! -e b ]; do :; done")
+              .ending == Ending::kExited);
+    CHECK(trial.ended.code == 0);
+    CHECK(trial.left_behind() == 0);
+  }
 }
 
 TEST_CASE("endless output ends: on stdout, in a file, in many files") {
@@ -106,11 +123,14 @@ TEST_CASE("endless output ends: on stdout, in a file, in many files") {
 }
 
 TEST_CASE("too many processes are killed, all of them") {
-  Trial trial;
-  trial.limits.processes = 20;
-  CHECK(trial.run("i=0; while [ $i -lt 40 ]; do i=$((i+1)); sleep 1000 & done; wait").ending ==
-        Ending::kProcessLimit);
-  CHECK(trial.run("true").ending == Ending::kExited);
+  for (const Containment containment : ways()) {
+    Trial trial(containment);
+    trial.limits.processes = 20;
+    CHECK(trial.run("i=0; while [ $i -lt 40 ]; do i=$((i+1)); sleep 1000 & done; wait").ending ==
+          Ending::kProcessLimit);
+    CHECK(trial.left_behind() == 0);
+    CHECK(trial.run("true").ending == Ending::kExited);
+  }
 }
 
 TEST_CASE("folders within folders without end, and empty files without end, are too much") {
@@ -127,18 +147,72 @@ TEST_CASE("what was written in less time than between two looks counts too") {
         Ending::kOutputLimit);
 }
 
-TEST_CASE("a program that kills or stops the process that started it harms only itself") {
+using Clock = std::chrono::steady_clock;
+
+TEST_CASE("a program that kills the processes above it harms only itself") {
   Trial trial;
-  const auto start = std::chrono::steady_clock::now();
-  CHECK(trial.run("setsid sleep 1000 & echo $! > a; kill -9 $PPID; sleep 1000").ending ==
+  const auto start = Clock::now();
+  CHECK(trial.run("setsid sleep 1000 & kill -9 $PPID; sleep 1000").ending ==
         Ending::kSupervisorKilled);
-  CHECK(!trial.runs("a"));
-  CHECK(trial.run("kill -STOP $PPID; sleep 0.1; exit 3").ending == Ending::kExited);
-  CHECK(trial.ended.code == 3);
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(4));
+  CHECK(trial.left_behind() == 0);
+  CHECK(trial.run("exit 3").code == 3);
+  // Both of them, and whom nobody is left to kill comes to this process.
+  CHECK(trial
+            .run("for i in 1 2 3; do setsid sleep 1000 & done; "
+                 "kill -9 $(ps -o ppid= $PPID) $PPID; sleep 1000")
+            .ending == Ending::kSupervisorKilled);
+  CHECK(trial.left_behind() == 0);
+  CHECK(trial.run("exit 4").code == 4);
   // Somebody kills the guardian: programs run all the same.
   kill(trial.supervisor.guardian(), SIGKILL);
-  CHECK(trial.run("exit 4").code == 4);
+  CHECK(trial.run("exit 5").code == 5);
+  CHECK(Clock::now() - start < std::chrono::seconds(5));
+}
+
+TEST_CASE("a program that stops the processes above it, once or all the time, holds nothing up") {
+  const auto start = Clock::now();
+  {
+    Trial trial;
+    CHECK(trial.run("kill -STOP $PPID; sleep 0.1; exit 3").code == 3);
+    CHECK(trial.run("kill -STOP $(ps -o ppid= $PPID); exit 4").code == 4);
+    CHECK(trial.run("kill -STOP $(ps -o ppid= $PPID) $PPID; sleep 0.1; exit 5").code == 5);
+    CHECK(trial.run("guardian=$(ps -o ppid= $PPID); while :; do kill -STOP $guardian $PPID; done")
+              .ending == Ending::kSupervisorKilled);
+    CHECK(trial.left_behind() == 0);
+    // The destructor does not wait for one that is stopped, either.
+    kill(trial.supervisor.supervisor(), SIGSTOP);
+    kill(trial.supervisor.guardian(), SIGSTOP);
+  }
+  CHECK(Clock::now() - start < std::chrono::seconds(10));
+}
+
+TEST_CASE("in a process namespace a program sees nobody whom it could stop, kill or trace") {
+  if (ways().size() < 2) return;
+  Trial trial(Containment::kNamespaces);
+  CHECK(trial.run("kill -9 $PPID; kill -STOP $PPID; [ $PPID = 1 ] && exit 3").code == 3);
+  CHECK(trial.run("[ $(ls /proc | grep -c '^[0-9]') -lt 9 ]").code == 0);
+  // All others that it sees, but for the first.
+  CHECK(trial.run("sleep 1000 & kill -9 -1; wait; exit 4").code == 4);
+  CHECK(trial.run("exit 5").code == 5);
+}
+
+// Each process of it has a session of its own.
+constexpr const char* kForkBomb =
+    "exec python3 -c 'import os\n"
+    "while True:\n"
+    "  try:\n"
+    "    if os.fork() == 0: os.setsid()\n"
+    "  except OSError: pass'";
+
+TEST_CASE("a fork bomb in a process namespace ends with one kill") {
+  if (ways().size() < 2) return;
+  Trial trial(Containment::kNamespaces);
+  trial.limits.processes = 40;
+  const auto start = Clock::now();
+  CHECK(trial.run(kForkBomb).ending == Ending::kProcessLimit);
+  CHECK(trial.left_behind() == 0);
+  CHECK(Clock::now() - start < std::chrono::seconds(20));
+  CHECK(trial.run("true").code == 0);
 }
 
 TEST_CASE("a program has no terminal, and signals mean to it what they mean to others") {
@@ -175,16 +249,41 @@ TEST_CASE("memory has a limit") {
 }
 
 TEST_CASE("an interrupt ends the run at once") {
-  Trial trial;
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    trial.supervisor.interrupt();
-  });
-  const auto start = std::chrono::steady_clock::now();
-  CHECK(trial.run("exec sleep 1000").ending == Ending::kInterrupted);
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
-  CHECK(trial.run("true").ending == Ending::kInterrupted);
-  other.join();
+  for (const Containment containment : ways()) {
+    Trial trial(containment);
+    std::thread other([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      trial.supervisor.interrupt();
+    });
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(trial.run("exec sleep 1000").ending == Ending::kInterrupted);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
+    CHECK(trial.run("true").ending == Ending::kInterrupted);
+    other.join();
+  }
+}
+
+TEST_CASE("what is computed apart has an end: by the clock, by its memory, by an interrupt") {
+  std::atomic<bool> stop = false;
+  const auto text = [&](double seconds, const std::function<std::string()>& compute) {
+    return computed_apart(compute, seconds, std::uint64_t{1} << 40, stop);
+  };
+  const Apart done = text(60, [] { return std::string(100'000, 'x'); });
+  CHECK(done.end == Apart::End::kDone);
+  CHECK(done.text == std::string(100'000, 'x'));
+  const auto for_ever = []() -> std::string {
+    while (true) pause();
+  };
+  CHECK(text(0.1, for_ever).end == Apart::End::kTimeLimit);
+  CHECK(text(60, []() -> std::string { throw std::bad_alloc(); }).end == Apart::End::kMemoryLimit);
+  CHECK_THROWS_AS(text(60,
+                       []() -> std::string {
+                         raise(SIGSEGV);
+                         return "";
+                       }),
+                  std::runtime_error);
+  stop = true;
+  CHECK(text(60, for_ever).end == Apart::End::kInterrupted);
 }
 
 TEST_CASE("programs are found as a shell finds them") {

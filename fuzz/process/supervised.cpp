@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include <fcntl.h>
@@ -37,6 +38,7 @@ struct Start {
   rlimit memory;
   rlimit file_size;
   rlimit cpu;
+  rlimit tasks;
   bool limits_memory;
   Surroundings around;
   int failure;  // errno, written by the child
@@ -53,6 +55,8 @@ void become_program(Start* start) {
   bool done = setrlimit(RLIMIT_CORE, &no_core) == 0 && setrlimit(RLIMIT_CPU, &start->cpu) == 0 &&
               setrlimit(RLIMIT_FSIZE, &start->file_size) == 0 && chdir(start->folder) == 0;
   if (start->limits_memory) done = done && setrlimit(RLIMIT_AS, &start->memory) == 0;
+  // It may have been set lower than this already: then it stays.
+  if (start->tasks.rlim_cur != RLIM_INFINITY) setrlimit(RLIMIT_NPROC, &start->tasks);
   for (int i = 0; i < 3; ++i) done = done && dup2(start->files[i], i) == i;
   // All is ready, so that it only becomes the program when its turn comes.
   if (done && !start->around.turn.take(start->around.lifeline)) {
@@ -105,6 +109,15 @@ struct OpenFiles {
   bool all_open() const { return std::min({files[0], files[1], files[2]}) >= 0; }
 };
 
+// The kernel is told once how many, since all runs of a supervisor have the same limits.
+rlim_t tasks_for(const Limits& limits, Containment containment) {
+  static rlim_t told = RLIM_INFINITY;
+  const rlim_t tasks = most_tasks(containment, limits.processes);
+  if (containment == Containment::kNamespaces && tasks != told) let_kernel_refuse_more_tasks(tasks);
+  told = tasks;
+  return tasks;
+}
+
 // Starts the program when its turn comes. Returns its process, or −errno; ECANCELED: nobody waits for it
 // any more.
 pid_t start_program(const Request& request, const Limits& limits, const Surroundings& around) {
@@ -125,6 +138,7 @@ pid_t start_program(const Request& request, const Limits& limits, const Surround
                  both(limits.memory),
                  both(limits.output),
                  {cpu, cpu + 1},
+                 both(tasks_for(limits, around.containment)),
                  limits.memory != 0,
                  around,
                  0};
@@ -203,22 +217,39 @@ Ended described(Ending ending, int status, const Request& request, const Limits&
 
 }  // namespace
 
-// Those that left the program's process group are children of this process by now, or descend from
-// one. A group is killed at once, so that none of it can start another meanwhile.
-void kill_descendants() {
-  const pid_t own_group = getpgrp();
-  for (int looks = 0;; ++looks) {
-    pid_t ended = 0;
-    while ((ended = waitpid(-1, nullptr, WNOHANG)) > 0) {
+// All are stopped before any is killed: of those that start others as fast as they are killed, one that is
+// stopped starts none, and keeps its place, which another one would take. A look that meets none that is new
+// ends the stopping.
+void kill_children(const std::function<std::vector<pid_t>()>& children) {
+  std::set<pid_t> stopped;
+  for (bool all_stopped = false;;) {
+    std::vector<pid_t> found = children();
+    if (found.empty()) return;
+    bool is_new = false;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      kill(found[i], all_stopped ? SIGKILL : SIGSTOP);
+      is_new = stopped.insert(found[i]).second || is_new;
+      add_children(found[i], found);
     }
-    if (ended < 0 && errno == ECHILD) return;
-    for (const pid_t process : descendants()) {
-      const pid_t group = getpgid(process);
-      if (group > 1 && group != own_group) kill(-group, SIGKILL);
-      kill(process, SIGKILL);
-    }
-    // Those that start another and end are met only by looking again at once.
-    if (looks >= 50) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    if (all_stopped) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    all_stopped = !is_new;
+    for (const pid_t process : found) waitpid(process, nullptr, WNOHANG);
+  }
+}
+
+void kill_descendants(Containment containment) {
+  if (containment == Containment::kSupervisor) {
+    if (waitpid(-1, nullptr, WNOHANG) < 0 && errno == ECHILD) return;
+    kill_children([] {
+      std::vector<pid_t> children;
+      add_children(getpid(), children);
+      return children;
+    });
+    return;
+  }
+  // In a process namespace −1 means all others, at once: none of them can start another meanwhile.
+  kill(-1, SIGKILL);
+  while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
   }
 }
 
@@ -237,7 +268,7 @@ Ended run_supervised(const Request& request, const Limits& limits, const Surroun
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  kill_descendants();
+  kill_descendants(around.containment);
   around.turn.give_back();
   Ended ended = described(ending, status, request, limits);
   ended.seconds = seconds;

@@ -1,6 +1,7 @@
 // What happens inside the process of a Supervisor.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <signal.h>
@@ -19,6 +20,7 @@ struct Surroundings {
   // killed, or not even started.
   int lifeline;
   Turn turn;  // held while the program, or anything that it started, runs
+  Containment containment;
 };
 
 // Runs one program to its end and kills all that is left of it.
@@ -27,9 +29,14 @@ Ended run_supervised(const Request& request, const Limits& limits, const Surroun
 
 // Processes that descend from this one: all of them, or as many as are enough.
 std::vector<pid_t> descendants(std::size_t enough = static_cast<std::size_t>(-1));
+// Adds the children of one process, of all its threads.
+void add_children(pid_t process, std::vector<pid_t>& found);
 
 // Kills every process that descends from this one, and waits for their ends.
-// Requires: this process is a child subreaper.
-void kill_descendants();
+// Requires: this process is a child subreaper, or the first of a process namespace.
+void kill_descendants(Containment containment);
+
+// Kills these children of this process and all that descends from them, and waits for their ends.
+void kill_children(const std::function<std::vector<pid_t>()>& children);
 
 }  // namespace circumspect::campaign

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace circumspect::formats {
 namespace {
@@ -22,8 +24,9 @@ struct Wanted {
   std::string_view as_wanted;  // what makes it so in Python
 };
 
-constexpr Wanted kPoints = {"points", "(n, d)", "float64 ('<f8')", "points.astype('<f8')"};
-constexpr Wanted kSimplices = {"simplices", "(m, d + 1)", "int32 or int64 ('<i4', '<i8')",
+constexpr Wanted kPoints = {"points", "(n, d)", "float64 or float32 ('<f8', '<f4')",
+                            "points.astype('<f8')"};
+constexpr Wanted kSimplices = {"simplices", "(m, d + 1)", "integers ('<i8', '<i4', '<u4', ...)",
                                "simplices.astype('<i8')"};
 
 tl::unexpected<FormatError> fail(const std::string& name, std::string expected, std::string found) {
@@ -32,20 +35,14 @@ tl::unexpected<FormatError> fail(const std::string& name, std::string expected, 
 
 tl::unexpected<FormatError> wrong_type(const std::string& name, const Wanted& wanted,
                                        const std::string& type) {
-  const std::string order = type.starts_with('>') ? " (big-endian)" : "";
   return fail(name, std::string(wanted.what) + " of type " + std::string(wanted.types),
-              quote(type) + order + "; numpy.save(file, " + std::string(wanted.as_wanted) +
+              quote(type) + "; numpy.save(file, " + std::string(wanted.as_wanted) +
                   ") writes what is read");
 }
 
 // Rows and columns, if all that the header says of them fits together and to the size of the file.
 Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const std::string& name,
                        const Wanted& wanted, std::size_t bytes_each) {
-  if (header.fortran_order) {
-    return fail(name, std::string(wanted.what) + " row after row (C order)",
-                "Fortran order; numpy.save(file, numpy.ascontiguousarray(" +
-                    std::string(wanted.what) + ")) writes what is read");
-  }
   if (header.shape.size() != 2) {
     return fail(name, "an array of shape " + std::string(wanted.shape),
                 "shape " + header.shape_in_words());
@@ -64,28 +61,46 @@ Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const 
   return shape;
 }
 
-// Takes the bytes as numbers in little-endian order. Requires: they are as many as `to` holds.
+// Takes the bytes as numbers, as they lie there. Requires: they are as many as `to` holds.
 template <class Value>
-Status read_values(const RandomAccess& file, std::size_t begin, const std::string& name,
+Status read_values(const RandomAccess& file, const NpyHeader& header, const std::string& name,
                    std::span<Value> to) {
-  if (!file.read(begin, to.size_bytes(), reinterpret_cast<char*>(to.data()))) {
+  if (!file.read(header.end, to.size_bytes(), reinterpret_cast<char*>(to.data()))) {
     return fail(name, std::to_string(to.size_bytes()) + " bytes of data", "fewer");
   }
-  if constexpr (std::endian::native == std::endian::big) {
-    for (Value& value : to) {
-      char* const bytes = reinterpret_cast<char*>(&value);
-      std::reverse(bytes, bytes + sizeof value);
-    }
+  const auto order = header.type.front() == '>' ? std::endian::big : std::endian::little;
+  if (order == std::endian::native || sizeof(Value) == 1) return {};
+  for (Value& value : to) {
+    char* const bytes = reinterpret_cast<char*>(&value);
+    std::reverse(bytes, bytes + sizeof value);
   }
   return {};
 }
 
-template <class Value>
+// Rows of numbers that are read as `Stored` and kept as `Value`, which has room for each of them.
+template <class Value, class Stored = Value>
 Result<Rows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
                               const std::string& name, const Shape& shape) {
   Rows<Value> rows(shape.rows, shape.columns);
-  if (Status read = read_values(file, header.end, name, rows.values()); !read) {
+  if constexpr (std::is_same_v<Value, Stored>) {
+    if (!header.fortran_order) {
+      if (Status read = read_values(file, header, name, rows.values()); !read) {
+        return tl::unexpected(read.error());
+      }
+      return rows;
+    }
+  }
+  std::vector<Stored> stored(rows.values().size());
+  if (Status read = read_values(file, header, name, std::span(stored)); !read) {
     return tl::unexpected(read.error());
+  }
+  // In Fortran order the columns stand one after the other.
+  const std::size_t next_row = header.fortran_order ? 1 : shape.columns;
+  const std::size_t next_column = header.fortran_order ? shape.rows : 1;
+  for (std::size_t i = 0; i < shape.rows; ++i) {
+    for (std::size_t j = 0; j < shape.columns; ++j) {
+      rows.row(i)[j] = static_cast<Value>(stored[i * next_row + j * next_column]);
+    }
   }
   return rows;
 }
@@ -105,17 +120,48 @@ Status check_coordinates(Rows<double>& points, const std::string& name) {
   return {};
 }
 
-template <class Index>
+template <class Index, class Stored = Index>
 Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess& file,
                                     const std::string& name) {
-  const Result<Shape> shape = shape_of(header, file, name, kSimplices, sizeof(Index));
+  const Result<Shape> shape = shape_of(header, file, name, kSimplices, sizeof(Stored));
   if (!shape) return tl::unexpected(shape.error());
   if (shape->columns == 0) {
     return fail(name, "simplices of at least 1 vertex", "shape " + header.shape_in_words());
   }
-  Result<Rows<Index>> rows = read_rows<Index>(header, file, name, *shape);
+  Result<Rows<Index>> rows = read_rows<Index, Stored>(header, file, name, *shape);
   if (!rows) return tl::unexpected(rows.error());
+  if constexpr (std::is_same_v<Stored, std::uint64_t>) {
+    // What had no room became negative.
+    const auto values = rows->values();
+    if (std::any_of(values.begin(), values.end(), [](Index v) { return v < 0; })) {
+      return fail(name, "vertices below 2^63", "a larger one");
+    }
+  }
   return NpySimplices(std::move(*rows));
+}
+
+template <class Stored>
+Result<Rows<double>> read_points(const NpyHeader& header, const RandomAccess& file,
+                                 const std::string& name) {
+  const Result<Shape> shape = shape_of(header, file, name, kPoints, sizeof(Stored));
+  if (!shape) return tl::unexpected(shape.error());
+  if (shape->columns < 1 || shape->columns > kLargestDimension) {
+    return fail(name, "points of dimension 1 to " + std::to_string(kLargestDimension),
+                "shape " + header.shape_in_words());
+  }
+  Result<Rows<double>> points = read_rows<double, Stored>(header, file, name, *shape);
+  if (!points) return points;
+  if (Status finite = check_coordinates(*points, name); !finite) {
+    return tl::unexpected(finite.error());
+  }
+  return points;
+}
+
+// The type without its byte order: "f8".
+std::string_view kind_of(const NpyHeader& header) {
+  const std::string_view type = header.type;
+  const bool has_order = type.size() == 3 && std::string_view("<>|").find(type[0]) != type.npos;
+  return has_order ? type.substr(1) : "";
 }
 
 template <class Index>
@@ -135,26 +181,25 @@ SimplexFile as_lists(const Rows<Index>& rows) {
 Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
-  if (header->type != "<f8") return wrong_type(name, kPoints, header->type);
-  const Result<Shape> shape = shape_of(*header, file, name, kPoints, sizeof(double));
-  if (!shape) return tl::unexpected(shape.error());
-  if (shape->columns < 1 || shape->columns > kLargestDimension) {
-    return fail(name, "points of dimension 1 to " + std::to_string(kLargestDimension),
-                "shape " + header->shape_in_words());
-  }
-  Result<Rows<double>> points = read_rows<double>(*header, file, name, *shape);
-  if (!points) return points;
-  if (Status finite = check_coordinates(*points, name); !finite) {
-    return tl::unexpected(finite.error());
-  }
-  return points;
+  const std::string_view kind = kind_of(*header);
+  // Every float is a double.
+  if (kind == "f8") return read_points<double>(*header, file, name);
+  if (kind == "f4") return read_points<float>(*header, file, name);
+  return wrong_type(name, kPoints, header->type);
 }
 
 Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
-  if (header->type == "<i4") return read_simplices<std::int32_t>(*header, file, name);
-  if (header->type == "<i8") return read_simplices<std::int64_t>(*header, file, name);
+  const std::string_view kind = kind_of(*header);
+  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name);
+  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name);
+  if (kind == "u8") return read_simplices<std::int64_t, std::uint64_t>(*header, file, name);
+  if (kind == "u4") return read_simplices<std::int64_t, std::uint32_t>(*header, file, name);
+  if (kind == "i2") return read_simplices<std::int32_t, std::int16_t>(*header, file, name);
+  if (kind == "u2") return read_simplices<std::int32_t, std::uint16_t>(*header, file, name);
+  if (kind == "i1") return read_simplices<std::int32_t, std::int8_t>(*header, file, name);
+  if (kind == "u1") return read_simplices<std::int32_t, std::uint8_t>(*header, file, name);
   return wrong_type(name, kSimplices, header->type);
 }
 

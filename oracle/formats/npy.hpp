@@ -1,5 +1,6 @@
-// Arrays as NumPy saves them: .npy. Points are an array n × d of float64, simplices one m × k of int32
-// or int64, row after row, in the byte order of the PC. Vertices are counted from 0.
+// Arrays as NumPy saves them: .npy. Points are an array n × d of float64 or float32, simplices one m × k of
+// integers, row after row or column after column (Fortran order), in either byte order. Each number is taken
+// exactly. Vertices are counted from 0.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@
 
 namespace circumspect::formats {
 
-// Either kind of index, as the file has it.
+// Of 32 bits where the file has such or shorter ones, else of 64.
 using NpySimplices = std::variant<Rows<std::int32_t>, Rows<std::int64_t>>;
 
-// Points of dimension 1 to kLargestDimension, finite, 0 for −0. Errors: another type, byte order, order
+// Points of dimension 1 to kLargestDimension, finite, 0 for −0. Errors: another type
 // or shape, each with what to do about it; more or fewer numbers than the shape says; NaN and
 // infinities. `name` stands for the file in errors.
 Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name);

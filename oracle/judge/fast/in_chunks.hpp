@@ -2,7 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
@@ -18,16 +22,33 @@
 #define CIRCUMSPECT_PLAIN_THREADS
 #endif
 #endif
-#ifdef CIRCUMSPECT_PLAIN_THREADS
-#include <atomic>
-#include <thread>
-#include <vector>
-#endif
 
 namespace circumspect::fast {
 
 inline std::size_t chunks_of(std::size_t count, std::size_t size) {
   return (count + size - 1) / size;
+}
+
+// How many threads of these the system gives, this one among them: oneTBB ends the work with an exception if it
+// counts on more. Asked once, by starting them.
+inline int threads_to_be_had(int wanted) {
+  static const int most = [wanted] {
+    std::atomic<bool> is_counted = false;
+    std::vector<std::jthread> team;
+    try {
+      while (static_cast<int>(team.size()) + 1 < wanted) {
+        team.emplace_back([&is_counted] { is_counted.wait(false); });
+      }
+    } catch (const std::system_error&) {
+      // No more.
+    }
+    is_counted = true;
+    is_counted.notify_all();
+    const int count = static_cast<int>(team.size()) + 1;
+    team.clear();
+    return count;
+  }();
+  return most;
 }
 
 // Calls work(chunk, first, last) for each chunk of `size` items, the last one shorter.
@@ -53,7 +74,11 @@ void in_chunks(std::size_t count, std::size_t size, unsigned threads, const Work
   }
 #else
   // More than there are make oneTBB complain.
-  const int most = tbb::info::default_concurrency();
+  const int most = threads_to_be_had(tbb::info::default_concurrency());
+  if (most == 1) {
+    in_chunks(count, size, 1, work);
+    return;
+  }
   tbb::task_arena arena(std::min(static_cast<int>(threads), most));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, one); });
 #endif

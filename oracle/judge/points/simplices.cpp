@@ -72,10 +72,15 @@ bool judge_duplicates(const ExactMesh& mesh, Verdict& verdict) {
 
 void judge_orientations(const ExactMesh& mesh, const std::vector<int>& orientations,
                         Verdict& verdict) {
-  for (std::size_t s = 1; s < orientations.size(); ++s) {
-    if (orientations[s] == orientations[0]) continue;
-    verdict.add(Rule::kOrientation, {.simplices = {mesh.simplices[0], mesh.simplices[s]},
-                                     .values = {{"orientation of the first", orientations[0]},
+  // Most are right, whichever comes first, so that the order of the list changes no count.
+  const auto positive = std::count(orientations.begin(), orientations.end(), 1);
+  const int of_most = 2 * positive >= std::ssize(orientations) ? 1 : -1;
+  const auto example = std::find(orientations.begin(), orientations.end(), of_most);
+  for (std::size_t s = 0; s < orientations.size(); ++s) {
+    if (orientations[s] == of_most) continue;
+    const auto place = static_cast<std::size_t>(example - orientations.begin());
+    verdict.add(Rule::kOrientation, {.simplices = {mesh.simplices[place], mesh.simplices[s]},
+                                     .values = {{"orientation of most", of_most},
                                                 {"orientation of the other", orientations[s]}}});
   }
 }

@@ -85,14 +85,27 @@ TEST_CASE("degenerate: exactly flat, not nearly") {
   CHECK(broken_delaunay(mesh, By::kDefinition).empty());
 }
 
-TEST_CASE("orientation: matters only if asked for; the first simplex gives the example") {
+TEST_CASE("orientation: as many are wrong in any order of the list") {
+  const PointSet points({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 1}, {1, 1}, {2, 1}, {3, 1}});
+  // Three are counterclockwise, one is not.
+  std::vector<Simplex> triangles = {{4, 1, 0}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}};
+  for (std::size_t turn = 0; turn < triangles.size(); ++turn) {
+    std::rotate(triangles.begin(), triangles.begin() + 1, triangles.end());
+    CAPTURE(turn);
+    Verdict verdict(Claim::kTriangulation, 20);
+    judge_simplices({points, triangles}, true, verdict);
+    CHECK(verdict.tallies().at(Rule::kOrientation).count == 1);
+  }
+}
+
+TEST_CASE("orientation: matters only if asked for; most simplices give the example") {
   const ExactMesh mixed{PointSet(kSquare), {{0, 1, 2}, {0, 3, 2}}};
   CHECK(broken_delaunay(mixed, By::kLemma).empty());
   CHECK(broken_delaunay(mixed, By::kDefinition).empty());
   const Witness witness = only_violation(Rule::kOrientation, mixed, true).witness;
   CHECK(witness.simplices == mixed.simplices);
   REQUIRE(witness.values.size() == 2);
-  CHECK(witness.values[0].name == "orientation of the first");
+  CHECK(witness.values[0].name == "orientation of most");
   CHECK(witness.values[0].value == 1);
   CHECK(witness.values[1].name == "orientation of the other");
   CHECK(witness.values[1].value == -1);
