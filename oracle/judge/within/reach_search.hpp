@@ -27,6 +27,7 @@ struct ReachAnswer {
 
 // Requires: simplices and listed faces that are sound each by itself; a domain of the kind enclosed.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                        const Regions& regions, const Rational& squared_limit);
+                        const Regions& regions, const Rational& squared_limit,
+                        unsigned threads = 1);
 
 }  // namespace circumspect::check
