@@ -149,7 +149,7 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
                                               const fast::SimplexFacts* known) {
   Verdict verdict(claim, mesh, options.max_violations);
   verdict.within = Within{.squared_reach = answer.squared_reach};
-  const auto image = image_complex(answer.images, mesh, cells, regions);
+  const auto image = image_complex(answer.images, answer.moved, mesh, cells, regions);
   if (!image) {
     verdict.add(image.error().rule, image.error().witness);
     return verdict;

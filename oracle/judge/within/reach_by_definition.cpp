@@ -377,7 +377,8 @@ ReachAnswer least_reach_by_definition(const ExactMesh& mesh, const std::vector<b
       return {.kind = ReachAnswer::Kind::kFound,
               .squared_reach = squared,
               .images = std::move(*images),
-              .carriers = definition.carriers()};
+              .carriers = definition.carriers(),
+              .moved = std::vector<bool>(mesh.points.size(), true)};
     }
   }
   if (passed_over) {

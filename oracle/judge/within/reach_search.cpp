@@ -141,7 +141,12 @@ class ReachSearch {
   void finish(ImageSet images) {
     answer_ = {.kind = Kind::kFound, .squared_reach = squared_, .images = std::move(images)};
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
-      answer_->carriers.push_back(reaches_.carrier(v, squared_));
+      const Carrier carrier = reaches_.carrier(v, squared_);
+      answer_->carriers.push_back(carrier);
+      const auto& near = reaches_.of(v);
+      const auto own = std::find_if(near.begin(), near.end(),
+                                    [&](const ToCell& to) { return carrier.is(to.cell); });
+      answer_->moved.push_back(own != near.end() && sign(own->squared) > 0);
     }
   }
 

@@ -23,6 +23,7 @@ struct ReachAnswer {
   std::vector<Vertex> vertices = {};  // likewise, of the mesh
   // The vertices of the mesh that are in no simplex and no listed face count for nothing.
   std::vector<Carrier> carriers = {};  // of each point of the mesh, if found
+  std::vector<bool> moved = {};        // is it off the cell that carries it?
 };
 
 // Requires: simplices and listed faces that are sound each by itself; a domain of the kind enclosed.
