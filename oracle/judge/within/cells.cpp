@@ -1,7 +1,7 @@
 #include "oracle/judge/within/cells.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace circumspect::check {
 
@@ -58,12 +58,12 @@ bool Cells::is_in_closure(Cell face, Cell cell) const {
 }
 
 bool Cells::meet(Cell a, Cell b) const {
+  if (a.dimension > b.dimension) std::swap(a, b);
+  if (a.dimension == 0) return is_in_closure(a, b);
   const std::vector<Vertex> of_a = vertices(a);
-  const std::vector<Vertex> of_b = vertices(b);
-  std::vector<Vertex> both;
-  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
-                        std::back_inserter(both));
-  return !both.empty();
+  return std::any_of(of_a.begin(), of_a.end(), [&](Vertex v) {
+    return is_in_closure({0, static_cast<std::size_t>(v)}, b);
+  });
 }
 
 }  // namespace circumspect::check

@@ -1,6 +1,8 @@
 #include "oracle/judge/within/distance.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace circumspect::check {
@@ -46,7 +48,144 @@ std::optional<Rational> between_lines(const Point& a, const Point& b, const Poin
   return squared_distance(a + s * u, c + t * v);
 }
 
+using Direction = std::array<double, 3>;
+
+Direction difference(const Direction& a, const Direction& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double product(const Direction& a, const Direction& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Direction vector_product(const Direction& a, const Direction& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Heights of points over a plane through the origin, n·p with doubles for n. Each sum that is computed differs
+// from the exact one by at most γ₃ Σ|nᵢ pᵢ| for its roundings (γ₃ = 3u / (1 − 3u) < 4·10⁻¹⁶, u = 2⁻⁵³),
+// by Σ|nᵢ| times the error of the point, and by less than 10⁻³⁰⁰ where products vanish.
+struct Heights {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  double size = 0;   // the largest Σ|nᵢ pᵢ|
+  double error = 0;  // of a point
+};
+Heights heights(const Direction& n, std::span<const RoundedPoint> points) {
+  Heights found;
+  for (const RoundedPoint& p : points) {
+    const double height = product(n, p.at);
+    found.low = std::min(found.low, height);
+    found.high = std::max(found.high, height);
+    const double size =
+        std::abs(n[0] * p.at[0]) + std::abs(n[1] * p.at[1]) + std::abs(n[2] * p.at[2]);
+    found.size = std::max(found.size, size);
+    found.error = std::max(found.error, p.error);
+  }
+  return found;
+}
+
+// Is there so much room between the heights of two simplices that they are more than `distance` apart? They are
+// if the room is larger than distance·|n|, and |n| is at most Σ|nᵢ|. The errors are counted more than
+// twice; where a number is infinite or none, the answer is false.
+bool parts(const Direction& n, std::span<const RoundedPoint> a, std::span<const RoundedPoint> b,
+           double distance) {
+  const Heights of_a = heights(n, a), of_b = heights(n, b);
+  const double length = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+  const double room = std::max(of_a.low - of_b.high, of_b.low - of_a.high);
+  const double errors = 3 * length * (of_a.error + of_b.error) + 1e-15 * (of_a.size + of_b.size);
+  return room > 1.001 * (distance * length + errors) + 1e-299;
+}
+
 }  // namespace
+
+RoundedPoint rounded(const Point& point) {
+  RoundedPoint result;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const double x = result.at[i] = point[i].get_d();
+    if (!std::isfinite(x)) {
+      result.at[i] = 0;
+      result.error = std::numeric_limits<double>::infinity();
+    } else if (exact_value(x) != point[i]) {
+      // GMP cuts off what is less than one unit in the last place.
+      result.error = std::max(result.error, 0x1p-51 * std::abs(x) + 0x1p-1000);
+    }
+  }
+  return result;
+}
+
+std::vector<RoundedPoint> rounded(const std::vector<Point>& points) {
+  std::vector<RoundedPoint> result;
+  result.reserve(points.size());
+  for (const Point& point : points) result.push_back(rounded(point));
+  return result;
+}
+
+double upper_square_root(const Rational& squared) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return std::nextafter(std::sqrt(upper_double(squared)), kInfinity);
+}
+
+// Sums and differences of two coordinates change by at most √2 times as much, and their errors add up.
+Box box_about(std::span<const RoundedPoint> points, double distance) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box;
+  box.low.fill(kInfinity);
+  box.high.fill(-kInfinity);
+  for (const RoundedPoint& point : points) {
+    const auto& [x, y, z] = point.at;
+    const std::array<double, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      // A sum of two doubles is off by at most half a unit in the last place: one step outward makes up for it.
+      const double low = i < 3 ? values[i] : std::nextafter(values[i], -kInfinity);
+      const double high = i < 3 ? values[i] : std::nextafter(values[i], kInfinity);
+      const double step = (i < 3 ? 1 : 2) * (distance + point.error);
+      box.low[i] =
+          std::min(box.low[i], step == 0 ? low : std::nextafter(low - 1.001 * step, -kInfinity));
+      box.high[i] =
+          std::max(box.high[i], step == 0 ? high : std::nextafter(high + 1.001 * step, kInfinity));
+    }
+  }
+  return box;
+}
+
+// Planes at right angles to these directions are tried: the differences of corners, the edges, what is at right
+// angles to an edge and leads to the other simplex, and the normals of pairs of edges and of the planes
+// through these and an edge. Whatever the direction, `parts` decides.
+bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoint> b,
+                     double distance) {
+  const auto apart = [&](const Direction& n) { return parts(n, a, b, distance); };
+  for (const RoundedPoint& p : a) {
+    for (const RoundedPoint& q : b) {
+      if (apart(difference(p.at, q.at))) return true;
+    }
+  }
+  std::array<Direction, 6> edges;
+  std::size_t count = 0;
+  for (const auto& [own, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      for (std::size_t j = i + 1; j < own.size(); ++j) {
+        const Direction edge = difference(own[j].at, own[i].at);
+        edges[count++] = edge;
+        if (apart(edge)) return true;
+        for (const RoundedPoint& q : other) {
+          Direction across = difference(q.at, own[i].at);
+          const double along = product(across, edge) / product(edge, edge);
+          for (std::size_t k = 0; k < 3; ++k) across[k] -= along * edge[k];
+          if (apart(across)) return true;
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const Direction normal = vector_product(edges[i], edges[j]);
+      if (apart(normal) || apart(vector_product(normal, edges[i])) ||
+          apart(vector_product(normal, edges[j]))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 
 Rational squared_distance_to(const std::vector<Point>& simplex, const Point& point) {
   if (simplex.size() == 1) return squared_distance(simplex[0], point);

@@ -1,8 +1,11 @@
-// Exact squared distances between points, segments and triangles.
+// Exact squared distances between points, segments and triangles, and a filter that saves most of them.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
+#include "reference/kernel/exact/box_index.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {
@@ -14,5 +17,23 @@ Rational squared_distance_to(const std::vector<Point>& simplex, const Point& poi
 // Of two simplices of one to three corners each. Requires: as above, and that they have no point in
 // common; in the plane they are points or segments.
 Rational squared_distance_between(const std::vector<Point>& a, const std::vector<Point>& b);
+
+// A point in doubles: no coordinate is off by more than `error`. In the plane the third is 0.
+struct RoundedPoint {
+  std::array<double, 3> at = {0, 0, 0};
+  double error = 0;
+};
+RoundedPoint rounded(const Point& point);
+std::vector<RoundedPoint> rounded(const std::vector<Point>& points);
+
+// At least the square root.
+double upper_square_root(const Rational& squared);
+
+// A box that holds whatever is at most so far from one of the points, and from what is between them.
+Box box_about(std::span<const RoundedPoint> points, double distance);
+
+// True only if two simplices of one to three corners each are more than `distance` apart; false says nothing.
+bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoint> b,
+                     double distance);
 
 }  // namespace circumspect::check

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "oracle/judge/within/distance.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -51,9 +52,10 @@ bool is_flat_patch(const PointSet& points, const Patch& patch) {
 
 class Building {
  public:
-  Building(const ImageSet& images, const ExactMesh& mesh, const Cells& cells,
-           const Regions& regions)
+  Building(const ImageSet& images, const std::vector<bool>& moved, const ExactMesh& mesh,
+           const Cells& cells, const Regions& regions)
       : images_(images),
+        moved_(moved),
         mesh_(mesh),
         cells_(cells),
         given_(cells.complex()),
@@ -76,11 +78,6 @@ class Building {
     for (Vertex& v : simplex) v = number(v);
     return simplex;
   }
-  Simplex in_mesh(Simplex simplex) const {
-    for (Vertex& v : simplex) v = in_mesh_[static_cast<std::size_t>(v)];
-    return simplex;
-  }
-
   void number_points() {
     const auto add = [&](Vertex v) {
       if (number(v) >= 0) return;
@@ -108,39 +105,93 @@ class Building {
     return links;
   }
 
-  // The images are faces of the mesh, which is a complex only if they are one.
+  // The images are faces of the mesh, which is a complex only if they are one. Images of which no vertex is moved
+  // are what the cells are, which is valid. So only those have to be looked at that are moved, and what
+  // is beside them.
   std::optional<Violation> intersection_of_images() const {
-    PiecewiseLinearInput input;
-    input.points = points_;
-    for (const Simplex& link : links()) input.segments.push_back(link);
-    for (const Patch& patch : images_.patches) {
-      for (const Simplex& triangle : patch.triangles) {
-        input.polygons.push_back({{renumbered(triangle)}, {}});
-      }
+    std::vector<Simplex> pieces;
+    std::vector<bool> is_moved;
+    const auto moved = [&](const Simplex& vertices) {
+      return std::any_of(vertices.begin(), vertices.end(),
+                         [&](Vertex v) { return moved_[static_cast<std::size_t>(v)]; });
+    };
+    const auto add = [&](const std::vector<Simplex>& added) {
+      const bool any = std::any_of(added.begin(), added.end(), moved);
+      pieces.insert(pieces.end(), added.begin(), added.end());
+      is_moved.resize(pieces.size(), any);
+    };
+    for (const Vertex v : in_mesh_) add({{v}});
+    for (const auto& path : images_.paths) {
+      std::vector<Simplex> links;
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) links.push_back({path[i], path[i + 1]});
+      add(links);
     }
-    const auto valid = validated(input, 1);
-    if (valid) return vertex_in_triangle(input, *valid);
-    const Breach& breach = valid.error().front();
-    Witness witness{.vertices = in_mesh(breach.vertices), .point = breach.point};
-    for (const Simplex& segment : breach.segments) {
-      witness.simplices.push_back(in_mesh(segment));
-    }
-    for (const std::size_t p : breach.polygons) {
-      witness.simplices.push_back(in_mesh(input.polygons[p].lines.front()));
-    }
-    return Violation{Rule::kOverlap, witness};
+    for (const Patch& patch : images_.patches) add(patch.triangles);
+    if (std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end()) return std::nullopt;
+    return intersection(beside_moved(pieces, is_moved));
   }
 
-  // A vertex or a link that lies in a triangle without being a face of it. As a complex that would be valid:
-  // it would be a face of the triangle as a polygon.
-  std::optional<Violation> vertex_in_triangle(const PiecewiseLinearInput& input,
-                                              const PiecewiseLinearComplex& valid) const {
-    const std::vector<Adoption> adopted = adoptions(input, valid);
+  std::vector<Simplex> beside_moved(const std::vector<Simplex>& pieces,
+                                    const std::vector<bool>& is_moved) const {
+    std::vector<RoundedPoint> points(mesh_.points.size());
+    for (const Vertex v : in_mesh_) points[static_cast<std::size_t>(v)] = rounded(mesh_.points[v]);
+    std::vector<Box> boxes, boxes_of_moved;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      std::vector<RoundedPoint> corners;
+      for (const Vertex v : pieces[i]) corners.push_back(points[static_cast<std::size_t>(v)]);
+      boxes.push_back(box_about(corners, 0));
+      if (is_moved[i]) boxes_of_moved.push_back(boxes.back());
+    }
+    const BoxIndex index(boxes_of_moved);
+    std::vector<Simplex> found;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (is_moved[i] || !index.meeting(boxes[i]).empty()) found.push_back(pieces[i]);
+    }
+    return found;
+  }
+
+  // Do some faces of images intersect otherwise than in common faces?
+  std::optional<Violation> intersection(const std::vector<Simplex>& faces) const {
+    PiecewiseLinearInput input;
+    std::vector<Vertex> in_mesh;
+    std::vector<Vertex> number(mesh_.points.size(), -1);
+    for (const Simplex& face : faces) {
+      Simplex renumbered;
+      for (const Vertex v : face) {
+        Vertex& of_v = number[static_cast<std::size_t>(v)];
+        if (of_v < 0) {
+          of_v = static_cast<Vertex>(in_mesh.size());
+          in_mesh.push_back(v);
+          input.points.push_back(mesh_.points[v]);
+        }
+        renumbered.push_back(of_v);
+      }
+      if (face.size() == 2) input.segments.push_back(renumbered);
+      if (face.size() == 3) input.polygons.push_back({{renumbered}, {}});
+    }
+    const auto back = [&](Simplex simplex) {
+      for (Vertex& v : simplex) v = in_mesh[static_cast<std::size_t>(v)];
+      return simplex;
+    };
+    Witness witness;
+    const auto valid = validated(input, 1);
+    if (!valid) {
+      const Breach& breach = valid.error().front();
+      witness = {.vertices = back(breach.vertices), .point = breach.point};
+      for (const Simplex& segment : breach.segments) witness.simplices.push_back(back(segment));
+      for (const std::size_t p : breach.polygons) {
+        witness.simplices.push_back(back(input.polygons[p].lines.front()));
+      }
+      return Violation{Rule::kOverlap, witness};
+    }
+    // A vertex or a link that lies in a triangle without being a face of it. As a complex that would be
+    // valid: it would be a face of the triangle as a polygon.
+    const std::vector<Adoption> adopted = adoptions(input, *valid);
     if (adopted.empty()) return std::nullopt;
     const Adoption& first = adopted.front();
-    Witness witness{.simplices = {in_mesh(input.polygons[first.polygon].lines.front())},
-                    .vertices = in_mesh(first.vertices)};
-    for (const Simplex& segment : first.segments) witness.simplices.push_back(in_mesh(segment));
+    witness = {.simplices = {back(input.polygons[first.polygon].lines.front())},
+               .vertices = back(first.vertices)};
+    for (const Simplex& segment : first.segments) witness.simplices.push_back(back(segment));
     return Violation{Rule::kOverlap, witness};
   }
 
@@ -259,6 +310,7 @@ class Building {
   }
 
   const ImageSet& images_;
+  const std::vector<bool>& moved_;
   const ExactMesh& mesh_;
   const Cells& cells_;
   const PiecewiseLinearComplex& given_;
@@ -270,9 +322,11 @@ class Building {
 
 }  // namespace
 
-tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images, const ExactMesh& mesh,
-                                                    const Cells& cells, const Regions& regions) {
-  return Building(images, mesh, cells, regions).result();
+tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images,
+                                                    const std::vector<bool>& moved,
+                                                    const ExactMesh& mesh, const Cells& cells,
+                                                    const Regions& regions) {
+  return Building(images, moved, mesh, cells, regions).result();
 }
 
 }  // namespace circumspect::check

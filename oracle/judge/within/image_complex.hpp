@@ -24,8 +24,10 @@ struct ImageComplex {
 };
 
 // complex.overlap if images intersect: then the mesh is no complex either. `regions` are those of the domain's
-// complex.
-tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images, const ExactMesh& mesh,
-                                                    const Cells& cells, const Regions& regions);
+// complex. `moved`: of each point of the mesh that is in an image, may it be off the cell that carries it?
+tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images,
+                                                    const std::vector<bool>& moved,
+                                                    const ExactMesh& mesh, const Cells& cells,
+                                                    const Regions& regions);
 
 }  // namespace circumspect::check

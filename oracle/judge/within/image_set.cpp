@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
 namespace circumspect::check {
 namespace {
@@ -59,6 +60,19 @@ std::optional<std::vector<std::pair<std::size_t, bool>>> order_about(
   return names;
 }
 
+// A face of an image, by its vertices ascending (−1 in front of those of an edge), and whose it is.
+struct FaceOf {
+  std::array<Vertex, 3> face;
+  std::size_t cell;
+  std::size_t triangle = 0;  // of the patch
+  std::size_t place = 0;     // opposite which vertex of it an edge is
+
+  Simplex vertices() const {
+    return face[0] < 0 ? Simplex{face[1], face[2]} : Simplex{face[0], face[1], face[2]};
+  }
+};
+std::array<Vertex, 3> edge_key(Vertex a, Vertex b) { return {-1, std::min(a, b), std::max(a, b)}; }
+
 class Placing {
  public:
   Placing(const ImageSet& images, const ExactMesh& mesh, const Cells& cells)
@@ -66,72 +80,116 @@ class Placing {
     for (std::size_t s = 0; s < images.paths.size(); ++s) {
       const std::vector<Vertex>& path = images.paths[s];
       for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        links_[sorted({path[i], path[i + 1]})] = s;
+        links_.push_back({edge_key(path[i], path[i + 1]), s});
       }
     }
+    sort(links_);
+    for (std::size_t p = 0; p < images_.patches.size(); ++p) {
+      for (std::size_t t = 0; t < images_.patches[p].triangles.size(); ++t) {
+        const Simplex& triangle = images_.patches[p].triangles[t];
+        for (std::size_t place = 0; place < 3; ++place) {
+          edges_.push_back(
+              {edge_key(triangle[(place + 1) % 3], triangle[(place + 2) % 3]), p, t, place});
+        }
+        const Simplex corners = sorted(triangle);
+        triangles_.push_back({{corners[0], corners[1], corners[2]}, p, t});
+      }
+    }
+    sort(edges_);
+    sort(triangles_);
   }
 
   std::optional<Misplaced> shared_faces() const {
-    std::map<Simplex, std::size_t> polygon_of;  // of triangles, and of edges that are no links
-    for (std::size_t p = 0; p < images_.patches.size(); ++p) {
-      for (const Simplex& triangle : images_.patches[p].triangles) {
-        for (std::size_t place = 0; place <= 3; ++place) {
-          const Simplex face = sorted(place == 3 ? triangle : facet_opposite(triangle, place));
-          const auto link = links_.find(face);
-          if (link == links_.end()) {
-            const std::size_t other = polygon_of.emplace(face, p).first->second;
-            if (other != p) return fault(cells_, {2, other}, {2, p}, face);
-          } else if (!cells_.is_in_closure({1, link->second}, {2, p})) {
-            return fault(cells_, {1, link->second}, {2, p}, face);
-          }
-        }
+    for (std::size_t i = 0; i + 1 < triangles_.size(); ++i) {
+      const FaceOf &a = triangles_[i], &b = triangles_[i + 1];
+      if (a.face == b.face && a.cell != b.cell) {
+        return fault(cells_, {2, a.cell}, {2, b.cell}, a.vertices());
       }
     }
-    return std::nullopt;
+    std::optional<Misplaced> found;
+    for_each_edge([&](std::span<const FaceOf> uses, std::optional<std::size_t> link) {
+      for (const FaceOf& use : uses) {
+        if (found) return;
+        const std::size_t other = uses.front().cell;
+        if (link && !cells_.is_in_closure({1, *link}, {2, use.cell})) {
+          found = fault(cells_, {1, *link}, {2, use.cell}, use.vertices());
+        } else if (!link && use.cell != other) {
+          found = fault(cells_, {2, other}, {2, use.cell}, use.vertices());
+        }
+      }
+    });
+    return found;
   }
 
   std::optional<Misplaced> order_at_segments() const {
-    std::vector<std::vector<HalfPlane>> own(complex_.segments.size());
-    std::map<Simplex, std::vector<HalfPlane>> at_link;
+    std::map<std::size_t, std::vector<HalfPlane>> own;  // of segments with more than two of them
+    for_each_edge([&](std::span<const FaceOf> uses, std::optional<std::size_t> link) {
+      if (link && uses.size() > 2) own[*link];
+    });
+    if (own.empty()) return std::nullopt;
     for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
+      const auto& segments = cells_.segments_of(p);
+      if (std::none_of(segments.begin(), segments.end(),
+                       [&](std::size_t s) { return own.contains(s); })) {
+        continue;
+      }
       const Point normal = normal_of(complex_, p);
       for (const Simplex& triangle : complex_.polygons[p].triangles) {
         add_own(p, normal, triangle, own);
       }
-      for (const Simplex& triangle : images_.patches[p].triangles) {
-        for (std::size_t place = 0; place < 3; ++place) {
-          const Vertex a = triangle[(place + 1) % 3], b = triangle[(place + 2) % 3];
-          const auto link = links_.find(sorted({a, b}));
-          if (link == links_.end()) continue;
-          // On the left of its counterclockwise edge: is that the direction of the path?
-          const std::vector<Vertex>& path = images_.paths[link->second];
-          const auto at = std::find(path.begin(), path.end(), a);
-          const bool left = at + 1 != path.end() && *(at + 1) == b;
-          at_link[link->first].push_back({p, left, points_[triangle[place]] - points_[a]});
-        }
-      }
     }
-    for (const auto& [edge, planes] : at_link) {
-      if (planes.size() < 3) continue;
-      const std::size_t s = links_.at(edge);
-      if (!agree(s, edge, own[s], planes)) {
-        return fault(cells_, {1, s}, {2, planes.front().polygon}, edge);
+    std::optional<Misplaced> found;
+    for_each_edge([&](std::span<const FaceOf> uses, std::optional<std::size_t> link) {
+      if (found || !link || uses.size() <= 2) return;
+      std::vector<HalfPlane> planes;
+      for (const FaceOf& use : uses) {
+        const Simplex& triangle = images_.patches[use.cell].triangles[use.triangle];
+        const Vertex a = triangle[(use.place + 1) % 3], b = triangle[(use.place + 2) % 3];
+        // On the left of its counterclockwise edge: is that the direction of the path?
+        const std::vector<Vertex>& path = images_.paths[*link];
+        const auto at = std::find(path.begin(), path.end(), a);
+        const bool left = at + 1 != path.end() && *(at + 1) == b;
+        planes.push_back({use.cell, left, points_[triangle[use.place]] - points_[a]});
       }
-    }
-    return std::nullopt;
+      const Simplex edge = uses.front().vertices();
+      if (!agree(*link, edge, own.at(*link), planes)) {
+        found = fault(cells_, {1, *link}, {2, planes.front().polygon}, edge);
+      }
+    });
+    return found;
   }
 
  private:
+  static void sort(std::vector<FaceOf>& faces) {
+    std::stable_sort(faces.begin(), faces.end(),
+                     [](const FaceOf& a, const FaceOf& b) { return a.face < b.face; });
+  }
+
+  // Once for each edge of patches, with all its uses, and the segment whose path it is in.
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const {
+    auto link = links_.begin();
+    for (std::size_t first = 0, last = 0; first < edges_.size(); first = last) {
+      while (last < edges_.size() && edges_[last].face == edges_[first].face) ++last;
+      while (link != links_.end() && link->face < edges_[first].face) ++link;
+      const bool is_link = link != links_.end() && link->face == edges_[first].face;
+      visit(std::span(edges_).subspan(first, last - first),
+            is_link ? std::optional(link->cell) : std::nullopt);
+    }
+  }
+
   void add_own(std::size_t p, const Point& normal, const Simplex& triangle,
-               std::vector<std::vector<HalfPlane>>& own) const {
+               std::map<std::size_t, std::vector<HalfPlane>>& own) const {
     for (std::size_t place = 0; place < 3; ++place) {
       const Simplex edge = sorted(facet_opposite(triangle, place));
       const auto at = std::lower_bound(complex_.segments.begin(), complex_.segments.end(), edge);
       if (at == complex_.segments.end() || *at != edge) continue;
+      const auto planes = own.find(static_cast<std::size_t>(at - complex_.segments.begin()));
+      if (planes == own.end()) continue;
       const Point direction = complex_.points[triangle[place]] - complex_.points[edge[0]];
       const Point along = complex_.points[edge[1]] - complex_.points[edge[0]];
       const bool left = sign(inner_product(normal, cross_product(along, direction))) > 0;
-      own[static_cast<std::size_t>(at - complex_.segments.begin())].push_back({p, left, direction});
+      planes->second.push_back({p, left, direction});
     }
   }
 
@@ -158,7 +216,10 @@ class Placing {
   const PointSet& points_;
   const Cells& cells_;
   const PiecewiseLinearComplex& complex_;
-  std::map<Simplex, std::size_t> links_;  // which segment's path has the edge
+  // Ascending.
+  std::vector<FaceOf> links_;  // of paths
+  std::vector<FaceOf> edges_;  // of triangles
+  std::vector<FaceOf> triangles_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The images of the cells of a domain in a mesh, at a given reach. docs/theory/within.md, 1 to 3.
 #pragma once
 
-#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,16 +37,17 @@ class Images {
  public:
   // All must outlive this. In the plane `regions` are not looked at.
   Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions, const Reaches& reaches,
-         const MeshFaces& faces)
-      : mesh_(mesh), cells_(cells), regions_(regions), reaches_(reaches), faces_(faces) {}
+         const MeshFaces& faces);
 
-  // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs.
+  // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs. An answer is
+  // kept until another reach is asked about.
   // The one vertex of the mesh that a vertex of the domain carries.
-  ImageOr<Vertex> vertex(std::size_t v, const Rational& squared_reach) const;
+  const ImageOr<Vertex>& vertex(std::size_t v, const Rational& squared_reach) const;
   // From the image of its first end to that of its second. Requires: the ends have images.
-  ImageOr<std::vector<Vertex>> path(std::size_t segment, const Rational& squared_reach) const;
+  const ImageOr<std::vector<Vertex>>& path(std::size_t segment,
+                                           const Rational& squared_reach) const;
   // Requires: all faces of the polygon have images.
-  ImageOr<Patch> patch(std::size_t polygon, const Rational& squared_reach) const;
+  const ImageOr<Patch>& patch(std::size_t polygon, const Rational& squared_reach) const;
 
   // Why a cell has no image; nothing if it has one, or if one of its faces has none.
   std::optional<NoImage> fault(Cell cell, const Rational& squared_reach) const;
@@ -55,13 +56,25 @@ class Images {
   std::optional<Rational> next_change(Cell cell, const Rational& squared_reach) const;
 
  private:
+  // An answer and the reach that it is about.
+  template <class Image>
+  using Known = std::optional<std::pair<Rational, ImageOr<Image>>>;
+
   bool has_image(Cell cell, const Rational& squared_reach) const;
+  ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
+  ImageOr<std::vector<Vertex>> found_path(std::size_t segment, const Rational& squared_reach) const;
+  ImageOr<Patch> found_patch(std::size_t polygon, const Rational& squared_reach) const;
+  std::optional<Simplex> whole_triangle(std::size_t polygon) const;
 
   const ExactMesh& mesh_;
   const Cells& cells_;
   const Regions& regions_;
   const Reaches& reaches_;
   const MeshFaces& faces_;
+  std::vector<RoundedPoint> rounded_, rounded_domain_;
+  mutable std::vector<Known<Vertex>> vertices_;
+  mutable std::vector<Known<std::vector<Vertex>>> paths_;
+  mutable std::vector<Known<Patch>> patches_;
 };
 
 }  // namespace circumspect::check

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <thread>
 #include <utility>
 
+#include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/within/image_complex.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
@@ -140,24 +142,6 @@ void add_all(const Verdict& inner, const ImageComplex& image, const ReachAnswer&
   verdict.canonical = inner.canonical;
 }
 
-// At some small reaches first: the answer does not depend on the limit once there is one, and a limit that is
-// large for the mesh makes everything near everything.
-ReachAnswer answer_up_to(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                         const Regions& regions, const Rational& squared_distance) {
-  Rational largest = 0;
-  for (const Point& point : cells.complex().points.points()) {
-    for (const Rational& x : point) largest = std::max(largest, Rational(abs(x)));
-  }
-  for (const long parts :
-       {1'000'000'000'000'000L, 1'000'000'000'000L, 1'000'000'000L, 1'000'000L}) {
-    const Rational limit = largest / Rational(parts);
-    if (limit * limit >= squared_distance) break;
-    ReachAnswer answer = least_reach(mesh, used, cells, regions, limit * limit);
-    if (answer.kind == ReachAnswer::Kind::kFound) return answer;
-  }
-  return least_reach(mesh, used, cells, regions, squared_distance);
-}
-
 tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh,
                                               const std::vector<bool>& used, const Cells& cells,
                                               const Regions& regions, const ReachAnswer& answer,
@@ -165,7 +149,7 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
                                               const fast::SimplexFacts* known) {
   Verdict verdict(claim, mesh, options.max_violations);
   verdict.within = Within{.squared_reach = answer.squared_reach};
-  const auto image = image_complex(answer.images, mesh, cells, regions);
+  const auto image = image_complex(answer.images, answer.moved, mesh, cells, regions);
   if (!image) {
     verdict.add(image.error().rule, image.error().witness);
     return verdict;
@@ -192,12 +176,20 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const Rational& squared_distance,
                                               const Options& options,
                                               const fast::SimplexFacts* known) {
-  Verdict exact = judge_domain(claim, mesh, domain, options, known);
-  if (exact.holds()) {
-    exact.within = Within{};
-    return exact;
+  const auto exactly = [&] {
+    Verdict verdict = judge_domain(claim, mesh, domain, options, known);
+    if (verdict.holds()) verdict.within = Within{};
+    return verdict;
+  };
+  const bool is_empty = domain.complex.points.empty();
+  // Of a large mesh of doubles it is known that its simplices are sound. If not, the exact claim says it.
+  if (known == nullptr || is_empty || domain.complex.kind == DomainKind::kHull) {
+    Verdict exact = exactly();
+    if (exact.holds() || is_empty || is_unsound(exact)) return exact;
+  } else {
+    Verdict listed(claim, mesh, options.max_violations);
+    if (!judge_listed_faces(mesh, domain.complex.ambient_dimension(), listed)) return exactly();
   }
-  if (domain.complex.points.empty() || is_unsound(exact)) return exact;
   if (domain.complex.kind == DomainKind::kHull) {
     return tl::unexpected(
         NotJudged{"The claim does not hold exactly, and of a domain that is a convex hull no other "
@@ -217,8 +209,11 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                   false});
   }
   const ReachAnswer answer =
-      by_definition ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
-                    : answer_up_to(mesh, used, cells, regions, squared_distance);
+      by_definition
+          ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
+          : least_reach(mesh, used, cells, regions, squared_distance,
+                        options.threads > 0 ? options.threads
+                                            : std::max(1U, std::thread::hardware_concurrency()));
   switch (answer.kind) {
     case ReachAnswer::Kind::kAmbiguous:
     case ReachAnswer::Kind::kOpen:
@@ -227,6 +222,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
       break;
     case ReachAnswer::Kind::kFound:
       if (sign(answer.squared_reach) == 0) {
+        Verdict exact = exactly();
         exact.within = Within{};
         return exact;
       }

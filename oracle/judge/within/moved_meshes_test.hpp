@@ -1,6 +1,7 @@
 // Meshes of domains, slanted, whose vertices are then moved: what the tests of this folder draw from.
 #pragma once
 
+#include <optional>
 #include <random>
 
 #include "oracle/judge/domain/domain_cases_test.hpp"
@@ -33,6 +34,9 @@ inline ExactMesh slanted(const ExactMesh& mesh) {
 inline PiecewiseLinearInput slanted(PiecewiseLinearInput input) {
   for (Point& p : input.points) p = slanted(p);
   for (Point& p : input.hole_seeds) p = slanted(p);
+  for (PolygonLines& polygon : input.polygons) {
+    for (Point& p : polygon.hole_seeds) p = slanted(p);
+  }
   return input;
 }
 
@@ -118,7 +122,8 @@ inline std::vector<int> refined(const std::vector<int>& values, bool refine) {
   return result;
 }
 
-// Cells of a grid at random, all of its refinements, inner walls at random, slanted.
+// Cells of a grid at random, all of its refinements, inner walls at random, slanted; in the plane also a ring
+// around a hole.
 template <class Random>
 MovedMesh random_mesh(Random& random, std::size_t dimension) {
   const auto chance = [&] { return random() % 2 == 0; };
@@ -127,20 +132,64 @@ MovedMesh random_mesh(Random& random, std::size_t dimension) {
   if (dimension == 2 && chance()) ys.push_back(8);
   if (dimension == 2 && chance()) ys.push_back(12);
   const unsigned long without = random() % 6;
+  const bool ring = dimension == 2 && random() % 4 == 0;
+  if (ring) xs = ys = {0, 4, 8, 12};
   const auto keep = [&](std::size_t i, std::size_t j, std::size_t) {
+    if (ring) return i != 1 || j != 1;
     return xs.size() == 2 || ys.size() == 2 || i + 2 * j != without;
   };
   const bool fine_x = chance(), fine_y = chance(), fine_z = chance();
   const unsigned long walls = random();
   if (dimension == 2) zs = {0};
-  const auto input =
+  auto input =
       cells_domain(xs, ys, zs, keep, [&](std::size_t n) { return (walls >> (n % 32)) % 2 == 1; });
+  if (ring) input.hole_seeds = {{6, 6}};
   const auto keep_fine = [&](std::size_t i, std::size_t j, std::size_t k) {
     return keep(fine_x ? i / 2 : i, fine_y ? j / 2 : j, k);
   };
   ExactMesh mesh = grid(refined(xs, fine_x), refined(ys, fine_y),
                         dimension == 2 ? zs : refined(zs, fine_z), keep_fine);
   return {slanted(mesh), domain_of(slanted(input))};
+}
+
+// One polygon in space with listed triangles for its mesh: a triangle around a triangular hole, whose triangle
+// is `stray`; or a square of five triangles, with or without a vertex or a slit in it.
+struct Sheet {
+  MovedMesh moved;
+  std::optional<Simplex> stray = {};
+};
+template <class Random>
+Sheet random_sheet(Random& random) {
+  PiecewiseLinearInput input;
+  std::vector<Point> points;
+  std::vector<Simplex> triangles;
+  std::optional<Simplex> stray;
+  if (random() % 2 == 0) {
+    points = {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {2, 2, 0}, {6, 2, 0}, {2, 6, 0}};
+    triangles = {{0, 1, 3}, {1, 3, 4}, {1, 2, 4}, {2, 4, 5}, {0, 2, 5}, {0, 3, 5}};
+    input.points = points;
+    input.polygons = {{{{0, 1, 2}, {3, 4, 5}}, {{3, 3, 0}}}};
+    stray = Simplex{3, 4, 5};
+  } else {
+    // The middle, the corners, and the middle of a side.
+    points = {{4, 4, 0}, {0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {4, 0, 0}};
+    triangles = {{0, 1, 5}, {0, 5, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+    input.points = {points[1], points[2], points[3], points[4]};
+    std::vector<Vertex> line = {0, 1, 2, 3};
+    const auto add = [&](const Point& point) {
+      input.points.push_back(point);
+      return static_cast<Vertex>(input.points.size()) - 1;
+    };
+    if (random() % 2 == 0) line.insert(line.begin() + 1, add(points[5]));
+    input.polygons = {{{line}, {}}};
+    if (random() % 2 == 0) {
+      const Vertex middle = add(points[0]);
+      if (random() % 2 == 0) input.segments = {{2, middle}};
+    }
+  }
+  ExactMesh mesh{PointSet(points), {}};
+  mesh.faces = triangles;
+  return {{slanted(mesh), domain_of(slanted(input))}, stray};
 }
 
 }  // namespace circumspect::check

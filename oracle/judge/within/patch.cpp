@@ -1,6 +1,8 @@
 // The image of a polygon: docs/theory/within.md, 3.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include "oracle/judge/within/images.hpp"
 #include "reference/kernel/exact/box_index.hpp"
@@ -26,35 +28,6 @@ Vertex apex(const Simplex& triangle, const Edge& edge) {
 }
 Edge reverse(const Edge& edge) { return {edge.second, edge.first}; }
 
-// Positive if the triangle is counterclockwise seen from where the normal points.
-int turn(const PointSet& points, const Point& normal, const Simplex& t) {
-  return sign(
-      inner_product(normal, cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])));
-}
-
-Simplex counterclockwise(const PointSet& points, const Point& normal, Simplex triangle) {
-  if (turn(points, normal, triangle) < 0) std::swap(triangle[1], triangle[2]);
-  return triangle;
-}
-
-// Whether triangles, counterclockwise in the plane, have interior points in common: not if a line through
-// an edge of one of them has the other on its far side.
-bool interiors_overlap(const std::array<Point, 3>& a, const std::array<Point, 3>& b) {
-  const auto parts = [](const std::array<Point, 3>& one, const std::array<Point, 3>& other) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point& from = one[i];
-      const Point along = one[(i + 1) % 3] - from;
-      const bool beyond = std::all_of(other.begin(), other.end(), [&](const Point& p) {
-        const Point to = p - from;
-        return sign(along[0] * to[1] - along[1] * to[0]) <= 0;
-      });
-      if (beyond) return true;
-    }
-    return false;
-  };
-  return !parts(a, b) && !parts(b, a);
-}
-
 }  // namespace
 
 Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon) {
@@ -68,6 +41,109 @@ Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon) {
 
 namespace {
 
+using Direction = std::array<double, 3>;
+
+Direction difference(const RoundedPoint& a, const RoundedPoint& b) {
+  return {a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
+}
+double largest(const Direction& d) {
+  return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+}
+Direction cross(const Direction& a, const Direction& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Which triangles are counterclockwise seen from above a polygon. Doubles decide where they can.
+class SeenFromAbove {
+ public:
+  SeenFromAbove(const PiecewiseLinearComplex& complex,
+                const std::vector<RoundedPoint>& rounded_domain, std::size_t polygon,
+                const PointSet& points, const std::vector<RoundedPoint>& rounded)
+      : complex_(complex), polygon_(polygon), points_(points), rounded_(rounded) {
+    const Simplex& t = complex.polygons[polygon].triangles.front();
+    const auto at = [&](std::size_t place) -> const RoundedPoint& {
+      return rounded_domain[static_cast<std::size_t>(t[place])];
+    };
+    const Direction u = difference(at(1), at(0)), v = difference(at(2), at(0));
+    normal_ = cross(u, v);
+    size_ = largest(u) * largest(v);
+    is_double_ = at(0).error == 0 && at(1).error == 0 && at(2).error == 0;
+    // A sum of two products of differences is off by at most 2·(2 + 1 + 1)u of what each may be.
+    is_double_ = is_double_ && size_ <= kLarge;
+    if (is_double_ && std::abs(normal_[0]) > 2e-15 * size_ + kVanishing) {
+      is_reversed_ = normal_[0] < 0;
+    } else {
+      is_reversed_ = inner_product(plain_normal(), exact_normal()) < 0;
+    }
+    if (is_reversed_) {
+      for (double& x : normal_) x = -x;
+    }
+  }
+
+  // Of the domain's own: positive if its vertices are in that order.
+  Simplex own(Simplex triangle) const {
+    if (triangle == complex_.polygons[polygon_].triangles.front()) {
+      if (is_reversed_) std::swap(triangle[1], triangle[2]);
+      return triangle;
+    }
+    return turned(std::move(triangle), turn(complex_.points, exact_normal(), triangle));
+  }
+  Simplex counterclockwise(const Simplex& triangle) const {
+    return turned(triangle, turn(triangle));
+  }
+
+  // Positive if the triangle of the mesh is counterclockwise. The determinant is a sum of 12 products of four
+  // differences; with all roundings each is off by less than 12u of what it may be.
+  int turn(const Simplex& t) const {
+    const RoundedPoint& a = rounded_[static_cast<std::size_t>(t[0])];
+    const RoundedPoint& b = rounded_[static_cast<std::size_t>(t[1])];
+    const RoundedPoint& c = rounded_[static_cast<std::size_t>(t[2])];
+    if (is_double_ && a.error == 0 && b.error == 0 && c.error == 0) {
+      const Direction v = difference(b, a), w = difference(c, a);
+      const double size = largest(v) * largest(w);
+      const Direction across = cross(v, w);
+      const double found = normal_[0] * across[0] + normal_[1] * across[1] + normal_[2] * across[2];
+      const double bound = 2e-14 * size_ * size + kVanishing;
+      if (size <= kLarge && std::abs(found) > bound) return found > 0 ? 1 : -1;
+    }
+    return turn(points_, exact_normal(), t);
+  }
+
+  const Point& exact_normal() const {
+    if (exact_normal_.empty()) exact_normal_ = normal_of(complex_, polygon_);
+    return exact_normal_;
+  }
+
+ private:
+  // More than what products that vanish leave out, if other factors are no larger than that.
+  static constexpr double kVanishing = 1e-200;
+  static constexpr double kLarge = 1e120;
+
+  static int turn(const PointSet& points, const Point& normal, const Simplex& t) {
+    return sign(inner_product(normal, circumspect::check::cross(points[t[1]] - points[t[0]],
+                                                                points[t[2]] - points[t[0]])));
+  }
+  static Simplex turned(Simplex triangle, int turn) {
+    if (turn < 0) std::swap(triangle[1], triangle[2]);
+    return triangle;
+  }
+  Point plain_normal() const {
+    const Simplex& t = complex_.polygons[polygon_].triangles.front();
+    return circumspect::check::cross(complex_.points[t[1]] - complex_.points[t[0]],
+                                     complex_.points[t[2]] - complex_.points[t[0]]);
+  }
+
+  const PiecewiseLinearComplex& complex_;
+  std::size_t polygon_;
+  const PointSet& points_;
+  const std::vector<RoundedPoint>& rounded_;
+  Direction normal_;
+  double size_;
+  bool is_double_;
+  bool is_reversed_;
+  mutable Point exact_normal_;
+};
+
 // Finds the image of one polygon: from the paths of its segments, on the sides on which the polygon
 // lies, across all other edges. Where several triangles are on one side of an edge, there is something
 // flat between them, which is to lie inside the domain or else above.
@@ -78,14 +154,16 @@ class PatchSearch {
     bool has_own;
   };
 
-  PatchSearch(const ExactMesh& mesh, const PiecewiseLinearComplex& complex, std::size_t polygon)
-      : points_(mesh.points),
-        complex_(complex),
-        polygon_(complex.polygons[polygon]),
-        number_(polygon),
-        normal_(normal_of(complex, polygon)) {
+  PatchSearch(const PointSet& points, const std::vector<RoundedPoint>& rounded,
+              const Polygon& polygon, std::size_t number, const SeenFromAbove& above, double reach)
+      : points_(points),
+        rounded_(rounded),
+        polygon_(polygon),
+        number_(number),
+        above_(above),
+        reach_(reach) {
     for (std::size_t t = 0; t < polygon_.triangles.size(); ++t) {
-      own_.push_back(counterclockwise(complex.points, normal_, polygon_.triangles[t]));
+      own_.push_back(above.own(polygon_.triangles[t]));
       for (const Edge& edge : edges(own_.back())) own_at_[edge] = t;
     }
   }
@@ -101,8 +179,10 @@ class PatchSearch {
     }
   }
   void add_candidate(const Simplex& triangle) {
-    if (turn(points_, normal_, triangle) == 0) return;
-    candidates_.push_back(counterclockwise(points_, normal_, triangle));
+    const int turn = above_.turn(triangle);
+    if (turn == 0) return;
+    candidates_.push_back(triangle);
+    if (turn < 0) std::swap(candidates_.back()[1], candidates_.back()[2]);
     for (const Edge& edge : edges(candidates_.back())) {
       at_[edge].push_back(candidates_.size() - 1);
     }
@@ -221,32 +301,51 @@ class PatchSearch {
 
   // Does the patch cover a point of the plane twice?
   std::optional<NoImage> folds() const {
-    if (reached_.size() < 2) return std::nullopt;
-    const Point& origin = complex_.points[own_.front()[0]];
-    const Point u = complex_.points[own_.front()[1]] - origin;
-    const Point w = cross(normal_, u);
-    std::vector<std::array<Point, 3>> flat;
     std::vector<Box> boxes;
     for (const std::size_t t : reached_) {
-      std::array<Point, 3>& corners = flat.emplace_back();
+      std::array<RoundedPoint, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Point to = points_[candidates_[t][i]] - origin;
-        corners[i] = {inner_product(to, u), inner_product(to, w)};
+        corners[i] = rounded_[static_cast<std::size_t>(candidates_[t][i])];
       }
-      boxes.push_back(box_around(box_around(box_around(corners[0]), box_around(corners[1])),
-                                 box_around(corners[2])));
+      boxes.push_back(box_about(corners, reach_));
     }
-    const BoxIndex index(boxes);
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-      for (const std::size_t j : index.meeting(boxes[i])) {
-        if (j <= i || !interiors_overlap(flat[i], flat[j])) continue;
-        return NoImage{
-            {Rule::kPolygonNotTiled,
-             {.simplices = {sorted(candidates_[reached_[i]]), sorted(candidates_[reached_[j]])},
-              .polygon = number_}}};
+    const auto overlap = [&](std::size_t i, std::size_t j) -> std::optional<NoImage> {
+      const Simplex &a = candidates_[reached_[i]], &b = candidates_[reached_[j]];
+      if (parts(a, b) || parts(b, a)) return std::nullopt;
+      return NoImage{
+          {Rule::kPolygonNotTiled, {.simplices = {sorted(a), sorted(b)}, .polygon = number_}}};
+    };
+    // All vertices are within reach of the plane. So triangles that project on each other are at most two
+    // reaches apart.
+    std::optional<BoxIndex> index;
+    constexpr std::size_t kFew = 12;
+    if (boxes.size() > kFew) index.emplace(boxes);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (index) {
+        for (const std::size_t j : index->meeting(boxes[i])) {
+          if (j <= i) continue;
+          if (auto found = overlap(i, j)) return found;
+        }
+        continue;
+      }
+      for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+        if (auto found = overlap(i, j)) return found;
       }
     }
     return std::nullopt;
+  }
+
+  // Has the line through an edge of a triangle another one on its far side? Two counterclockwise triangles of the
+  // plane have no interior points in common if, and only if, it is so for an edge of one of them.
+  bool parts(const Simplex& triangle, const Simplex& other) const {
+    for (const Edge& edge : edges(triangle)) {
+      const bool beyond = std::all_of(other.begin(), other.end(), [&](Vertex v) {
+        return v == edge.first || v == edge.second ||
+               above_.turn({edge.first, edge.second, v}) <= 0;
+      });
+      if (beyond) return true;
+    }
+    return false;
   }
 
   tl::unexpected<NoImage> fault(const Edge& edge, const Simplex& triangle = {}) const {
@@ -256,10 +355,11 @@ class PatchSearch {
   }
 
   const PointSet& points_;
-  const PiecewiseLinearComplex& complex_;
+  const std::vector<RoundedPoint>& rounded_;
   const Polygon& polygon_;
   std::size_t number_;
-  Point normal_;
+  const SeenFromAbove& above_;
+  double reach_;              // at least
   std::vector<Simplex> own_;  // the domain's triangles, counterclockwise
   std::map<Edge, std::size_t> own_at_;
   std::map<Edge, Link> links_;
@@ -274,10 +374,31 @@ class PatchSearch {
 
 }  // namespace
 
-ImageOr<Patch> Images::patch(std::size_t polygon, const Rational& squared_reach) const {
+// The triangle that is the polygon, if the only vertices near it are where its own three are.
+std::optional<Simplex> Images::whole_triangle(std::size_t polygon) const {
+  const Polygon& own = cells_.complex().polygons[polygon];
+  if (own.triangles.size() != 1 || reaches_.near({2, polygon}).size() != 3) return std::nullopt;
+  Simplex triangle;
+  for (const Vertex v : own.triangles.front()) {
+    const auto& near = reaches_.near({0, static_cast<std::size_t>(v)});
+    if (near.empty() || sign(near.front().squared) != 0) return std::nullopt;
+    triangle.push_back(near.front().vertex);
+  }
+  const auto& found = faces_.triangles_near(polygon);
+  if (!std::binary_search(found.begin(), found.end(), sorted(triangle))) return std::nullopt;
+  return triangle;
+}
+
+ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_reach) const {
   const PiecewiseLinearComplex& complex = cells_.complex();
   const Cell cell = {2, polygon};
-  PatchSearch search(mesh_, complex, polygon);
+  const SeenFromAbove seen(complex, rounded_domain_, polygon, mesh_.points, rounded_);
+  if (const auto triangle = whole_triangle(polygon)) {
+    return Patch{{seen.counterclockwise(*triangle)},
+                 {seen.own(complex.polygons[polygon].triangles.front())}};
+  }
+  PatchSearch search(mesh_.points, rounded_, complex.polygons[polygon], polygon, seen,
+                     upper_square_root(squared_reach));
   std::vector<Vertex> must_have;
   for (const Vertex v : complex.polygons[polygon].vertices) {
     must_have.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));

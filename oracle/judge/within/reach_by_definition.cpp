@@ -69,7 +69,12 @@ class Definition {
     }
   }
 
-  Rational distance(Vertex v, Cell cell) const {
+  const Rational& distance(Vertex v, Cell cell) const {
+    std::optional<Rational>& known = distances_[{v, cell}];
+    if (!known) known = measured(v, cell);
+    return *known;
+  }
+  Rational measured(Vertex v, Cell cell) const {
     std::optional<Rational> least;
     for (const Simplex& simplex : cells_.simplices(cell)) {
       const Rational found =
@@ -108,27 +113,15 @@ class Definition {
   }
 
   // Once it is so, it is so at all larger reaches.
-  bool takes_cells_for_each_other() const {
+  bool takes_cells_for_each_other() {
     std::set<Cell> vertices;
     for (const Carrier& carrier : carriers_) {
       if (!carrier.cell || carrier.cell->dimension > 0) continue;
       if (!vertices.insert(*carrier.cell).second) return true;
     }
     if (sign(squared_) == 0) return false;
-    const std::vector<Cell> all = cells_.all();
-    for (const Cell a : all) {
-      for (const Cell b : all) {
-        if (!(a < b) || cells_.meet(a, b)) continue;
-        for (const Simplex& s : cells_.simplices(a)) {
-          for (const Simplex& t : cells_.simplices(b)) {
-            const auto of_s = coordinates(complex_.points, s),
-                       of_t = coordinates(complex_.points, t);
-            if (squared_distance_between(of_s, of_t) <= 9 * squared_) return true;
-          }
-        }
-      }
-    }
-    return false;
+    if (!is_apart_known_) measure_cells_apart();
+    return apart_ && *apart_ <= 9 * squared_;
   }
 
   std::optional<ImageSet> images() {
@@ -172,6 +165,25 @@ class Definition {
   }
 
  private:
+  // How far two cells that do not meet are apart, at least.
+  void measure_cells_apart() {
+    is_apart_known_ = true;
+    const std::vector<Cell> all = cells_.all();
+    for (const Cell a : all) {
+      for (const Cell b : all) {
+        if (!(a < b) || cells_.meet(a, b)) continue;
+        for (const Simplex& s : cells_.simplices(a)) {
+          for (const Simplex& t : cells_.simplices(b)) {
+            const auto of_s = coordinates(complex_.points, s),
+                       of_t = coordinates(complex_.points, t);
+            const Rational squared = squared_distance_between(of_s, of_t);
+            if (!apart_ || squared < *apart_) apart_ = squared;
+          }
+        }
+      }
+    }
+  }
+
   std::nullopt_t none(Rule rule, const Witness& witness) {
     breach_ = Violation{rule, witness};
     return std::nullopt;
@@ -344,6 +356,9 @@ class Definition {
   const PiecewiseLinearComplex& complex_;
   const Regions& regions_;
   std::set<Simplex> faces_;  // edges and triangles
+  mutable std::map<std::pair<Vertex, Cell>, std::optional<Rational>> distances_;
+  bool is_apart_known_ = false;
+  std::optional<Rational> apart_;
   Rational squared_ = 0;
   std::vector<Carrier> carriers_;
   std::optional<Violation> breach_;
@@ -377,7 +392,8 @@ ReachAnswer least_reach_by_definition(const ExactMesh& mesh, const std::vector<b
       return {.kind = ReachAnswer::Kind::kFound,
               .squared_reach = squared,
               .images = std::move(*images),
-              .carriers = definition.carriers()};
+              .carriers = definition.carriers(),
+              .moved = std::vector<bool>(mesh.points.size(), true)};
     }
   }
   if (passed_over) {
@@ -389,12 +405,13 @@ ReachAnswer least_reach_by_definition(const ExactMesh& mesh, const std::vector<b
 }
 
 bool is_small_enough_for_definition(const ExactMesh& mesh, const std::vector<bool>& used,
-                                    const Cells& cells, const Rational& squared_limit) {
+                                    const Cells& cells, const Rational& squared_limit,
+                                    std::size_t most) {
   const Regions regions(cells.complex());
   Definition definition(mesh, used, cells, regions);
   definition.set_reach(squared_limit);
   for (std::size_t p = 0; p < cells.complex().polygons.size(); ++p) {
-    if (definition.candidates(p).size() > kMostTriangles) return false;
+    if (definition.candidates(p).size() > most) return false;
   }
   return true;
 }

@@ -15,6 +15,7 @@ inline constexpr std::size_t kMostTriangles = 14;
 
 // Is it within the requirement?
 bool is_small_enough_for_definition(const ExactMesh& mesh, const std::vector<bool>& used,
-                                    const Cells& cells, const Rational& squared_limit);
+                                    const Cells& cells, const Rational& squared_limit,
+                                    std::size_t most = kMostTriangles);
 
 }  // namespace circumspect::check

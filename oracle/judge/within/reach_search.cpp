@@ -12,14 +12,15 @@ using Kind = ReachAnswer::Kind;
 class ReachSearch {
  public:
   ReachSearch(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-              const Regions& regions, const Rational& squared_limit)
+              const DomainPieces& pieces, const Regions& regions, const Rational& squared_limit,
+              unsigned threads)
       : mesh_(mesh),
         used_(used),
         cells_(cells),
         all_(cells.all()),
-        apart_(least_apart(cells, 9 * squared_limit)),
+        apart_(pieces.least_apart(9 * squared_limit, threads)),
         limit_(apart_ ? std::min(squared_limit, Rational(apart_->squared / 9)) : squared_limit),
-        reaches_(mesh, used, cells, limit_),
+        reaches_(mesh, used, cells, pieces, limit_, threads),
         faces_(mesh, cells, reaches_),
         images_(mesh, cells, regions, reaches_, faces_),
         has_none_(all_.size(), false) {}
@@ -99,7 +100,7 @@ class ReachSearch {
       const Carrier carrier = reaches_.carrier(v, squared_);
       if (!carrier.second) continue;
       std::optional<Rational> next;
-      for (const Reaches::ToCell& to : reaches_.of(v)) {
+      for (const ToCell& to : reaches_.of(v)) {
         if (to.squared <= squared_ || to.cell.dimension >= carrier.cell->dimension) continue;
         if (!next || to.squared < *next) next = to.squared;
       }
@@ -140,7 +141,12 @@ class ReachSearch {
   void finish(ImageSet images) {
     answer_ = {.kind = Kind::kFound, .squared_reach = squared_, .images = std::move(images)};
     for (Vertex v = 0; mesh_.points.names(v); ++v) {
-      answer_->carriers.push_back(reaches_.carrier(v, squared_));
+      const Carrier carrier = reaches_.carrier(v, squared_);
+      answer_->carriers.push_back(carrier);
+      const auto& near = reaches_.of(v);
+      const auto own = std::find_if(near.begin(), near.end(),
+                                    [&](const ToCell& to) { return carrier.is(to.cell); });
+      answer_->moved.push_back(own != near.end() && sign(own->squared) > 0);
     }
   }
 
@@ -162,9 +168,25 @@ class ReachSearch {
 
 }  // namespace
 
+// At a small reach first: the answer does not depend on the limit once there is one, and a limit that is
+// large for the mesh makes everything near everything. Programs that round are off by some 10⁻¹⁶ to 10⁻¹⁴.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                        const Regions& regions, const Rational& squared_limit) {
-  return ReachSearch(mesh, used, cells, regions, squared_limit).answer();
+                        const Regions& regions, const Rational& squared_limit, unsigned threads) {
+  const DomainPieces pieces(cells);
+  const auto up_to = [&](const Rational& squared) {
+    return ReachSearch(mesh, used, cells, pieces, regions, squared, threads).answer();
+  };
+  Rational largest = 0;
+  for (const Point& point : cells.complex().points.points()) {
+    for (const Rational& x : point) largest = std::max(largest, Rational(abs(x)));
+  }
+  for (const long parts : {1'000'000'000'000L, 1'000'000'000L, 1'000'000L}) {
+    const Rational limit = largest / Rational(parts);
+    if (limit * limit >= squared_limit) break;
+    ReachAnswer answer = up_to(limit * limit);
+    if (answer.kind == ReachAnswer::Kind::kFound) return answer;
+  }
+  return up_to(squared_limit);
 }
 
 }  // namespace circumspect::check

@@ -23,10 +23,12 @@ struct ReachAnswer {
   std::vector<Vertex> vertices = {};  // likewise, of the mesh
   // The vertices of the mesh that are in no simplex and no listed face count for nothing.
   std::vector<Carrier> carriers = {};  // of each point of the mesh, if found
+  std::vector<bool> moved = {};        // is it off the cell that carries it?
 };
 
 // Requires: simplices and listed faces that are sound each by itself; a domain of the kind enclosed.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                        const Regions& regions, const Rational& squared_limit);
+                        const Regions& regions, const Rational& squared_limit,
+                        unsigned threads = 1);
 
 }  // namespace circumspect::check

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oracle/judge/within/cells.hpp"
+#include "oracle/judge/within/distance.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::check {
@@ -20,22 +21,50 @@ struct Carrier {
   bool is_one() const { return cell && !second; }
 };
 
+struct ToCell {
+  Cell cell;
+  Rational squared;
+};
+
+// Two cells that do not meet, and how far they are apart.
+struct ApartCells {
+  Cell a;
+  Cell b;
+  Rational squared;
+};
+
+// Where the cells of a domain are.
+class DomainPieces {
+ public:
+  // `cells` must outlive this.
+  explicit DomainPieces(const Cells& cells);
+  ~DomainPieces();
+
+  // The cells up to a limit from a point, those of lower dimension first, each dimension from near to far.
+  std::vector<ToCell> near(const Point& point, const Rational& squared_limit) const;
+  // The two cells that do not meet and are least apart, if any are at most so far apart. One is a vertex,
+  // or both are segments: two cells of higher dimension are nowhere nearer to each other than such faces of them.
+  std::optional<ApartCells> least_apart(const Rational& squared_limit, unsigned threads) const;
+
+ private:
+  class Pieces;
+  const Cells& cells_;
+  std::vector<RoundedPoint> points_;
+  std::vector<Pieces> of_dimension_;
+};
+
 class Reaches {
  public:
   // All distances up to a limit. `used`: which points are vertices of the mesh.
   Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-          const Rational& squared_limit);
+          const DomainPieces& pieces, const Rational& squared_limit, unsigned threads);
 
-  struct ToCell {
-    Cell cell;
-    Rational squared;
-  };
   struct ToVertex {
     Rational squared;
     Vertex vertex;
   };
 
-  // The cells near a vertex, those of lower dimension first, each dimension from near to far.
+  // See DomainPieces::near.
   const std::vector<ToCell>& of(Vertex v) const { return of_[static_cast<std::size_t>(v)]; }
   // The vertices near a cell, from near to far.
   const std::vector<ToVertex>& near(Cell cell) const {
@@ -48,15 +77,5 @@ class Reaches {
   std::vector<std::vector<ToCell>> of_;
   std::vector<std::vector<ToVertex>> near_[3];
 };
-
-// Two cells that do not meet, and how far they are apart.
-struct ApartCells {
-  Cell a;
-  Cell b;
-  Rational squared;
-};
-
-// The two that are least apart, if any are at most so far apart.
-std::optional<ApartCells> least_apart(const Cells& cells, const Rational& squared_limit);
 
 }  // namespace circumspect::check

@@ -1,0 +1,150 @@
+// Holds the search for the least reach against the definition, and the verdict against the fault that was planted.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/moved_meshes_test.hpp"
+#include "oracle/judge/within/reach_by_definition.hpp"
+#include "oracle/judge/within/reach_search.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+
+using Random = std::mt19937_64;
+enum class Fault { kNone, kDeleted, kFarVertex, kMerged, kExchanged, kRepeated };
+
+inline ExactMesh broken_mesh(const Sheet& sheet, Fault fault, Random& random) {
+  ExactMesh mesh = sheet.moved.mesh;
+  std::vector<Simplex>& list = mesh.simplices.empty() ? mesh.faces : mesh.simplices;
+  const auto any = [&](std::size_t size) { return static_cast<std::size_t>(random() % size); };
+  std::vector<Point> points = mesh.points.points();
+  switch (fault) {
+    case Fault::kNone:
+      break;
+    case Fault::kDeleted:
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(any(list.size())));
+      break;
+    case Fault::kFarVertex:
+      points[any(points.size())][0] += Rational(1, 7);
+      mesh = with_points(mesh, points);
+      break;
+    case Fault::kMerged: {  // another vertex for one of a simplex: overlaps, or flat
+      Simplex& simplex = list[any(list.size())];
+      simplex[any(simplex.size())] = static_cast<Vertex>(any(points.size()));
+      break;
+    }
+    case Fault::kExchanged: {
+      const std::size_t a = any(points.size()), b = any(points.size());
+      if (a != b) std::swap(points[a], points[b]);
+      mesh = with_points(mesh, points);
+      break;
+    }
+    case Fault::kRepeated:
+      list.push_back(sheet.stray ? *sheet.stray : list[any(list.size())]);
+      break;
+  }
+  return mesh;
+}
+
+inline bool is_sound(const ExactMesh& mesh) {
+  const auto is_flat_or_less = [&](const Simplex& face) {
+    return has_repeated_vertex(face) || affine_hull(coordinates(mesh.points, face)).dimension < 2;
+  };
+  if (std::any_of(mesh.faces.begin(), mesh.faces.end(), is_flat_or_less)) return false;
+  return std::all_of(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& simplex) {
+    return !has_repeated_vertex(simplex) &&
+           orientation(mesh.points.configuration(), mesh.points.configuration().axes(), simplex) !=
+               0;
+  });
+}
+
+inline std::string text_of_images(const ImageSet& set) {
+  std::string text;
+  const auto add = [&](const Simplex& s) {
+    for (const Vertex v : s) text += std::to_string(v) + " ";
+    text += "\n";
+  };
+  add(set.vertices);
+  for (const auto& path : set.paths) add(path);
+  for (const Patch& patch : set.patches) {
+    std::set<Simplex> triangles;
+    for (const Simplex& t : patch.triangles) triangles.insert(sorted(t));
+    for (const Simplex& t : triangles) add(t);
+    text += "\n";
+  }
+  return text;
+}
+
+struct Counts {
+  int found = 0, moved = 0, holds = 0, none = 0, not_judged = 0;
+};
+
+// One random case; what came out is counted.
+inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts) {
+  Random random(seed);
+  const bool is_sheet = dimension == 3 && random() % 2 == 0;
+  Sheet sheet = is_sheet ? random_sheet(random) : Sheet{random_mesh(random, dimension)};
+  MovedMesh& moved = sheet.moved;
+  moved.mesh = shaken(moved.mesh, random, 1 + static_cast<long>(random() % 4));
+  const auto fault = static_cast<Fault>(random() % 7 == 6 ? 0 : random() % 6);
+  const ExactMesh mesh = broken_mesh(sheet, fault, random);
+  const std::string which =
+      "seed " + std::to_string(seed) + " fault " + std::to_string(static_cast<int>(fault));
+  INFO(which);
+  if (!is_sound(mesh)) return;
+  const PiecewiseLinearComplex& complex = moved.domain.complex;
+  const std::vector<bool> used = match_vertices(mesh, complex).used;
+  const Cells cells(complex);
+  const Regions regions(complex);
+  // All sets of so many triangles are tried at each distance.
+  constexpr std::size_t kMost = 8;
+  if (!is_small_enough_for_definition(mesh, used, cells, kSquaredLimit, kMost)) return;
+  const ReachAnswer quick = least_reach(mesh, used, cells, regions, kSquaredLimit);
+  const ReachAnswer slow = least_reach_by_definition(mesh, used, cells, regions, kSquaredLimit);
+  const bool found = slow.kind == ReachAnswer::Kind::kFound;
+  CHECK((quick.kind == ReachAnswer::Kind::kFound) == found);
+  if (found) {
+    ++counts.found;
+    CHECK(to_string(quick.squared_reach) == to_string(slow.squared_reach));
+    CHECK(text_of_images(quick.images) == text_of_images(slow.images));
+    if (sign(quick.squared_reach) > 0) ++counts.moved;
+  } else {
+    ++counts.none;
+  }
+  const auto verdict =
+      judge_within(Claim::kSteinerTriangulation, mesh, moved.domain, kSquaredLimit);
+  if (!verdict) {
+    ++counts.not_judged;
+    CHECK(fault != Fault::kNone);
+    return;
+  }
+  if (verdict->holds()) ++counts.holds;
+  if (fault == Fault::kNone) CHECK_MESSAGE(verdict->holds(), text_of(*verdict));
+  // Only a listed triangle may be listed twice.
+  const bool must_fail =
+      fault == Fault::kDeleted || (fault == Fault::kRepeated && (!is_sheet || sheet.stray));
+  if (must_fail) CHECK(!verdict->holds());
+  if (!found) CHECK(!verdict->holds());
+}
+
+// So many random cases.
+inline void hold_equal_to_definition(std::size_t dimension, unsigned long first,
+                                     unsigned long cases) {
+  Counts counts;
+  for (unsigned long seed = first; seed < first + cases; ++seed) {
+    hold_equal(seed, dimension, counts);
+  }
+  MESSAGE("dimension " << dimension << ": found " << counts.found << " moved " << counts.moved
+                       << " holds " << counts.holds << " none " << counts.none << " not judged "
+                       << counts.not_judged);
+  CHECK(counts.moved > static_cast<int>(cases) / 5);
+  CHECK(counts.holds > static_cast<int>(cases) / 10);
+  CHECK(counts.none > 0);
+}
+
+}  // namespace circumspect::check
