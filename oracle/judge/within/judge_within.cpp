@@ -191,8 +191,8 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const Domain& domain,
                                               const Rational& squared_distance,
                                               const Options& options,
-                                              const fast::SimplexFacts* known) {
-  Verdict exact = judge_domain(claim, mesh, domain, options, known);
+                                              const fast::SimplexFacts* known, const Domain* flat) {
+  Verdict exact = judge_domain(claim, mesh, flat == nullptr ? domain : *flat, options, known);
   if (exact.holds()) {
     exact.within = Within{};
     return exact;
@@ -226,7 +226,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     case ReachAnswer::Kind::kNone:
       break;
     case ReachAnswer::Kind::kFound:
-      if (sign(answer.squared_reach) == 0) {
+      if (sign(answer.squared_reach) == 0 && flat == nullptr) {
         exact.within = Within{};
         return exact;
       }
