@@ -1,12 +1,16 @@
 // circumspect: the exact oracle for Delaunay triangulations.
+#include <algorithm>
 #include <exception>
 #include <new>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "command/options/domain_options.hpp"
 #include "command/options/unknown_words.hpp"
 #include "command/output/exit_code.hpp"
 #include "command/output/output.hpp"
@@ -64,7 +68,9 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_compare(app, exit_code);
   circumspect::cli::add_command_pages(app, exit_code);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = circumspect::cli::with_angles_joined(argc, argv);
+    std::reverse(words.begin(), words.end());
+    app.parse(std::move(words));
   } catch (const CLI::RequiredError& error) {
     return usage_fault(app, error);
   } catch (const CLI::ExtrasError& error) {

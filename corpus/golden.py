@@ -53,6 +53,9 @@ def command_lines():
         about = f" --domain findings/{points}" if points.endswith(".poly") else f" --points findings/{points}"
         about += f" --domain-kind {kind[0]}" if kind else ""
         lines += in_both_formats(f"check findings/{mesh}{about} --claim {claim}")
+    for arguments, _, _ in rows("domains/written/written.tsv"):
+        words = [f"domains/{word}" if word.startswith("written/") else word for word in arguments.split()]
+        lines += in_both_formats("check " + " ".join(words))
     for domain, _ in rows("domains/invalid.tsv"):
         lines += in_both_formats(f"inspect domains/{domain}")
     for domain in names("domains", ".poly"):

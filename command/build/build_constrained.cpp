@@ -27,7 +27,7 @@ struct ConstrainedOptions {
   std::string input_file;
   std::string output_file;
   std::optional<std::string> algorithm;
-  std::optional<DomainKind> domain_kind;
+  DomainOptions said;  // of the domain
   SearchLimits search;
   std::size_t most_steiner_points = 10'000;
   InputOptions input;
@@ -114,7 +114,7 @@ void say_note(const ConstrainedOptions& options, const std::string& note, Output
 }
 
 void build(const ConstrainedOptions& options, Output& output) {
-  const auto loaded = load_domain(options.input_file, options.input, options.domain_kind);
+  const auto loaded = load_domain(options.input_file, options.input, options.said);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
     return;
@@ -156,13 +156,17 @@ void build(const ConstrainedOptions& options, Output& output) {
 }
 
 ExitCode run(const ConstrainedOptions& options) {
+  if (const std::string fault = domain_options_fault(options.said); !fault.empty()) {
+    return usage_error(fault);
+  }
   const bool to_json = options.output.format == OutputFormat::kJson;
   if (options.output_file.empty() && !to_json) {
     return usage_error(
-        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.json or --format json, found none");
+        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, OUT.json or --format "
+        "json, found none");
   }
-  const std::string name_fault =
-      output_name_fault(options.output_file, {".ele", ".mesh", ".msh", ".vtu", ".json"});
+  const std::string name_fault = output_name_fault(
+      options.output_file, {".ele", ".mesh", ".msh", ".vtu", ".obj", ".ply", ".json"});
   if (!options.output_file.empty() && !name_fault.empty()) {
     return usage_error(name_fault);
   }
@@ -208,7 +212,8 @@ std::string footer(const std::string& what) {
       "triangles\n"
       "and edges that are faces of nothing. OUT.mesh, OUT.msh, OUT.vtu or OUT.json has it all in "
       "one file. Steiner\n"
-      "points come last.\n\n"
+      "points come last. OUT.obj and OUT.ply have what can be seen: the boundary, and what "
+      "dangles.\n\n"
       "Exit codes: 0 built, {4}2 usage,\n"
       "3 the input is at fault, 4 a limit was reached or this algorithm cannot tell, 5 internal "
       "error.",
@@ -231,10 +236,10 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
           "The domain: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, .msh, .vtk, .vtu, .vtp")
       ->required();
   command
-      ->add_option("-o,--output", options->output_file,
-                   "The file to write: .ele, .mesh, .msh, .vtu or .json; - writes the .ele to "
-                   "stdout, if that "
-                   "is all there is")
+      ->add_option(
+          "-o,--output", options->output_file,
+          "The file to write: .ele, .mesh, .msh, .vtu or .json, or for viewers its surface as "
+          ".obj or .ply; - writes the .ele to stdout, if that is all there is")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command
@@ -251,7 +256,7 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
         ->check(whole_number())
         ->option_text("N");
   }
-  add_domain_kind_option(*command, options->domain_kind);
+  add_domain_options(*command, options->said);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_output_options(*command, options->output);

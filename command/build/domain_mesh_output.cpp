@@ -10,6 +10,8 @@
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/node.hpp"
+#include "oracle/formats/obj.hpp"
+#include "oracle/formats/ply.hpp"
 #include "oracle/formats/vtu.hpp"
 #include "oracle/report/wording.hpp"
 
@@ -89,6 +91,8 @@ using ElementWriter = void (*)(std::ostream&, const formats::ElementFile&);
 ElementWriter writer_of(const std::string& extension) {
   if (extension == ".mesh") return formats::write_medit;
   if (extension == ".msh") return formats::write_gmsh;
+  if (extension == ".obj") return formats::write_obj;
+  if (extension == ".ply") return formats::write_ply;
   return extension == ".vtu" ? formats::write_vtu : nullptr;
 }
 
@@ -126,7 +130,8 @@ std::string domain_mesh_fault(const std::string& path, const DomainMesh& mesh) {
   }
   if (lost.empty()) return "";
   return fmt::format(
-      "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.json or --format json, found -o {}, "
+      "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, OUT.json or --format "
+      "json, found -o {}, "
       "which would lose {}",
       path, fmt::join(lost, " and "));
 }

@@ -85,7 +85,8 @@ tl::expected<Sources, std::string> named(const std::vector<std::string>& names, 
 // The domain of a file, if it is one of Definition 4.3 when its numbers are doubles.
 tl::expected<campaign::Input, std::string> domain_input(const campaign::Subject& subject,
                                                         const std::string& path) {
-  auto loaded = load_domain(path, {}, subject.domain_kind);
+  // Polygons are joined for the judge, not for the program.
+  auto loaded = load_domain(path, {}, DomainOptions{.fill = subject.fill});
   if (!loaded) return tl::unexpected(loaded.error().message);
   generators::ComplexCase whole{path, loaded->file.input};
   return campaign::Input(generators::in_doubles(std::move(whole)));

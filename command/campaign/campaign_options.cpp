@@ -76,7 +76,7 @@ void add_claims(CLI::App& command, SubjectOptions& options) {
   add_claim_option(
       command, options.claim,
       "The claim that every mesh must fulfil (default: delaunay; for domains steiner-cdt)");
-  add_domain_kind_option(command, options.domain_kind);
+  add_domain_options(command, options.said);
   command.add_option("--dimension", options.dimension, "The dimension of the points (default: 3)")
       ->check(whole_number(1, 8))
       ->option_text("D");
@@ -145,6 +145,11 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
   }
   if (domains && options.dimension != 2 && options.dimension != 3) {
     return "expected --dimension 2 or 3 for domains";
+  }
+  if (!options.said.holes.empty() || !options.said.regions.empty()) {
+    return "expected no --hole and no --region, which are points of one domain, found one: domains "
+           "of a "
+           "campaign are many";
   }
   const std::string place = place_fault(subject.input_name);
   return place.empty() ? place_fault(subject.mesh_name) : place;
@@ -256,7 +261,8 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   subject.dimension = options.dimension;
   const bool counts_from_zero = formats::extension(subject.mesh_name) == ".qhull-i";
   subject.first_index = counts_from_zero ? 0 : options.first_index;
-  subject.domain_kind = options.domain_kind.value_or(DomainKind::kEnclosed);
+  subject.fill = options.said.fill.value_or(Fill::kEnclosed);
+  subject.merges_coplanar = options.said.merged_slope.has_value();
   subject.full_dimension = options.full_dimension;
   subject.refusal_codes.insert(options.refusal_codes.begin(), options.refusal_codes.end());
   subject.refusal_texts = options.refusal_texts;

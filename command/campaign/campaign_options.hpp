@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "command/options/domain_options.hpp"
 #include "fuzz/campaign/minimise.hpp"
 #include "fuzz/campaign/subject.hpp"
 
@@ -24,7 +25,7 @@ struct SubjectOptions {
   bool reads_stdin = false;
   bool writes_stdout = false;
   std::optional<Claim> claim;
-  std::optional<DomainKind> domain_kind;
+  DomainOptions said;  // of every domain
   std::size_t dimension = 3;
   Vertex first_index = 0;
   bool full_dimension = false;

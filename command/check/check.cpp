@@ -13,6 +13,7 @@
 #include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
+#include "command/options/domain_options.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/threads_option.hpp"
 #include "command/options/whole_number.hpp"
@@ -23,6 +24,7 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -31,7 +33,7 @@ struct CheckOptions {
   std::vector<std::string> meshes;
   std::optional<Claim> claim;
   std::optional<std::string> domain;
-  std::optional<DomainKind> domain_kind;
+  DomainOptions said;  // of the domain
   std::optional<Distance> within;
   std::optional<std::string> certificate;
   check::Options check;
@@ -59,23 +61,25 @@ Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain
   return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
 
-// Which part of the plane or of space the mesh is held against.
-std::string domain_line(const LoadedDomain& domain) {
-  const PiecewiseLinearComplex& complex = domain.domain.complex;
-  const std::string_view filled = complex.kind == DomainKind::kHull  ? "the convex hull"
-                                  : complex.ambient_dimension() == 2 ? "what its segments enclose"
-                                                                     : "what its polygons enclose";
-  return fmt::format("domain: {} {}, {}\n", on_one_line(domain.name), word(complex.kind), filled);
-}
+// The domain, and the same with polygons joined that are not flat, if that is asked for.
+struct HeldAgainst {
+  LoadedDomain loaded;
+  std::optional<Domain> bent = {};
+
+  const Domain& judged() const { return bent ? *bent : loaded.domain; }
+};
 
 // Says what a mesh was found to be.
 void report_verdict(const std::string& path, const Verdict& verdict, const Mesh& mesh,
                     const std::vector<std::string>& notes, const CheckOptions& options,
-                    const LoadedDomain* domain, Output& output) {
+                    const HeldAgainst* against, Output& output) {
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
-  const Domain* about = domain == nullptr ? nullptr : &domain->domain;
+  const LoadedDomain* const domain = against == nullptr ? nullptr : &against->loaded;
+  const Domain* about = against == nullptr ? nullptr : &against->judged();
   if (output.wants_text()) {
-    if (domain != nullptr) output.text(domain_line(*domain));
+    if (domain != nullptr) {
+      output.text(fmt::format("domain: {} {}\n", on_one_line(domain->name), domain->filled));
+    }
     output.text(report::explanation(verdict, mesh, about));
     output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
   }
@@ -84,6 +88,10 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
     if (domain != nullptr) {
       result["domain"] = domain->name;
       result["domain_kind"] = word(domain->domain.complex.kind);
+      const bool has_more_than_a_kind = options.said.fill == Fill::kEvenOdd ||
+                                        options.said.fill == Fill::kWinding ||
+                                        !options.said.regions.empty();
+      if (has_more_than_a_kind) result["domain_fills"] = domain->filled;
       result["notes"] = domain->file.notes;
       for (const std::string& note : notes) result["notes"].push_back(note);
     }
@@ -111,17 +119,117 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   }
 }
 
-// The verdict for the domain with its cells moved by no more than `distance`. Requires: no equal points.
+// The verdict for the domain with its cells moved by no more than `distance`. `flat`: if some polygons of the
+// domain are not flat, the domain of which these were joined. Requires: no equal points.
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
-                                                      const CheckOptions& options) {
+                                                      const CheckOptions& options,
+                                                      const Domain* flat = nullptr) {
   const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options.check);
   return check::judge_within(claim, exact(mesh), domain, distance.squared(domain.complex),
-                             options.check, known ? &*known : nullptr);
+                             options.check, known ? &*known : nullptr, flat);
+}
+
+bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
+
+// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
+// polygon has it as well.
+std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDomain& domain) {
+  const auto bounds_nothing = [&](std::size_t polygon) {
+    return std::binary_search(domain.bound_nothing.begin(), domain.bound_nothing.end(), polygon);
+  };
+  if (witness.polygon && bounds_nothing(*witness.polygon)) return witness.polygon;
+  if (witness.polygon || !witness.domain_cell) return std::nullopt;
+  const Simplex cell = sorted(*witness.domain_cell);
+  std::optional<std::size_t> lone;
+  for (std::size_t p = 0; p < domain.domain.complex.polygons.size(); ++p) {
+    const std::vector<Vertex>& vertices = domain.domain.complex.polygons[p].vertices;
+    if (!std::includes(vertices.begin(), vertices.end(), cell.begin(), cell.end())) continue;
+    if (!bounds_nothing(p)) return std::nullopt;
+    lone = p;
+  }
+  return lone;
+}
+
+// Polygons that bound nothing, and so are not in a mesh of what is enclosed.
+std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
+                                                 const LoadedDomain& domain) {
+  std::vector<std::size_t> missing;
+  for (const Violation& violation : verdict.violations()) {
+    const bool is_missing = violation.rule == Rule::kDomainVertexMissing ||
+                            violation.rule == Rule::kSegmentMissing ||
+                            violation.rule == Rule::kPolygonNotTiled;
+    if (!is_missing || domain.bound_nothing.empty()) continue;
+    if (const auto polygon = lone_polygon(violation.witness, domain)) missing.push_back(*polygon);
+  }
+  if (missing.empty()) return std::nullopt;
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  return fmt::format(
+      "polygon {} bounds nothing that is filled{}: a program that meshes what is enclosed leaves "
+      "it "
+      "out. If it is to be in the mesh, its triangles have to be listed in the .face file; if it "
+      "is "
+      "not, take it out of the domain",
+      domain.domain.polygon_name(missing.front()),
+      missing.size() == 1 ? ""
+                          : fmt::format(", nor {} {} more", missing.size() == 2 ? "does" : "do",
+                                        missing.size() - 1));
+}
+
+// What may be all that keeps the claim from holding: that polygons of one plane are one to the program, that
+// coordinates were rounded, or both.
+std::optional<std::string> remedy(const Verdict& verdict, Claim claim, const Mesh& mesh,
+                                  const CheckOptions& options, const LoadedDomain& domain) {
+  if (!may_be_rounded(verdict)) return std::nullopt;
+  const bool may_be_joined = !options.said.merged_slope && breaks(verdict, Rule::kSegmentMissing) &&
+                             domain.domain.complex.ambient_dimension() == 3;
+  std::optional<LoadedDomain> joined;
+  if (may_be_joined) joined = with_coplanar_joined(domain);
+  const auto segments = [](const LoadedDomain& one) { return one.domain.complex.segments.size(); };
+  if (joined && segments(*joined) == segments(domain)) joined.reset();
+  const bool is_large = mesh.simplices.size() > kMostSimplicesTriedMoved;
+  if (is_large && joined) {
+    return fmt::format(
+        "{} of the domain lie between polygons of one plane: --merge-coplanar tells whether that "
+        "is "
+        "all that is wrong",
+        report::counted(segments(domain) - segments(*joined), "segment"));
+  }
+  if (is_large && !options.within) {
+    return "coordinates may have been rounded: --within 1e-9x tells whether that is all";
+  }
+  if (is_large) return std::nullopt;
+  const Distance distance = options.within.value_or(Distance{Rational(1, kRoundedParts), true});
+  const auto is_mended = [](const Verdict& other) { return !breaks(other, Rule::kSegmentMissing); };
+  if (joined && !options.within) {
+    const auto merged = check::judge(claim, mesh, &joined->domain, options.check);
+    if (merged && is_mended(*merged)) return merging_note(verdict, *merged);
+  }
+  if (!options.within) {
+    const auto moved = judged_within(distance, claim, mesh, domain.domain, options);
+    const bool has_moved = moved && moved->within && moved->within->squared_reach > 0;
+    if (has_moved && (moved->holds() || !joined)) return rounding_note(verdict, *moved);
+  }
+  if (joined) {
+    const auto both = judged_within(distance, claim, mesh, joined->domain, options);
+    if (both && is_mended(*both)) return merging_note(verdict, *both);
+  }
+  if (!may_be_joined) return std::nullopt;
+  // Rounded, hardly any triangles of a face are in one plane.
+  const Distance most = options.within.value_or(Distance{Rational(1, kBentParts), true});
+  const LoadedDomain& flat = joined ? *joined : domain;
+  const BentDomain bent =
+      with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
+  if (bent.squared_height == 0) return std::nullopt;
+  const auto moved = judged_within(most, claim, mesh, bent.domain, options, &flat.domain);
+  if (!moved || !moved->holds()) return std::nullopt;
+  return bending_note(verdict, *moved, bent.squared_height);
 }
 
 void check_with_domain(const std::string& path, const CheckOptions& options,
-                       const LoadedDomain& domain, Output& output) {
+                       const HeldAgainst& against, Output& output) {
+  const LoadedDomain& domain = against.loaded;
   const std::size_t dimension = domain.domain.complex.ambient_dimension();
   auto loaded = load_mesh(path, options.input, options.check.threads, dimension);
   // The claim may depend on which points there are.
@@ -141,52 +249,59 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     return;
   }
   const Claim claim = claim_of(options, mesh, domain);
+  std::optional<Verdict> verdict;
   if (options.within) {
     const std::string equal = settle_equal_points(*loaded, options.input.duplicates);
     if (!equal.empty()) {
       output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
-    const auto verdict = judged_within(*options.within, claim, mesh, domain.domain, options);
-    if (!verdict) {
-      const auto& [reason, is_input_fault] = verdict.error();
+    auto judged = judged_within(*options.within, claim, mesh, against.judged(), options,
+                                against.bent ? &domain.domain : nullptr);
+    if (!judged) {
+      const auto& [reason, is_input_fault] = judged.error();
       output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
                    path + ": " + reason);
       return;
     }
-    report_verdict(path, *verdict, mesh, loaded->notes, options, &domain, output);
-    return;
-  }
-  const auto verdict =
-      judge_loaded(claim, *loaded, options.input.duplicates, options.check, &domain.domain);
-  if (!verdict) {
-    output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
-    return;
+    verdict = std::move(*judged);
+  } else {
+    auto judged =
+        judge_loaded(claim, *loaded, options.input.duplicates, options.check, &domain.domain);
+    if (!judged) {
+      output.error(ExitCode::kInputFault, "mesh", path, judged.error());
+      return;
+    }
+    verdict = std::move(*judged);
   }
   std::vector<std::string> notes = loaded->notes;
-  if (may_be_rounded(*verdict) && mesh.simplices.size() > kMostSimplicesTriedMoved) {
-    notes.push_back("coordinates may have been rounded: --within 1e-9x tells whether that is all");
-    output.note(notes.back());
-  } else if (may_be_rounded(*verdict)) {
-    const auto moved =
-        judged_within({Rational(1, kRoundedParts), true}, claim, mesh, domain.domain, options);
-    if (moved && moved->within && moved->within->squared_reach > 0) {
-      notes.push_back(rounding_note(*verdict, *moved));
-      output.note(notes.back());
-    }
+  std::optional<std::string> lone;  // polygons of a bent domain are others
+  if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
+  for (const auto& note : {remedy(*verdict, claim, mesh, options, domain), lone}) {
+    if (!note) continue;
+    notes.push_back(*note);
+    output.note(*note);
   }
-  report_verdict(path, *verdict, mesh, notes, options, &domain, output);
+  report_verdict(path, *verdict, mesh, notes, options, &against, output);
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
-  const auto domain = load_domain(*options.domain, options.input, options.domain_kind,
-                                  options.check.max_violations);
+  auto domain =
+      load_domain(*options.domain, options.input, options.said, options.check.max_violations);
   if (!domain) {
     output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
     return;
   }
-  for (const std::string& note : domain->file.notes) output.note(note);
-  for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, *domain, output);
+  HeldAgainst against{std::move(*domain)};
+  LoadedDomain& loaded = against.loaded;
+  if (options.said.merges_bent() && loaded.domain.complex.ambient_dimension() == 3) {
+    const Rational squared = options.within->squared(loaded.domain.complex);
+    BentDomain bent = with_nearly_coplanar_joined(loaded, *options.said.merged_slope, squared);
+    loaded.file.notes.push_back(std::move(bent.note));
+    if (bent.removed_segments > 0) against.bent = std::move(bent.domain);
+  }
+  for (const std::string& note : loaded.file.notes) output.note(note);
+  for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, against, output);
 }
 
 // What a claim needs and did not get, or got and does not need; empty if all is well.
@@ -207,8 +322,23 @@ std::string usage_fault(const CheckOptions& options) {
   if (options.within && !options.domain) {
     return "expected --domain FILE beside --within, found none";
   }
-  if (options.domain_kind && !options.domain) {
-    return "expected --domain FILE beside --domain-kind, found none";
+  if (options.said.is_given() && !options.domain) {
+    return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
+  }
+  if (options.said.merges_bent() && !options.within) {
+    return "expected --within DISTANCE beside --merge-coplanar with an angle, found none: how far "
+           "from "
+           "one plane vertices may be has to be said";
+  }
+  if (std::string fault = domain_options_fault(options.said); !fault.empty()) return fault;
+  if (options.input.neighbors && !options.input.kept_labels.empty()) {
+    return "expected no --neighbors beside --keep-label, found it: a .neigh file is about all "
+           "cells";
+  }
+  if (options.certificate && !options.input.kept_labels.empty()) {
+    return "expected no --certificate beside --keep-label, found one: certificates are about all "
+           "cells of a "
+           "file";
   }
   if (options.certificate && options.meshes.size() != 1) {
     return fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size());
@@ -269,7 +399,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "Dangling triangles and edges of the mesh are read from the .face and the .edge "
                    "file beside the .ele")
       ->option_text("FILE");
-  add_domain_kind_option(*command, options->domain_kind);
+  add_domain_options(*command, options->said, true);
   add_within_option(*command, options->within);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
@@ -296,6 +426,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_keep_label_option(*command, options->input);
   add_allow_empty_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });

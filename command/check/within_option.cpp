@@ -74,26 +74,62 @@ bool may_be_rounded(const Verdict& verdict) {
          });
 }
 
-std::string rounding_note(const Verdict& exact, const Verdict& moved) {
+namespace {
+
+// What cells of the domain are missing.
+std::string missing_cells(const Verdict& verdict) {
   std::string missing;
-  for (const auto& [rule, tally] : exact.tallies()) {
+  for (const auto& [rule, tally] : verdict.tallies()) {
     if (rule == Rule::kSteinerForbidden) continue;  // a vertex that is not where the domain has it
     missing += fmt::format("{}{} {}", missing.empty() ? "" : ", ", identifier(rule), tally.count);
   }
+  return missing;
+}
+
+std::string all_breaches(const Verdict& verdict) {
+  std::string left;
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    left += fmt::format("{}{} {}", left.empty() ? "" : ", ", identifier(rule), tally.count);
+  }
+  return left;
+}
+
+}  // namespace
+
+std::string rounding_note(const Verdict& exact, const Verdict& moved) {
+  const std::string missing = missing_cells(exact);
   const std::string distance = report::square_root_rounded_up(moved.within->squared_reach);
   if (moved.holds()) {
     return fmt::format(
         "rounded coordinates may be all that is wrong ({}): with --within {} it holds", missing,
         distance);
   }
-  std::string left;
-  for (const auto& [rule, tally] : moved.tallies()) {
-    left += fmt::format("{}{} {}", left.empty() ? "" : ", ", identifier(rule), tally.count);
-  }
   return fmt::format(
       "coordinates may have been rounded ({}), but that is not all: with --within {} what is left "
       "is {}",
-      missing, distance, left);
+      missing, distance, all_breaches(moved));
+}
+
+std::string merging_note(const Verdict& exact, const Verdict& merged) {
+  const bool has_moved = merged.within && merged.within->squared_reach > 0;
+  const std::string options =
+      has_moved ? fmt::format("--merge-coplanar --within {}",
+                              report::square_root_rounded_up(merged.within->squared_reach))
+                : "--merge-coplanar";
+  return fmt::format("that polygons of one plane are several may be {} ({}): with {} {}",
+                     merged.holds() ? "all that is wrong" : "a part of what is wrong",
+                     missing_cells(exact), options,
+                     merged.holds() ? "it holds" : "what is left is " + all_breaches(merged));
+}
+
+std::string bending_note(const Verdict& exact, const Verdict& bent,
+                         const Rational& squared_height) {
+  const Rational squared =
+      bent.within ? std::max(bent.within->squared_reach, squared_height) : squared_height;
+  return fmt::format(
+      "that polygons of nearly one plane are several may be all that is wrong ({}): with "
+      "--merge-coplanar 0.1deg --within {} it holds",
+      missing_cells(exact), report::square_root_rounded_up(squared));
 }
 
 }  // namespace circumspect::cli

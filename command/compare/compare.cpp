@@ -12,7 +12,13 @@
 #include "command/options/threads_option.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
+#include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/obj.hpp"
+#include "oracle/formats/ply.hpp"
+#include "oracle/formats/vtu.hpp"
 #include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
@@ -24,7 +30,8 @@ namespace {
 struct CompareOptions {
   std::string a;
   std::string b;
-  std::size_t most = 20;  // differences of each kind that are shown; 0: all
+  std::string output_file;  // for what differs; empty: none
+  std::size_t most = 20;    // differences of each kind that are shown; 0: all
   InputOptions input;
   OutputOptions output;
 };
@@ -162,6 +169,53 @@ void report_comparison(const CompareOptions& options, const Comparison& comparis
   }
 }
 
+// The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the plane or
+// space, in both the same.
+formats::ElementFile elements_of(const Mesh& a, const Mesh& b, const check::Difference& found) {
+  formats::ElementFile file;
+  file.points.dimension = a.dimension();
+  file.points.points = a.exact_points();
+  const std::vector<Point> more = b.exact_points();
+  file.points.points.insert(file.points.points.end(), more.begin(), more.end());
+  const auto add = [&file](const std::vector<Simplex>& simplices, Vertex first, Vertex label) {
+    for (Simplex simplex : simplices) {
+      for (Vertex& v : simplex) v += first;
+      const auto shape = simplex.size() == 2   ? formats::ElementShape::kPolyline
+                         : simplex.size() == 3 ? formats::ElementShape::kPolygon
+                                               : formats::ElementShape::kTetrahedron;
+      if (simplex.size() < 2 || simplex.size() > 4) continue;
+      formats::add_element(file, shape, std::move(simplex), "", 0, label);
+    }
+  };
+  add(found.simplices_only_in_a, 0, 1);
+  add(found.simplices_only_in_b, static_cast<Vertex>(a.points()), 2);
+  formats::finish_elements(file);
+  return file;
+}
+
+using DifferenceWriter = void (*)(std::ostream&, const formats::ElementFile&);
+DifferenceWriter writer_of_difference(const std::string& path) {
+  const std::string end = formats::extension(path);
+  if (end == ".vtu") return formats::write_vtu;
+  if (end == ".msh") return formats::write_gmsh;
+  if (end == ".obj") return formats::write_obj;
+  return end == ".ply" ? formats::write_ply : nullptr;
+}
+
+// Returns an error message, or an empty string.
+std::string write_difference(const std::string& path, const Mesh& a, const Mesh& b,
+                             const check::Difference& found) {
+  const std::size_t dimension = a.dimension();
+  if (dimension != b.dimension() || dimension < 2 || dimension > 3) {
+    return fmt::format(
+        "{}: expected two meshes of the plane or two of space, found dimensions {} "
+        "and {}: nothing else can be viewed",
+        path, dimension, b.dimension());
+  }
+  return write_file(
+      path, [&](std::ostream& out) { writer_of_difference(path)(out, elements_of(a, b, found)); });
+}
+
 // What ought to be known where only one of the meshes has weights; else nothing.
 std::vector<std::string> notes_of(const LoadedMesh& a, const LoadedMesh& b) {
   if (a.mesh.is_weighted() == b.mesh.is_weighted()) return {};
@@ -179,7 +233,23 @@ bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
   return fault.empty();
 }
 
+// What is wrong with the name of the file to be written; empty if nothing is.
+std::string output_fault(const CompareOptions& options) {
+  if (options.output_file.empty()) return "";
+  if (writer_of_difference(options.output_file) == nullptr) {
+    return fmt::format("expected -o OUT.vtu, OUT.msh, OUT.obj or OUT.ply, found {}",
+                       options.output_file);
+  }
+  std::vector<std::string> read = files_of_mesh(options.a);
+  for (std::string& path : files_of_mesh(options.b)) read.push_back(std::move(path));
+  return overwriting_fault({{"what differs", options.output_file}}, read);
+}
+
 void compare(const CompareOptions& options, Output& output) {
+  if (const std::string fault = output_fault(options); !fault.empty()) {
+    output.error(ExitCode::kUsage, "file", options.output_file, fault);
+    return;
+  }
   if (options.a == "-" && options.b == "-") {
     output.error(ExitCode::kUsage, "mesh", "-", "expected one mesh on standard input, found two");
     return;
@@ -194,6 +264,14 @@ void compare(const CompareOptions& options, Output& output) {
     const bool are_settled = settle(*a, options, output) && settle(*b, options, output);
     if (!are_settled) return;
     found = check::difference(a->mesh, b->mesh);
+  }
+  if (!options.output_file.empty()) {
+    const std::string failure =
+        write_difference(options.output_file, a->mesh, b->mesh, found.value());
+    if (!failure.empty()) {
+      output.error(ExitCode::kUsage, "file", options.output_file, failure);
+      return;
+    }
   }
   report_comparison(options, compared(*a, *b, found.value(), options.most), notes_of(*a, *b),
                     output);
@@ -222,6 +300,13 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
   command->add_option("b", options->b, "The other mesh")->required();
   command
+      ->add_option(
+          "-o,--output", options->output_file,
+          "Also write the simplices that only one of the meshes has, for viewers: .vtu and "
+          ".msh with the label 1 for those of A and 2 for those of B, .obj and .ply their "
+          "surfaces")
+      ->option_text("OUT.vtu");
+  command
       ->add_option("--max-errors", options->most,
                    "Show at most N differences of each kind (default: 20; 0: all)")
       ->check(whole_number())
@@ -232,6 +317,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
                     "latter count");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_keep_label_option(*command, options->input);
   add_allow_empty_option(*command, options->input);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {

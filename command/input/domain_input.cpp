@@ -1,13 +1,15 @@
 #include "command/input/domain_input.hpp"
 
-#include <map>
+#include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "command/input/breach_text.hpp"
-#include "command/options/one_of.hpp"
 #include "oracle/formats/domain_files.hpp"
+#include "oracle/judge/within/nearly_coplanar.hpp"
+#include "oracle/report/rounded_up.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -40,21 +42,36 @@ Domain domain_of(PiecewiseLinearComplex complex, const formats::DomainFile& file
   return domain;
 }
 
-}  // namespace
-
-void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind) {
-  const std::map<std::string, DomainKind> kinds = {{"enclosed", DomainKind::kEnclosed},
-                                                   {"hull", DomainKind::kHull}};
-  command
-      .add_option("--domain-kind", kind,
-                  "What the domain fills: 'enclosed', what its polygons (in the plane its "
-                  "segments) enclose, or 'hull', its convex hull. The default is 'enclosed' if "
-                  "they enclose anything, and 'hull' if there are none. If there are some and they "
-                  "enclose nothing, say which you mean: 'enclosed' meshes them alone and fills "
-                  "nothing. 'hull' needs points that do not all lie in one plane")
-      ->transform(one_of(kinds))
-      ->option_text("enclosed|hull");
+// "3 (line 17), joined of 4"
+std::vector<std::string> names_of_joined(const Domain& domain,
+                                         const std::vector<std::vector<std::size_t>>& members) {
+  std::vector<std::string> names;
+  for (const std::vector<std::size_t>& some : members) {
+    names.push_back(domain.polygon_name(some.front()));
+    if (some.size() > 1) names.back() += fmt::format(", joined of {}", some.size());
+  }
+  return names;
 }
+
+// Which part of the plane or of space a mesh is held against.
+std::string filled_text(const DomainOptions& said, DomainKind kind, std::size_t dimension) {
+  if (kind == DomainKind::kHull) return "hull, the convex hull";
+  const std::string walls = dimension == 2 ? "segments" : "polygons";
+  if (!said.regions.empty()) {
+    return fmt::format("enclosed, {} of what its {} enclose",
+                       report::counted(said.regions.size(), "region"), walls);
+  }
+  switch (said.fill.value_or(Fill::kEnclosed)) {
+    case Fill::kEvenOdd:
+      return fmt::format("even-odd, what is entered by an odd number of its {}", walls);
+    case Fill::kWinding:
+      return fmt::format("winding, what its {} wind around", walls);
+    default:
+      return fmt::format("enclosed, what its {} enclose", walls);
+  }
+}
+
+}  // namespace
 
 std::string_view word(DomainKind kind) {
   return kind == DomainKind::kEnclosed ? "enclosed" : "hull";
@@ -62,7 +79,7 @@ std::string_view word(DomainKind kind) {
 
 tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
-                                                    std::optional<DomainKind> kind,
+                                                    const DomainOptions& said,
                                                     std::size_t max_breaches, Leak leak) {
   auto read = formats::read_domain(path, options.coordinates);
   if (!read) return tl::unexpected(DomainFault{read.error().to_string()});
@@ -72,17 +89,84 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   if (file.input.points.empty()) {
     return tl::unexpected(DomainFault{path + ": expected a domain with points, found none"});
   }
+  for (const auto& [name, points] :
+       {std::pair{"--hole", &said.holes}, {"--region", &said.regions}}) {
+    for (const Point& point : *points) {
+      if (point.size() == file.dimension) continue;
+      return tl::unexpected(DomainFault{
+          fmt::format("{}: expected {} with {} coordinates, as its points have, found {}", path,
+                      name, file.dimension, point.size())});
+    }
+  }
+  file.input.hole_seeds.insert(file.input.hole_seeds.end(), said.holes.begin(), said.holes.end());
   // One more than is reported tells whether there are more.
   auto complex = validated(file.input, max_breaches == 0 ? 0 : max_breaches + 1);
   if (!complex) {
     return tl::unexpected(fault_of(std::move(complex.error()), max_breaches, std::move(file)));
   }
-  Domain domain = domain_of(std::move(*complex), file);
-  auto chosen = choose_kind(domain, kind, leak);
+  LoadedDomain loaded{path, domain_of(std::move(*complex), file), std::move(file)};
+  auto chosen = choose_kind(loaded.domain, loaded.file.input, said, leak);
   if (!chosen) return tl::unexpected(DomainFault{path + ": " + chosen.error()});
-  for (const std::string& note : chosen->notes) file.notes.push_back(path + ": " + note);
-  domain.complex.kind = file.input.kind = chosen->kind;
-  return LoadedDomain{path, std::move(domain), std::move(file)};
+  for (const std::string& note : chosen->notes) loaded.file.notes.push_back(path + ": " + note);
+  PiecewiseLinearComplex& valid = loaded.domain.complex;
+  for (std::vector<Point>* const seeds : {&valid.hole_seeds, &loaded.file.input.hole_seeds}) {
+    seeds->insert(seeds->end(), chosen->hole_seeds.begin(), chosen->hole_seeds.end());
+  }
+  valid.kind = loaded.file.input.kind = chosen->kind;
+  loaded.filled = filled_text(said, chosen->kind, valid.ambient_dimension());
+  loaded.bound_nothing = std::move(chosen->bound_nothing);
+  return said.merged_slope ? with_coplanar_joined(std::move(loaded)) : std::move(loaded);
+}
+
+LoadedDomain with_coplanar_joined(LoadedDomain loaded) {
+  JoinedPolygons joined = coplanar_polygons_joined(loaded.file.input, loaded.domain.complex);
+  const std::size_t before = loaded.domain.complex.polygons.size();
+  loaded.file.notes.push_back(
+      joined.members.size() == before
+          ? loaded.name + ": no two polygons of one plane share a segment; none are joined"
+          : fmt::format("{}: {} joined into {}, without {} between them", loaded.name,
+                        report::counted(before, "polygon"), joined.members.size(),
+                        report::counted(joined.removed_segments, "segment")));
+  std::vector<std::size_t> lines;
+  std::vector<std::size_t> bound_nothing;
+  for (std::size_t p = 0; p < joined.members.size(); ++p) {
+    const std::vector<std::size_t>& members = joined.members[p];
+    if (!loaded.file.polygon_lines.empty()) {
+      lines.push_back(loaded.file.polygon_lines[members.front()]);
+    }
+    const bool all = std::all_of(members.begin(), members.end(), [&](std::size_t member) {
+      return std::binary_search(loaded.bound_nothing.begin(), loaded.bound_nothing.end(), member);
+    });
+    if (all) bound_nothing.push_back(p);
+  }
+  loaded.domain.polygon_names = names_of_joined(loaded.domain, joined.members);
+  loaded.domain.complex = std::move(joined.complex);
+  loaded.file.input = std::move(joined.input);
+  loaded.file.polygon_lines = std::move(lines);
+  loaded.bound_nothing = std::move(bound_nothing);
+  return loaded;
+}
+
+BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rational& slope,
+                                       const Rational& squared_distance) {
+  check::NearlyJoined joined = check::nearly_coplanar_polygons_joined(
+      loaded.domain.complex, listed_segments(loaded.file.input), {slope * slope, squared_distance});
+  std::string note =
+      joined.removed_segments == 0
+          ? loaded.name +
+                ": no polygons are flat enough, within this distance, to be joined by angle"
+          : fmt::format(
+                "{}: {} of nearly one plane joined into {}, flat up to a distance of {}",
+                loaded.name, report::counted(loaded.domain.complex.polygons.size(), "polygon"),
+                joined.members.size(), report::square_root_rounded_up(joined.squared_height));
+  if (joined.refused > 0) {
+    note += fmt::format("; {} left as they are, since they fold or other cells are too near",
+                        report::counted(joined.refused, "set of polygons", "sets of polygons"));
+  }
+  Domain domain = loaded.domain;
+  domain.complex = std::move(joined.complex);
+  domain.polygon_names = names_of_joined(loaded.domain, joined.members);
+  return {std::move(domain), joined.removed_segments, joined.squared_height, std::move(note)};
 }
 
 }  // namespace circumspect::cli

@@ -9,6 +9,7 @@
 
 #include "command/input/enclosure.hpp"
 #include "command/input/input.hpp"
+#include "command/options/domain_options.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/model/domain.hpp"
 #include "reference/kernel/piecewise_linear/breach.hpp"
@@ -21,6 +22,8 @@ struct LoadedDomain {
   std::string name;
   Domain domain;
   formats::DomainFile file;
+  std::string filled = {};                      // "enclosed, what its polygons enclose"
+  std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
 };
 
 // What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could
@@ -32,17 +35,29 @@ struct DomainFault {
   bool truncated = false;  // are there more breaches?
 };
 
-// Adds --domain-kind enclosed|hull. Without it, `choose_kind` decides.
-void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind);
-
 // Errors: a malformed file; duplicates, unless they are merged; any other breach, up to
 // `max_breaches` of them (0: all); no kind that `choose_kind` can give it. The notes of the file have
-// those about the kind too.
+// those about the kind too. Polygons of one plane are joined if the options say so, those that are nearly
+// in one plane not yet.
 tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
-                                                    std::optional<DomainKind> kind,
+                                                    const DomainOptions& said,
                                                     std::size_t max_breaches = kBreachLimit,
                                                     Leak leak = Leak::kRefused);
+
+// The domain with its polygons of one plane joined. Polygons are called by the first of those they were joined
+// of; a note says how many there are.
+LoadedDomain with_coplanar_joined(LoadedDomain loaded);
+
+// The domain with those joined that are nearly in one plane: it is for check::judge_within alone.
+struct BentDomain {
+  Domain domain;
+  std::size_t removed_segments = 0;
+  Rational squared_height = 0;  // how far at most vertices are from the plane of a polygon
+  std::string note = {};        // what was joined
+};
+BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rational& slope,
+                                       const Rational& squared_distance);
 
 std::string_view word(DomainKind kind);
 

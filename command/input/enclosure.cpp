@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "command/input/breach_text.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/filling.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -21,9 +21,10 @@ std::string wall_noun(const Domain& domain, std::size_t count) {
   return count == 1 ? one : one + "s";
 }
 
-Regions regions_if_enclosed(const Domain& domain) {
+Regions regions_if_enclosed(const Domain& domain, const std::vector<Point>& more_seeds = {}) {
   PiecewiseLinearComplex enclosed = domain.complex;
   enclosed.kind = DomainKind::kEnclosed;
+  enclosed.hole_seeds.insert(enclosed.hole_seeds.end(), more_seeds.begin(), more_seeds.end());
   return Regions(enclosed);
 }
 
@@ -145,13 +146,67 @@ void note_seeds(const Regions& regions, const Domain& domain, std::vector<std::s
   }
 }
 
-// The walls with the outside on both sides.
+// ---- What is filled of what is enclosed ----
+
+std::string name_of(std::size_t wall, const Regions& regions, const Domain& domain) {
+  return name_of(regions.walls().simplices()[wall], domain);
+}
+
+// Seeds in what --fill leaves empty; a note where that is no matter of course.
+tl::expected<std::vector<Point>, std::string> seeds_by_rule(Fill fill, const Regions& regions,
+                                                            const Domain& domain,
+                                                            const PiecewiseLinearInput& input,
+                                                            std::vector<std::string>& notes) {
+  auto seeds = seeds_of_unfilled(fill, input, domain.complex, regions);
+  if (!seeds) {
+    return tl::unexpected(fmt::format(
+        "expected {} that are listed all turned one way around what they enclose, found {} turned "
+        "against others: --fill winding needs to know which side of each is which; --fill even-odd "
+        "does not",
+        wall_noun(domain, 2), name_of(seeds.error(), regions, domain)));
+  }
+  if (fill == Fill::kEvenOdd) {
+    const auto wall = nesting_levels(regions).wall_of_no_parity;
+    if (wall) {
+      notes.push_back(fmt::format(
+          "{} parts two regions that are both entered by an even or both by an odd number of {}, "
+          "on the shortest ways: of other ways these numbers differ; the shortest ways count",
+          name_of(*wall, regions, domain), wall_noun(domain, 2)));
+    }
+  }
+  return std::move(*seeds);
+}
+
+// Seeds in what is enclosed but for the regions that somebody names by points in them.
+tl::expected<std::vector<Point>, std::string> seeds_beside(const std::vector<Point>& named,
+                                                           const Regions& regions) {
+  std::vector<bool> is_named(regions.size(), false);
+  for (const Point& point : named) {
+    const auto region = regions.region_at(point);
+    if (!region || *region == Regions::kUnbounded) {
+      return tl::unexpected(
+          fmt::format("expected a point of --region in something enclosed, found {} {}",
+                      point_text(point), region ? "in nothing enclosed" : "on a wall"));
+    }
+    is_named[*region] = true;
+  }
+  const std::vector<Point> points = points_of_regions(regions);
+  std::vector<Point> seeds;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (r != Regions::kUnbounded && !is_named[r]) seeds.push_back(points[r]);
+  }
+  return seeds;
+}
+
+// ---- What bounds nothing ----
+
+// The walls without anything filled on either side.
 std::set<Simplex> dangling_walls(const Regions& regions) {
   std::set<Simplex> dangling;
   for (const Simplex& wall : regions.walls().simplices()) {
     const OrientedFacet front{wall, false};
-    if (regions.in_front_of(front) == Regions::kUnbounded &&
-        regions.in_front_of(front.reverse()) == Regions::kUnbounded) {
+    if (regions.where(regions.in_front_of(front)) != Where::kInside &&
+        regions.where(regions.in_front_of(front.reverse())) != Where::kInside) {
       dangling.insert(wall);
     }
   }
@@ -161,7 +216,7 @@ std::set<Simplex> dangling_walls(const Regions& regions) {
 // Which polygons consist of such walls, and which of these and of others: a bridge over the mouth of a
 // tunnel bounds what is beside the tunnel.
 struct Dangling {
-  std::size_t whole = 0;
+  std::vector<std::size_t> whole = {};
   std::vector<std::size_t> in_part = {};
 };
 
@@ -175,7 +230,7 @@ Dangling dangling_polygons(const Domain& domain, const std::set<Simplex>& walls)
     if (static_cast<std::size_t>(found) < triangles.size()) {
       dangling.in_part.push_back(p);
     } else {
-      ++dangling.whole;
+      dangling.whole.push_back(p);
     }
   }
   return dangling;
@@ -183,44 +238,75 @@ Dangling dangling_polygons(const Domain& domain, const std::set<Simplex>& walls)
 
 constexpr std::string_view kIsMeant = "; --domain-kind enclosed says that this is meant";
 
-// Something is enclosed, and something else may have leaked: walls between the outside and itself.
-void note_dangling(const Regions& regions, const Domain& domain, std::vector<std::string>& notes) {
+// Something is enclosed, and something else may have leaked: walls between the outside and itself, or
+// between what is not filled.
+void note_dangling(const Regions& regions, const Domain& domain, bool is_said, ChosenKind& chosen) {
   const std::set<Simplex> walls = dangling_walls(regions);
-  const Dangling dangling =
-      is_planar(domain) ? Dangling{walls.size()} : dangling_polygons(domain, walls);
-  if (dangling.whole > 0) {
+  const bool in_plane = is_planar(domain);
+  const Dangling dangling = in_plane ? Dangling{} : dangling_polygons(domain, walls);
+  chosen.bound_nothing = dangling.whole;
+  if (is_said) return;
+  const std::size_t count = in_plane ? walls.size() : dangling.whole.size();
+  if (count > 0) {
+    const bool by_holes = std::any_of(walls.begin(), walls.end(), [&](const Simplex& wall) {
+      return regions.in_front_of({wall, false}) != Regions::kUnbounded;
+    });
     std::map<Simplex, Simplex> open = open_ridges(regions.walls().simplices());
     std::erase_if(open, [&](const auto& of_wall) { return !walls.contains(of_wall.second); });
-    notes.push_back(fmt::format("{} {} with the outside on both sides {} nothing: {}{}",
-                                dangling.whole, wall_noun(domain, dangling.whole),
-                                dangling.whole == 1 ? "bounds" : "bound", open_place(open, domain),
-                                kIsMeant));
+    const std::string first = in_plane ? name_of(*walls.begin(), domain)
+                                       : "polygon " + domain.polygon_name(dangling.whole.front());
+    chosen.notes.push_back(fmt::format(
+        "{} {} with {} on both sides {} nothing{}: {}{}", count, wall_noun(domain, count),
+        by_holes ? "the outside or a hole" : "the outside", count == 1 ? "bounds" : "bound",
+        count == 1 ? "" : ", the first of them " + first,
+        open.empty() && count == 1 ? first : open_place(open, domain), kIsMeant));
   }
   for (const std::size_t p : dangling.in_part) {
-    notes.push_back(fmt::format(
+    chosen.notes.push_back(fmt::format(
         "polygon {}: a part of it has the outside on both sides and bounds nothing, the rest of it "
         "bounds what is enclosed{}",
         domain.polygon_name(p), kIsMeant));
   }
 }
 
+// Something is enclosed, or the user says that nothing needs to be.
+tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
+                                                    const PiecewiseLinearInput& input,
+                                                    const Regions& regions,
+                                                    const DomainOptions& asked) {
+  ChosenKind chosen{DomainKind::kEnclosed};
+  const Fill fill = asked.fill.value_or(Fill::kEnclosed);
+  tl::expected<std::vector<Point>, std::string> seeds;
+  if (!asked.regions.empty()) {
+    seeds = seeds_beside(asked.regions, regions);
+  } else if (fill != Fill::kEnclosed) {
+    seeds = seeds_by_rule(fill, regions, domain, input, chosen.notes);
+  }
+  if (!seeds) return tl::unexpected(seeds.error());
+  chosen.hole_seeds = std::move(*seeds);
+  const Regions filled =
+      chosen.hole_seeds.empty() ? regions : regions_if_enclosed(domain, chosen.hole_seeds);
+  note_seeds(filled, domain, chosen.notes);
+  note_dangling(filled, domain, asked.fill == Fill::kEnclosed, chosen);
+  if (regions.size() == 1) {
+    chosen.notes.emplace_back("nothing is enclosed: there is nothing to fill");
+  }
+  return chosen;
+}
+
 }  // namespace
 
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
-                                                  std::optional<DomainKind> asked, Leak leak) {
+                                                  const PiecewiseLinearInput& input,
+                                                  const DomainOptions& asked, Leak leak) {
   const std::size_t seeds = domain.complex.hole_seeds.size();
   ChosenKind chosen{DomainKind::kHull};
-  if (asked == DomainKind::kHull) {
+  if (asked.fill == Fill::kHull) {
     if (is_flat(domain)) return tl::unexpected(flat_hull(domain));
   } else {
     const Regions regions = regions_if_enclosed(domain);
-    const bool encloses = regions.size() > 1;
-    if (encloses || asked) {
-      chosen.kind = DomainKind::kEnclosed;
-      note_seeds(regions, domain, chosen.notes);
-      if (!asked) note_dangling(regions, domain, chosen.notes);
-      if (!encloses) chosen.notes.emplace_back("nothing is enclosed: there is nothing to fill");
-      return chosen;
+    if (regions.size() > 1 || asked.fill || !asked.regions.empty()) {
+      return kind_enclosed(domain, input, regions, asked);
     }
     auto other = kind_without_enclosure(domain, leak);
     if (!other) return other;

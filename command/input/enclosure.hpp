@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "command/options/domain_options.hpp"
 #include "oracle/model/domain.hpp"
 
 namespace circumspect::cli {
@@ -22,15 +23,19 @@ enum class Leak { kRefused, kTold };
 struct ChosenKind {
   DomainKind kind;
   std::vector<std::string> notes = {};
+  std::vector<Point> hole_seeds = {};           // further ones, in what is enclosed and not filled
+  std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
 };
 
-// `asked`: what the user says, if anything. Otherwise a domain is enclosed if it encloses anything,
-// its convex hull if it has nothing that could enclose, and enclosed if all of it lies in one
-// hyperplane, where neither kind fills anything; `domain.complex.kind` does not matter.
+// `asked`: what the user says of what is filled, if anything. Otherwise a domain is enclosed if it
+// encloses anything, its convex hull if it has nothing that could enclose, and enclosed if all of it lies
+// in one hyperplane, where neither kind fills anything; `domain.complex.kind` does not matter.
 // Errors (one line, without the name of the file): a leak, where it is refused; a convex hull that
-// is flat and thus fills nothing.
-// Requires: a valid complex that has points.
+// is flat and thus fills nothing; walls that are not turned one way, where their winding is to say what is
+// filled; a point of --region that is in nothing enclosed.
+// Requires: a valid complex that has points, and the input of which it was made.
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
-                                                  std::optional<DomainKind> asked, Leak leak);
+                                                  const PiecewiseLinearInput& input,
+                                                  const DomainOptions& asked, Leak leak);
 
 }  // namespace circumspect::cli

@@ -49,6 +49,16 @@ void add_allow_empty_option(CLI::App& command, InputOptions& options) {
       "the input's fault, exit code 3");
 }
 
+void add_keep_label_option(CLI::App& command, InputOptions& options) {
+  command
+      .add_option("--keep-label", options.kept_labels,
+                  "Of the mesh, take only cells with this label: the reference in Medit's .mesh, "
+                  "the physical group in Gmsh's .msh, the first attribute in .ele. May be given "
+                  "several times")
+      ->allow_extra_args(false)
+      ->option_text("N");
+}
+
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads,
                                                 std::optional<std::size_t> domain_dimension) {
@@ -58,7 +68,8 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                   .with_neighbors = options.neighbors,
                                   .with_faces = options.faces,
                                   .domain_dimension = domain_dimension,
-                                  .weights = weights_asked_for(options)},
+                                  .weights = weights_asked_for(options),
+                                  .kept_labels = options.kept_labels},
                                  threads);
   if (!file) return tl::unexpected(file.error().to_string());
   const Mesh& mesh = file->mesh;

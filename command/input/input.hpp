@@ -26,6 +26,7 @@ struct InputOptions {
   std::optional<std::string> points = {};  // --points FILE
   bool neighbors = false;                  // --neighbors
   bool faces = false;                      // read .face and .edge too, and their like
+  std::vector<Vertex> kept_labels = {};    // --keep-label; empty: all
   bool allow_empty = false;                // --allow-empty
   bool weighted = false;                   // the claim or the construction is about weights
   bool listed_weights = false;  // without being asked for, what a file calls weights (JSON) counts
@@ -34,6 +35,7 @@ struct InputOptions {
 void add_coordinates_option(CLI::App& command, InputOptions& options);
 void add_duplicates_option(CLI::App& command, InputOptions& options);
 void add_allow_empty_option(CLI::App& command, InputOptions& options);
+void add_keep_label_option(CLI::App& command, InputOptions& options);
 
 // A mesh as it was read, or one line that says what is wrong with the input.
 struct LoadedMesh {

@@ -192,7 +192,7 @@ void report_breaches(const std::string& path, const DomainFault& fault, Output& 
 void add_domain_inspection_options(CLI::App& command, DomainInspection& options) {
   command.add_flag("--domain", options.is_asked_for,
                    "The input is a domain, whatever its name says: an .off file, for example");
-  add_domain_kind_option(command, options.kind);
+  add_domain_options(command, options.said);
   command.add_flag("--all-segments", options.all_segments,
                    "Name every segment of a domain, not only those that are not strongly Delaunay");
   command
@@ -210,7 +210,11 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
 
 void inspect_domain(const std::string& path, const InputOptions& input,
                     const DomainInspection& options, Output& output) {
-  const auto loaded = load_domain(path, input, options.kind, options.max_errors, Leak::kTold);
+  if (const std::string fault = domain_options_fault(options.said); !fault.empty()) {
+    output.error(ExitCode::kUsage, "domain", path, fault);
+    return;
+  }
+  const auto loaded = load_domain(path, input, options.said, options.max_errors, Leak::kTold);
   if (!loaded && !loaded.error().breaches.empty()) {
     report_breaches(path, loaded.error(), output);
     return;

@@ -15,14 +15,14 @@ namespace circumspect::cli {
 
 struct DomainInspection {
   bool is_asked_for = false;  // whatever the name of the file says
-  std::optional<DomainKind> kind = {};
+  DomainOptions said = {};
   bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
   std::size_t max_errors = kBreachLimit;  // how many breaches are reported; 0: all
   SearchLimits limits = {};
   std::string refutations = {};  // where proofs go that there is no triangulation; empty: nowhere
 };
 
-// --domain, --domain-kind, --all-segments, --max-errors, --search-vertices, --search-conflicts,
+// --domain, those of add_domain_options, --all-segments, --max-errors, --search-vertices, --search-conflicts,
 // --refutations.
 void add_domain_inspection_options(CLI::App& command, DomainInspection& options);
 

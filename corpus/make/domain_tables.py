@@ -36,6 +36,10 @@ exact integer arithmetic that shares no line with the project, each beside its o
 after a rule that it breaks, a file of `invalid/` after its breach, up to `--`. A verdict is of the first claim that is
 listed.
 
+`written/` has small surfaces as programs write them and meshes of these, for the options that say what is meant: polygons of one
+plane, hollows, what dangles, labels of cells, rounded coordinates. `written/written.tsv` has the arguments of `circumspect
+check`, the verdict, and what is shown; `command/check/written_command_test.cpp` runs them.
+
 """
 
 PEERS_HEADER = """

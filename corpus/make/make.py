@@ -10,6 +10,7 @@ import domain_meshes
 import domain_reject
 import domain_tables
 import domain_within
+import domain_written
 import domains
 import files
 import reject
@@ -30,4 +31,5 @@ domains.write()
 domain_invalid.write()
 for entry in domain_entries:
     domain_meshes.write(entry)
+domain_written.write()
 domain_tables.write(domain_entries, domain_invalid.entries())

@@ -153,7 +153,7 @@ std::string check_line(const Subject& subject, const Input& minimal) {
                      std::string(name(subject.claim));
   if (subject.is_about_domains()) {
     return line + " --domain \"$here/minimal.poly\" --domain-kind " +
-           (subject.domain_kind == DomainKind::kHull ? "hull" : "enclosed");
+           std::string(name(subject.fill)) + (subject.merges_coplanar ? " --merge-coplanar" : "");
   }
   const std::string extension = formats::extension(subject.mesh_name);
   if (extension == ".ele" || extension == ".qhull-i") line += " --points \"$here/minimal.node\"";

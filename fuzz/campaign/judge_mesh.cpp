@@ -1,13 +1,16 @@
 #include "fuzz/campaign/judge_mesh.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
+#include <optional>
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/model/equal_points.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -101,6 +104,21 @@ Outcome judged_points(const Subject& subject, const PointsCase& set, const std::
   return outcome_of(verdict, mesh, subject, nullptr);
 }
 
+// What of the domain is filled, and which of its polygons are one, is as the subject says. Nothing if its walls
+// are not turned one way. Requires: a valid domain.
+std::optional<PiecewiseLinearComplex> held_against(const Subject& subject,
+                                                   const ComplexCase& whole) {
+  PiecewiseLinearComplex complex = whole.complex();
+  complex.kind = kind_of(subject.fill);
+  if (subject.fill == Fill::kEvenOdd || subject.fill == Fill::kWinding) {
+    const auto seeds = seeds_of_unfilled(subject.fill, whole.input, complex, Regions(complex));
+    if (!seeds) return std::nullopt;
+    complex.hole_seeds.insert(complex.hole_seeds.end(), seeds->begin(), seeds->end());
+  }
+  if (!subject.merges_coplanar || complex.ambient_dimension() != 3) return complex;
+  return coplanar_polygons_joined(whole.input, complex).complex;
+}
+
 Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const std::string& path) {
   formats::MeshRequest request;
   request.mesh = path;
@@ -108,8 +126,9 @@ Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const st
   const auto file = formats::read_mesh(request, 1);
   if (!file) return unreadable(file.error().to_string());
   const Mesh& mesh = file->mesh;
-  Domain domain{whole.complex(), {}, subject.first_index, {}};
-  domain.complex.kind = subject.domain_kind;
+  auto complex = held_against(subject, whole);
+  assert(complex);  // otherwise there was a reason to skip it
+  Domain domain{std::move(*complex), {}, subject.first_index, {}};
   const std::size_t dimension = domain.complex.ambient_dimension();
   if (mesh.points() > 0 && mesh.dimension() != dimension) {
     return unreadable(subject.mesh_name + ": expected points of dimension " +
@@ -136,12 +155,13 @@ std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& who
   if (whole.input.points.empty()) return "the domain is empty";
   if (whole.input.points.front().size() != subject.dimension) return "another dimension";
   PiecewiseLinearInput input = whole.input;
-  input.kind = subject.domain_kind;
+  input.kind = kind_of(subject.fill);
   const auto complex = validated(input, 1);
   if (!complex) return "the domain is not valid";
   if (input.kind == DomainKind::kEnclosed && Regions(*complex).size() < 2) {
     return "the domain encloses nothing";
   }
+  if (!held_against(subject, whole)) return "what its walls wind around is not said";
   return "";
 }
 

@@ -8,7 +8,7 @@
 
 #include "fuzz/process/process.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/filling.hpp"
 
 namespace circumspect::campaign {
 
@@ -23,8 +23,10 @@ struct Subject {
   bool writes_stdout = false;         // the mesh is its standard output, as if it were that file
   Claim claim = Claim::kDelaunay;
   std::size_t dimension = 3;
-  Vertex first_index = 0;  // of the points of the input
-  DomainKind domain_kind = DomainKind::kEnclosed;
+  Vertex first_index = 0;       // of the points of the input
+  Fill fill = Fill::kEnclosed;  // of a domain: which part of it is to be meshed
+  bool merges_coplanar =
+      false;  // the mesh is held against the domain with polygons of one plane joined
   bool full_dimension = false;                  // skip points that lie in a hyperplane
   std::set<int> refusal_codes = {};             // exit codes that say: not an input for me
   std::vector<std::string> refusal_texts = {};  // what it prints when it says so

@@ -21,11 +21,19 @@ Result<EleHeader> read_header(NumberedLines& numbered) {
   return EleHeader{*vertices, *attributes};
 }
 
-// No claim is about the attributes; they have to be numbers all the same.
-Status check_attributes(const Lines& lines, std::size_t first, std::size_t count,
-                        NumberReading reading) {
+// No claim is about the attributes; they have to be numbers all the same. The first of them, which TetGen
+// and Triangle let the region say in which a simplex lies, is its label, if it is an integer.
+Status read_attributes(const Lines& lines, std::size_t first, std::size_t count,
+                       NumberReading reading, SimplexFile& file) {
   const auto attributes = lines.numbers(first, count, reading);
   if (!attributes) return tl::unexpected(attributes.error());
+  if (count == 0 || file.labels.size() < file.simplices.size()) return {};
+  const Rational& label = attributes->front();
+  if (label.get_den() == 1 && label.get_num().fits_slong_p()) {
+    file.labels.push_back(label.get_num().get_si());
+  } else {
+    file.labels.clear();
+  }
   return {};
 }
 
@@ -50,7 +58,7 @@ Result<SimplexFile> read_ele(const Source& source, NumberReading reading) {
     if (!*more) break;
     Result<Simplex> simplex = lines.integers(1, k, "a vertex");
     if (!simplex) return tl::unexpected(simplex.error());
-    const Status attributes = check_attributes(lines, 1 + k, header->attributes, reading);
+    const Status attributes = read_attributes(lines, 1 + k, header->attributes, reading, file);
     if (!attributes) return tl::unexpected(attributes.error());
     file.simplices.push_back(std::move(*simplex));
     file.lines.push_back(lines.line());

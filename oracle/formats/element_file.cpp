@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
+#include "reference/kernel/complex/facets.hpp"
 #include "reference/kernel/exact/number_text.hpp"
 
 namespace circumspect::formats {
 namespace {
 
-void add_to(SimplexFile& list, Simplex vertices, std::size_t line) {
+void add_to(SimplexFile& list, Simplex vertices, std::size_t line, std::optional<Vertex> label) {
   list.simplices.push_back(std::move(vertices));
   list.lines.push_back(line);
+  if (label) list.labels.push_back(*label);
 }
 
 // How few vertices make sense of a shape.
@@ -29,27 +32,30 @@ std::size_t fewest_vertices(ElementShape shape) {
   }
 }
 
-void add_polygon(ElementFile& file, Simplex vertices, std::string_view name, std::size_t line) {
+void add_polygon(ElementFile& file, Simplex vertices, std::string_view name, std::size_t line,
+                 std::optional<Vertex> label) {
   if (vertices.size() == 3) {
-    add_to(file.triangles, std::move(vertices), line);
+    add_to(file.triangles, std::move(vertices), line, label);
     return;
   }
   if (!file.first_other) file.first_other = {std::string(name), line};
-  add_to(file.polygons, std::move(vertices), line);
+  add_to(file.polygons, std::move(vertices), line, label);
 }
 
-void add_strip(ElementFile& file, const Simplex& vertices, std::size_t line) {
+void add_strip(ElementFile& file, const Simplex& vertices, std::size_t line,
+               std::optional<Vertex> label) {
   for (std::size_t i = 0; i + 2 < vertices.size(); ++i) {
     Simplex triangle = {vertices[i], vertices[i + 1], vertices[i + 2]};
     if (i % 2 == 1) std::swap(triangle[0], triangle[1]);  // all have one side in front
-    add_to(file.triangles, std::move(triangle), line);
+    add_to(file.triangles, std::move(triangle), line, label);
   }
 }
 
 }  // namespace
 
 std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
-                                       std::string_view name, std::size_t line) {
+                                       std::string_view name, std::size_t line,
+                                       std::optional<Vertex> label) {
   const std::size_t fewest = fewest_vertices(shape);
   if (vertices.size() < fewest) {
     return std::string(name) + " of " + std::to_string(fewest) +
@@ -60,25 +66,25 @@ std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Si
       break;
     case ElementShape::kPolyline:
       for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-        add_to(file.edges, {vertices[i], vertices[i + 1]}, line);
+        add_to(file.edges, {vertices[i], vertices[i + 1]}, line, label);
       }
       break;
     case ElementShape::kPixel:
       std::swap(vertices[2], vertices[3]);
-      add_polygon(file, std::move(vertices), name, line);
+      add_polygon(file, std::move(vertices), name, line, label);
       break;
     case ElementShape::kPolygon:
-      add_polygon(file, std::move(vertices), name, line);
+      add_polygon(file, std::move(vertices), name, line, label);
       break;
     case ElementShape::kStrip:
-      add_strip(file, vertices, line);
+      add_strip(file, vertices, line, label);
       break;
     case ElementShape::kTetrahedron:
-      add_to(file.tetrahedra, std::move(vertices), line);
+      add_to(file.tetrahedra, std::move(vertices), line, label);
       break;
     case ElementShape::kOtherSolid:
       if (!file.first_other) file.first_other = {std::string(name), line};
-      add_to(file.other_solids, std::move(vertices), line);
+      add_to(file.other_solids, std::move(vertices), line, label);
       break;
     case ElementShape::kCurved:
       if (!file.first_curved) file.first_curved = {std::string(name), line};
@@ -112,6 +118,18 @@ TopElements top_elements(ElementFile& file) {
     top.simplices = std::move(*list);
   }
   return top;
+}
+
+std::vector<Simplex> surface_of(const ElementFile& file) {
+  std::vector<Simplex> surface = file.triangles.simplices;
+  for_each_facet(facet_uses(file.tetrahedra.simplices), [&](std::span<const FacetUse> uses) {
+    if (uses.size() != 1) return;
+    const std::size_t place = uses.front().opposite;
+    Simplex facet = facet_opposite(file.tetrahedra.simplices[uses.front().simplex], place);
+    if (place % 2 == 0) std::swap(facet[0], facet[1]);
+    surface.push_back(std::move(facet));
+  });
+  return surface;
 }
 
 bool is_of_plane(const ElementFile& file) {

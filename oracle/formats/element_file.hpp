@@ -44,9 +44,11 @@ struct ElementFile {
 };
 
 // Adds an element. `name`: "a hexahedron"; it is named where it cannot be judged. Too few vertices for its
-// shape are a fault, which is what comes back: "a triangle of 3 vertices or more".
+// shape are a fault, which is what comes back: "a triangle of 3 vertices or more". `label`: what the file says it
+// belongs to, if it says so of all elements.
 std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Simplex vertices,
-                                       std::string_view name, std::size_t line);
+                                       std::string_view name, std::size_t line,
+                                       std::optional<Vertex> label = {});
 
 // Fills in what follows from the simplices, once all have been added.
 void finish_elements(ElementFile& file);
@@ -67,6 +69,10 @@ bool is_of_plane(const ElementFile& file);
 // Many formats know points of three coordinates alone. If no element is one of space and the third
 // coordinate is exactly the same for all points, it is left out, which is noted.
 void take_for_plane(ElementFile& file, const std::string& name);
+
+// What of the elements can be seen: the triangles, and the facets that belong to one tetrahedron alone, their
+// vertices counterclockwise seen from outside, if those of tetrahedra are positively oriented.
+std::vector<Simplex> surface_of(const ElementFile& file);
 
 // The surface: edges are segments; triangles and polygons are polygons in space, and in the
 // plane, if there are no edges, theirs are taken. Where there are cells, vertices that belong to

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "reference/kernel/exact/number_text.hpp"
 
@@ -19,6 +20,62 @@ std::optional<Rows<Value>> in_plane(const Rows<Value>& points) {
     std::copy_n(points.row(i).begin(), 2, plane.row(i).begin());
   }
   return plane;
+}
+
+// Where labels are listed in a message, no more are begun behind so many bytes.
+constexpr std::size_t kLongestListOfLabels = 60;
+
+// Calls `visit` for each proper face with two vertices or more. Requires: at most four vertices.
+template <class Visit>
+void for_each_face(const Simplex& simplex, const Visit& visit) {
+  for (std::size_t i = 0; i < simplex.size(); ++i) {
+    const Simplex facet = facet_opposite(simplex, i);
+    if (facet.size() < 2) return;
+    visit(facet);
+    for_each_face(facet, visit);
+  }
+}
+
+template <class Value>
+Rows<Value> some_rows(const Rows<Value>& rows, const std::vector<Vertex>& places) {
+  Rows<Value> some(places.size(), rows.columns());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto row = rows.row(static_cast<std::size_t>(places[i]));
+    std::copy(row.begin(), row.end(), some.row(i).begin());
+  }
+  return some;
+}
+
+// Points that are left out keep their numbers: those that stay have labels of their own.
+template <class IsLeftOut>
+void leave_out_points(Mesh& mesh, const IsLeftOut& is_left_out) {
+  std::vector<Vertex> places;
+  std::vector<Vertex> number(mesh.points(), 0);
+  std::vector<Vertex> own;
+  for (Vertex v = 0; mesh.names(v); ++v) {
+    if (is_left_out(v)) continue;
+    number[static_cast<std::size_t>(v)] = static_cast<Vertex>(places.size());
+    places.push_back(v);
+    own.push_back(mesh.label(v));
+  }
+  if (places.size() == mesh.points()) return;
+  const auto renumber = [&](std::vector<Simplex> simplices) {
+    for (Simplex& simplex : simplices) {
+      for (Vertex& v : simplex) {
+        // One that names no point still names none.
+        v = mesh.names(v) ? number[static_cast<std::size_t>(v)] : v;
+      }
+    }
+    return simplices;
+  };
+  const auto some = [&](const Numbers& numbers) {
+    return std::visit([&](const auto& rows) -> Numbers { return some_rows(rows, places); },
+                      numbers);
+  };
+  mesh.simplices = IndexLists(renumber(mesh.simplices.lists()));
+  mesh.faces = renumber(std::move(mesh.faces));
+  mesh.coordinates = some(mesh.coordinates);
+  mesh.labels = std::move(own);
 }
 
 }  // namespace
@@ -51,6 +108,58 @@ void take_for_faces(MeshFile& file) {
   mesh.faces.insert(mesh.faces.end(), std::make_move_iterator(faces.begin()),
                     std::make_move_iterator(faces.end()));
   mesh.simplices = {};
+}
+
+Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>& labels,
+                     MeshFile& file) {
+  Mesh& mesh = file.mesh;
+  if (labels.empty() || labels.size() != mesh.simplices.size()) {
+    return tl::unexpected(FormatError{
+        file.mesh_name, 0,
+        "cells with labels: references in .mesh, physical groups in .msh, attributes in .ele",
+        "cells without"});
+  }
+  const auto is_kept = [&](std::size_t i) {
+    return std::find(kept.begin(), kept.end(), labels[i]) != kept.end();
+  };
+  const std::vector<Simplex> all = mesh.simplices.lists();
+  std::vector<Simplex> simplices;
+  std::set<Vertex> used;   // by what is kept
+  std::set<Vertex> left;   // by what is not
+  std::set<Simplex> lost;  // faces of what is not kept
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (is_kept(i)) {
+      simplices.push_back(all[i]);
+      used.insert(all[i].begin(), all[i].end());
+      continue;
+    }
+    left.insert(all[i].begin(), all[i].end());
+    for_each_face(sorted(all[i]), [&](const Simplex& face) { lost.insert(face); });
+  }
+  if (simplices.empty()) {
+    const std::set<Vertex> known(labels.begin(), labels.end());
+    std::string text;
+    for (const Vertex label : known) {
+      if (text.size() > kLongestListOfLabels) {
+        text += ", …";
+        break;
+      }
+      text += (text.empty() ? "" : ", ") + std::to_string(label);
+    }
+    return tl::unexpected(FormatError{file.mesh_name, 0, "a cell with a label of --keep-label",
+                                      "the labels " + text});
+  }
+  for (const Simplex& simplex : simplices) {
+    if (lost.empty()) break;
+    for_each_face(sorted(simplex), [&](const Simplex& face) { lost.erase(face); });
+  }
+  std::erase_if(mesh.faces, [&](const Simplex& face) { return lost.contains(sorted(face)); });
+  for (const Simplex& face : mesh.faces) used.insert(face.begin(), face.end());
+  file.notes.push_back(file.mesh_name + ": " + std::to_string(simplices.size()) + " of " +
+                       std::to_string(all.size()) + " cells have a label that is kept");
+  mesh.simplices = IndexLists(std::move(simplices));
+  leave_out_points(mesh, [&](Vertex v) { return left.contains(v) && !used.contains(v); });
+  return {};
 }
 
 }  // namespace circumspect::formats

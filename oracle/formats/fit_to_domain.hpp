@@ -15,4 +15,11 @@ void leave_out_constant_coordinate(MeshFile& file);
 // faces that they are, and notes that; else nothing. Requires: no neighbours.
 void take_for_faces(MeshFile& file);
 
+// A mesh of more than the domain, as where a program meshes the convex hull and labels what is outside 0:
+// keeps the simplices with one of these labels. Faces of the others alone are left out as well, and points
+// of these alone; that is noted. Errors: simplices have no labels, or none of them has one of these.
+// Requires: as many labels as simplices, or none; no neighbours.
+Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>& labels,
+                     MeshFile& file);
+
 }  // namespace circumspect::formats

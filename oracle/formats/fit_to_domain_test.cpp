@@ -121,4 +121,68 @@ TEST_CASE(
   CHECK(read_mesh(request)->mesh.simplices.empty());
 }
 
+namespace {
+
+// Two tetrahedra side by side, labelled 3 and 0, and triangles: between them, of the second alone, dangling.
+const std::string kLabelled =
+    "MeshVersionFormatted 2 Dimension 3 Vertices 6 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0 1 1 1 0 9 9 9 0 "
+    "Triangles 3 2 3 4 0 2 3 5 0 1 2 6 0 Tetrahedra 2 1 2 3 4 3 2 3 4 5 0 End";
+
+Result<MeshFile> labelled(const std::string& path, const std::vector<Vertex>& labels) {
+  return read_mesh({.mesh = path, .with_faces = true, .kept_labels = labels});
+}
+
+}  // namespace
+
+TEST_CASE("cells of a label: what belongs to others alone is left out, and numbers stay") {
+  const ScratchFolder folder;
+  const std::string path = folder.write("x.mesh", kLabelled);
+  const auto mesh = labelled(path, {3});
+  REQUIRE(mesh);
+  CHECK(mesh->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(mesh->mesh.points() == 5);
+  CHECK(mesh->mesh.labels == std::vector<Vertex>{1, 2, 3, 4, 6});
+  CHECK(mesh->mesh.faces == std::vector<Simplex>{{1, 2, 3}, {0, 1, 4}});
+  CHECK(mesh->notes == std::vector<std::string>{path + ": 1 of 2 cells have a label that is kept"});
+  const auto all = labelled(path, {0, 3});
+  REQUIRE(all);
+  CHECK(all->mesh.simplices.size() == 2);
+  CHECK(all->mesh.faces.size() == 3);
+  CHECK(all->mesh.labels.empty());
+  const auto none = labelled(path, {7});
+  REQUIRE(!none);
+  CHECK(none.error().found == "the labels 0, 3");
+}
+
+TEST_CASE("labels: the first attribute of .ele, and the physical groups of .msh") {
+  const ScratchFolder folder;
+  folder.write("x.node", "5 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n");
+  const std::string ele = folder.write("x.ele", "2 4 2\n1 1 2 3 4 5 0\n2 2 3 4 5 -6 0.5\n");
+  const auto of_ele = labelled(ele, {-6});
+  REQUIRE(of_ele);
+  CHECK(of_ele->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(of_ele->mesh.labels == std::vector<Vertex>{2, 3, 4, 5});
+  const std::string halves = folder.write("x.ele", "2 4 1\n1 1 2 3 4 0.5\n2 2 3 4 5 6\n");
+  CHECK(!labelled(halves, {6}));
+  const std::string bare = folder.write("x.ele", "2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
+  CHECK(!labelled(bare, {0}));
+  const std::string points = "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n";
+  const std::string msh2 = folder.write(
+      "two.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n" + points +
+                     "$EndNodes\n$Elements\n2\n1 4 2 8 1 1 2 3 4\n2 4 0 2 3 4 5\n$EndElements\n");
+  CHECK(labelled(msh2, {8})->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(labelled(msh2, {0})->mesh.labels == std::vector<Vertex>{2, 3, 4, 5});
+  const std::string msh4 =
+      folder.write("four.msh",
+                   "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 1 1 2\n1 0 0 0 1 7\n"
+                   "1 0 0 0 1 1 1 0 2 1 -1\n1 0 0 0 1 1 1 0 1 1\n1 0 0 0 1 1 1 2 8 9 1 1\n"
+                   "4 0 0 0 1 1 1 0 0\n$EndEntities\n$Nodes\n1 5 1 5\n3 1 0 5\n1\n2\n3\n4\n5\n"
+                   "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n"
+                   "$Elements\n2 2 1 2\n3 1 4 1\n1 1 2 3 4\n3 4 4 1\n2 2 3 4 5\n$EndElements\n");
+  const auto of_msh4 = labelled(msh4, {8});
+  REQUIRE_MESSAGE(of_msh4, (of_msh4 ? "" : of_msh4.error().to_string()));
+  CHECK(of_msh4->mesh.simplices.lists() == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(labelled(msh4, {0})->mesh.labels == std::vector<Vertex>{2, 3, 4, 5});
+}
+
 }  // namespace circumspect::formats

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "oracle/formats/mixed_text.hpp"
@@ -71,7 +72,9 @@ class GmshReader {
   Status read_elements_4();
   Status read_element_block(std::size_t& read);
   Result<const GmshType*> read_type();
-  Status read_vertices(const GmshType& type, NumberType of_tags);
+  Status read_vertices(const GmshType& type, NumberType of_tags, Vertex label);
+  Status read_entities();
+  Status read_entity(std::size_t dimension);
   // Goes to the numbers of a section: in binary they begin on the next line.
   void go_to_numbers() {
     if (text_.is_binary()) text_.rest_of_line();
@@ -83,7 +86,8 @@ class GmshReader {
   bool has_nodes_ = false;
   bool has_elements_ = false;
   ElementFile file_;
-  std::vector<Vertex> tags_;  // of the points
+  std::vector<Vertex> tags_;                            // of the points
+  std::map<std::pair<Vertex, Vertex>, Vertex> groups_;  // the first physical group of an entity
 };
 
 Status GmshReader::expect_word(std::string_view word) {
@@ -196,7 +200,43 @@ Result<const GmshType*> GmshReader::read_type() {
   return text_.fail("a type of elements from 1 to 31", std::to_string(*code));
 }
 
-Status GmshReader::read_vertices(const GmshType& type, NumberType of_tags) {
+// In version 4.1 the physical groups of elements are those of the entity to which they belong.
+Status GmshReader::read_entity(std::size_t dimension) {
+  const Result<Vertex> tag = text_.integer(kInt32, "the tag of an entity");
+  if (!tag) return tl::unexpected(tag.error());
+  const std::size_t bounds = dimension == 0 ? 3 : 6;
+  Status status = text_.skip_numbers(kFloat64, bounds, "a bound of an entity");
+  if (!status) return status;
+  const Result<std::size_t> groups = text_.count(kUint64, "the number of physical groups");
+  if (!groups) return tl::unexpected(groups.error());
+  for (std::size_t i = 0; i < *groups; ++i) {
+    const Result<Vertex> group = text_.integer(kInt32, "a physical group of an entity");
+    if (!group) return tl::unexpected(group.error());
+    groups_.try_emplace({static_cast<Vertex>(dimension), *tag}, *group);
+  }
+  if (dimension == 0) return {};
+  const Result<std::size_t> boundary = text_.count(kUint64, "the number of bounding entities");
+  if (!boundary) return tl::unexpected(boundary.error());
+  return text_.skip_numbers(kInt32, *boundary, "the tag of a bounding entity");
+}
+
+Status GmshReader::read_entities() {
+  go_to_numbers();
+  std::array<std::size_t, 4> counts = {};
+  for (std::size_t& count : counts) {
+    const Result<std::size_t> entities = text_.count(kUint64, "the number of entities");
+    if (!entities) return tl::unexpected(entities.error());
+    count = *entities;
+  }
+  for (std::size_t dimension = 0; dimension < counts.size(); ++dimension) {
+    for (std::size_t i = 0; i < counts[dimension]; ++i) {
+      if (Status entity = read_entity(dimension); !entity) return entity;
+    }
+  }
+  return {};
+}
+
+Status GmshReader::read_vertices(const GmshType& type, NumberType of_tags, Vertex label) {
   const std::size_t line = text_.line();
   Simplex vertices;
   while (vertices.size() < type.vertices) {
@@ -204,7 +244,7 @@ Status GmshReader::read_vertices(const GmshType& type, NumberType of_tags) {
     if (!vertex) return tl::unexpected(vertex.error());
     vertices.push_back(*vertex);
   }
-  add_element(file_, type.shape, std::move(vertices), type.name, line);
+  add_element(file_, type.shape, std::move(vertices), type.name, line, label);
   return {};
 }
 
@@ -228,9 +268,14 @@ Status GmshReader::read_elements_2() {
     const Result<std::size_t> tags = text_.count(kInt32, "the number of tags of " + one);
     if (!tags) return tl::unexpected(tags.error());
     for (std::size_t i = 0; i < *in_block; ++i) {
-      const std::size_t before = *tags + (text_.is_binary() ? 1 : 0);  // its own tag among them
-      Status status = text_.skip_numbers(kInt32, before, "a tag of " + one);
-      if (status) status = read_vertices(**type, kInt32);
+      Status status = text_.skip_numbers(kInt32, text_.is_binary() ? 1 : 0, "a tag of " + one);
+      Result<Vertex> group = 0;
+      if (status && *tags > 0) group = text_.integer(kInt32, "a tag of " + one);
+      if (!group) return tl::unexpected(group.error());
+      if (status && *tags > 1) {
+        status = text_.skip_numbers(kInt32, *tags - 1, "a tag of " + one);
+      }
+      if (status) status = read_vertices(**type, kInt32, *group);
       if (!status) return status;
     }
     read += *in_block;
@@ -242,8 +287,13 @@ Status GmshReader::read_elements_2() {
 }
 
 Status GmshReader::read_element_block(std::size_t& read) {
-  Status entity = text_.skip_numbers(kInt32, 2, "the dimension and the tag of an entity");
-  if (!entity) return entity;
+  const std::string which = "the dimension and the tag of an entity";
+  const Result<Vertex> dimension = text_.integer(kInt32, which);
+  if (!dimension) return tl::unexpected(dimension.error());
+  const Result<Vertex> entity = text_.integer(kInt32, which);
+  if (!entity) return tl::unexpected(entity.error());
+  const auto group = groups_.find({*dimension, *entity});
+  const Vertex label = group == groups_.end() ? 0 : group->second;
   const Result<const GmshType*> type = read_type();
   if (!type) return tl::unexpected(type.error());
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
@@ -251,7 +301,7 @@ Status GmshReader::read_element_block(std::size_t& read) {
   for (std::size_t i = 0; i < *count; ++i) {
     const Result<Vertex> tag = text_.integer(kUint64, one_of_all("element", i, *count));
     if (!tag) return tl::unexpected(tag.error());
-    if (Status vertices = read_vertices(**type, kUint64); !vertices) return vertices;
+    if (Status vertices = read_vertices(**type, kUint64, label); !vertices) return vertices;
   }
   read += *count;
   return {};
@@ -283,6 +333,10 @@ Status GmshReader::read_section(std::string_view keyword) {
     } else {
       status = version_ == 2 ? read_elements_2() : read_elements_4();
     }
+    return status ? expect_word(end) : status;
+  }
+  if (keyword == "$Entities" && version_ == 4) {
+    Status status = read_entities();
     return status ? expect_word(end) : status;
   }
   const std::size_t line = text_.line();
@@ -374,17 +428,17 @@ void write_gmsh(std::ostream& out, const ElementFile& file) {
                (points[i].size() == 2 ? " 0\n" : "\n");
   }
   const std::array<std::pair<const SimplexFile*, const char*>, 3> lists = {
-      {{&file.edges, " 1 2 0 1 "},
-       {&file.triangles, " 2 2 0 1 "},
-       {&file.tetrahedra, " 4 2 0 1 "}}};
+      {{&file.edges, " 1 2 "}, {&file.triangles, " 2 2 "}, {&file.tetrahedra, " 4 2 "}}};
   std::size_t count = 0;
   for (const auto& list : lists) count += list.first->simplices.size();
   out << "$EndNodes\n$Elements\n" + std::to_string(count) + "\n";
   std::size_t tag = 0;
   for (const auto& [list, type] : lists) {
-    for (Simplex vertices : list->simplices) {
+    for (std::size_t i = 0; i < list->simplices.size(); ++i) {
+      Simplex vertices = list->simplices[i];
       for (Vertex& v : vertices) v = index_of_place(place_of_index(v, file.points.first_index), 1);
-      out << std::to_string(++tag) + type + joined(vertices) + "\n";
+      const std::string group = std::to_string(list->labels.empty() ? 0 : list->labels[i]);
+      out << std::to_string(++tag) + type + group + " 1 " + joined(vertices) + "\n";
     }
   }
   out << "$EndElements\n";

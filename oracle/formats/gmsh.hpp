@@ -2,8 +2,10 @@
 //
 //     $MeshFormat                                 version, 0 (text) or 1 (binary), 8
 //     $Nodes                                      each has a tag of its own, in any order
-//     $Elements                                   of all dimensions; tags and entities are read over
-//     $Entities, $PhysicalNames, $NodeData, …     other sections are read over
+//     $Elements                                   of all dimensions; the (first) physical group of each is
+//                                                 its label, 0 if it is in none
+//     $Entities                                   of version 4.1: to which physical groups each belongs
+//     $PhysicalNames, $NodeData, …                other sections are read over
 //
 // Numbers follow one another, wherever lines end.
 #pragma once
@@ -23,7 +25,7 @@ bool is_gmsh_keyword(std::string_view token);
 // counted from 1, which is noted.
 Result<ElementFile> read_gmsh(const Source& source, NumberReading reading);
 
-// Version 2.2, in text; tags count from 1. Requires: points of dimension 2 or 3, whose third coordinate is
+// Version 2.2, in text; tags count from 1; labels are physical groups. Requires: points of dimension 2 or 3, whose third coordinate is
 // written as 0; vertices are counted from the first index of the points.
 void write_gmsh(std::ostream& out, const ElementFile& file);
 

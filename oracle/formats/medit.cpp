@@ -163,8 +163,9 @@ Status MeditReader::read_elements(const ElementSection& section) {
       if (element.empty()) line = lines_.line();
       element.push_back(*number);
     }
+    const Vertex label = element.back();
     element.pop_back();
-    add_element(file_, section.shape, std::move(element), name, line);
+    add_element(file_, section.shape, std::move(element), name, line, label);
   }
   return {};
 }

@@ -221,6 +221,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
     leave_out_constant_coordinate(file);
   }
   SimplexFile& simplices = contents->simplices;
+  const std::vector<Vertex> labels = std::move(simplices.labels);
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());
   }
@@ -231,6 +232,11 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
     mesh.faces = std::move(contents->faces);
     if (Status read = read_faces(path, mesh.faces); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
+  }
+  if (!request.kept_labels.empty()) {
+    if (Status kept = keep_labelled(request.kept_labels, labels, file); !kept) {
+      return tl::unexpected(kept.error());
+    }
   }
   // Neighbours are those of the simplices as the file has them.
   if (request.with_neighbors) {
@@ -252,7 +258,8 @@ Result<MeshFile> read_mesh(MeshRequest request, unsigned threads) {
         FormatError{"<stdin>", 0, "the mesh or its points on standard input", "both"});
   }
   load_streams(request);
-  std::optional<MeshFile> plain = read_plain_mesh(request, {threads});
+  std::optional<MeshFile> plain;
+  if (request.kept_labels.empty()) plain = read_plain_mesh(request, {threads});
   Result<MeshFile> file = plain ? std::move(*plain) : read_mesh_line_by_line(request);
   if (!file) return file;
   // A face of as many vertices is a simplex of full dimension that somebody lists beside the simplices.

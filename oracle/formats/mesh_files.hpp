@@ -38,6 +38,9 @@ struct MeshRequest {
   std::optional<std::size_t> domain_dimension = {};
   std::optional<PointFile> own_points = {};  // instead of any file's
   Weights weights = Weights::kNone;
+  // Only simplices with one of these labels, if there are any: in Medit's files the reference, in Gmsh's the
+  // (first) physical group, in .ele the first attribute. See fit_to_domain.hpp.
+  std::vector<Vertex> kept_labels = {};
   std::vector<LoadedFile> loaded = {};  // taken for what the files hold; see load_streams
 };
 

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "oracle/formats/lines.hpp"
+#include "oracle/formats/rows.hpp"
+#include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -121,6 +123,20 @@ Result<ElementFile> read_obj(const Source& source, NumberReading reading) {
   if (source.text.find('\\') == std::string::npos) return ObjReader(source, reading).read();
   const Source joined = with_lines_joined(source);
   return ObjReader(joined, reading).read();
+}
+
+void write_obj(std::ostream& out, const ElementFile& file) {
+  for (const Point& point : file.points.points) {
+    out << "v " + joined(point) + (point.size() == 2 ? " 0\n" : "\n");
+  }
+  const auto write = [&](const char* keyword, const std::vector<Simplex>& elements) {
+    for (Simplex vertices : elements) {
+      for (Vertex& v : vertices) v = index_of_place(place_of_index(v, file.points.first_index), 1);
+      out << keyword + joined(vertices) + "\n";
+    }
+  };
+  write("f ", surface_of(file));
+  write("l ", file.edges.simplices);
 }
 
 }  // namespace circumspect::formats

@@ -8,6 +8,8 @@
 // A backslash at the end of a line joins it with the next one.
 #pragma once
 
+#include <ostream>
+
 #include "oracle/formats/element_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number_text.hpp"
@@ -16,5 +18,8 @@ namespace circumspect::formats {
 
 // Points are counted from 1.
 Result<ElementFile> read_obj(const Source& source, NumberReading reading);
+
+// The points, the surface (surface_of) and the edges. Requires: as write_gmsh.
+void write_obj(std::ostream& out, const ElementFile& file);
 
 }  // namespace circumspect::formats

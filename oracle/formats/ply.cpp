@@ -3,6 +3,8 @@
 #include <array>
 
 #include "oracle/formats/ply_header.hpp"
+#include "oracle/formats/rows.hpp"
+#include "oracle/model/listed_index.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -287,6 +289,28 @@ Result<DomainFile> read_ply(const Source& source, NumberReading reading) {
   if (status) status = add_faces(file, ply->faces);
   if (!status) return tl::unexpected(status.error());
   return file;
+}
+
+void write_ply(std::ostream& out, const ElementFile& file) {
+  const std::vector<Simplex> surface = surface_of(file);
+  const std::vector<Simplex>& edges = file.edges.simplices;
+  out << "ply\nformat ascii 1.0\nelement vertex " + std::to_string(file.points.points.size()) +
+             "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+             std::to_string(surface.size()) + "\nproperty list uchar int vertex_indices\n";
+  if (!edges.empty()) {
+    out << "element edge " + std::to_string(edges.size()) +
+               "\nproperty int vertex1\nproperty int vertex2\n";
+  }
+  out << "end_header\n";
+  for (const Point& point : file.points.points) {
+    out << joined(point) + (point.size() == 2 ? " 0\n" : "\n");
+  }
+  const auto from_zero = [&](Simplex vertices) {
+    for (Vertex& v : vertices) v = place_of_index(v, file.points.first_index);
+    return joined(vertices) + "\n";
+  };
+  for (const Simplex& triangle : surface) out << "3 " + from_zero(triangle);
+  for (const Simplex& edge : edges) out << from_zero(edge);
 }
 
 }  // namespace circumspect::formats

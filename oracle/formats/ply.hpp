@@ -13,6 +13,8 @@
 // Elements and properties of other names are read over.
 #pragma once
 
+#include <ostream>
+
 #include "oracle/formats/element_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number_text.hpp"
@@ -29,6 +31,9 @@ Result<PlyFile> read_ply_file(const Source& source, NumberReading reading);
 
 // The same as elements, faces as polygons.
 Result<ElementFile> read_ply_elements(const Source& source, NumberReading reading);
+
+// In text: the points, the surface (surface_of) and, as far as there are any, the edges. Requires: as write_gmsh.
+void write_ply(std::ostream& out, const ElementFile& file);
 
 // A surface. Faces are polygons of one line. Errors: also, a file without the element face.
 Result<DomainFile> read_ply(const Source& source, NumberReading reading);

@@ -9,8 +9,9 @@
 namespace circumspect::formats {
 
 struct SimplexFile {
-  std::vector<Simplex> simplices = {};   // indices of points exactly as in the file
-  std::vector<std::size_t> lines = {};   // the line on which each stands, for messages
+  std::vector<Simplex> simplices = {};  // indices of points exactly as in the file
+  std::vector<std::size_t> lines = {};  // the line on which each stands, for messages
+  std::vector<Vertex> labels = {};  // what the file says each belongs to; empty if it does not say
   std::size_t vertices_per_simplex = 0;  // 0 if they differ
   Vertex first_index = 0;                // the user's index of the first simplex
 };

@@ -192,9 +192,11 @@ void write_vtu(std::ostream& out, const ElementFile& file) {
   std::string connectivity;
   std::string offsets;
   std::string types;
+  std::string labels;
   std::size_t cells = 0;
   std::size_t end = 0;
   for (const auto& [list, type] : lists) {
+    for (const Vertex label : list->labels) labels += std::to_string(label) + "\n";
     for (Simplex vertices : list->simplices) {
       for (Vertex& v : vertices) v = place_of_index(v, file.points.first_index);
       end += vertices.size();
@@ -210,7 +212,13 @@ void write_vtu(std::ostream& out, const ElementFile& file) {
              "\">\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
              "format=\"ascii\">\n";
   for (const Point& point : points) out << joined(point) + (point.size() == 2 ? " 0\n" : "\n");
-  out << "</DataArray>\n</Points>\n<Cells>\n"
+  out << "</DataArray>\n</Points>\n";
+  if (!labels.empty()) {
+    out << "<CellData Scalars=\"label\">\n"
+           "<DataArray type=\"Int64\" Name=\"label\" format=\"ascii\">\n" +
+               labels + "</DataArray>\n</CellData>\n";
+  }
+  out << "<Cells>\n"
          "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" +
              connectivity +
              "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n" +

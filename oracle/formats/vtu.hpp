@@ -19,7 +19,7 @@ bool is_vtu(std::string_view text);
 // Points are counted from 0.
 Result<ElementFile> read_vtu(const Source& source, NumberReading reading);
 
-// An UnstructuredGrid, in text. Requires: points of dimension 2 or 3, whose third coordinate is written as
+// An UnstructuredGrid, in text; labels, which all cells have or none, are cell data. Requires: points of dimension 2 or 3, whose third coordinate is written as
 // 0; vertices are counted from the first index of the points.
 void write_vtu(std::ostream& out, const ElementFile& file);
 

@@ -175,15 +175,15 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const Domain& domain,
                                               const Rational& squared_distance,
                                               const Options& options,
-                                              const fast::SimplexFacts* known) {
+                                              const fast::SimplexFacts* known, const Domain* flat) {
   const auto exactly = [&] {
-    Verdict verdict = judge_domain(claim, mesh, domain, options, known);
+    Verdict verdict = judge_domain(claim, mesh, flat == nullptr ? domain : *flat, options, known);
     if (verdict.holds()) verdict.within = Within{};
     return verdict;
   };
   const bool is_empty = domain.complex.points.empty();
   // Of a large mesh of doubles it is known that its simplices are sound. If not, the exact claim says it.
-  if (known == nullptr || is_empty || domain.complex.kind == DomainKind::kHull) {
+  if (known == nullptr || flat != nullptr || is_empty || domain.complex.kind == DomainKind::kHull) {
     Verdict exact = exactly();
     if (exact.holds() || is_empty || is_unsound(exact)) return exact;
   } else {
@@ -221,7 +221,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     case ReachAnswer::Kind::kNone:
       break;
     case ReachAnswer::Kind::kFound:
-      if (sign(answer.squared_reach) == 0) {
+      if (sign(answer.squared_reach) == 0 && flat == nullptr) {
         Verdict exact = exactly();
         exact.within = Within{};
         return exact;

@@ -20,11 +20,14 @@ struct NotJudged {
 // The verdict on the claim for the domain moved by no more than the square root of `squared_distance`,
 // exactly; Verdict::within says by how much it is moved. If there is no such move, the verdict says which
 // cells have no image. A mesh for which the claim holds as it stands is moved by 0.
+// `flat`: where polygons of the domain are joined that are not in one plane (nearly_coplanar.hpp), the domain of
+// which they were joined; the claim as it stands is about that one.
 // Requires: as judge_domain; squared_distance >= 0.
 tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh,
                                               const Domain& domain,
                                               const Rational& squared_distance,
                                               const Options& options = {},
-                                              const fast::SimplexFacts* known = nullptr);
+                                              const fast::SimplexFacts* known = nullptr,
+                                              const Domain* flat = nullptr);
 
 }  // namespace circumspect::check

@@ -1,0 +1,148 @@
+#include "command/options/domain_options.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "command/options/one_of.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+const std::string kMerge = "--merge-coplanar";
+constexpr std::string_view kUnit = "deg";
+
+// Degrees as slopes: π/180, as a decimal that is taken at its word. For angles this small the
+// tangent and the angle are the same up to a quarter of a percent, and this definition is exact.
+const Rational kSlopeOfDegree(17453292519943295L, 1000000000000000000L);
+constexpr long kMostDegrees = 5;
+
+bool ends_in_unit(std::string_view text) {
+  return text.size() > kUnit.size() && text.substr(text.size() - kUnit.size()) == kUnit;
+}
+
+// Empty, or what is wrong with the text.
+std::string read_angle(const std::string& text, Rational& slope) {
+  if (ends_in_unit(text)) {
+    const auto degrees =
+        read_number(text.substr(0, text.size() - kUnit.size()), NumberReading::kDecimal);
+    if (degrees && sign(*degrees) > 0 && *degrees <= kMostDegrees) {
+      slope = *degrees * kSlopeOfDegree;
+      return "";
+    }
+  }
+  return fmt::format(
+      "expected nothing, for polygons that are in one plane exactly, or an angle of more than 0deg "
+      "and at most {}deg, such as 0.1deg, found {}",
+      kMostDegrees, text);
+}
+
+void add_points(CLI::App& command, const std::string& name, std::vector<Point>& points,
+                const std::string& about) {
+  const auto read = [name, &points](const CLI::results_t& texts) {
+    points.clear();
+    for (const std::string& text : texts) {
+      Point point;
+      bool is_read = true;
+      for (const std::string& word : CLI::detail::split(text, ',')) {
+        const auto number = read_number(word, NumberReading::kDecimal);
+        is_read = is_read && number.has_value();
+        if (number) point.push_back(*number);
+      }
+      if (!is_read || point.size() < 2 || point.size() > 3) {
+        throw CLI::ValidationError(
+            name, "expected a point, as 1,2.5,1/3 or in the plane 1,2.5, found " + text);
+      }
+      points.push_back(std::move(point));
+    }
+    return true;
+  };
+  command.add_option(name, read, about)
+      ->type_size(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->option_text("X,Y,Z");
+}
+
+}  // namespace
+
+void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_angle) {
+  const std::map<std::string, Fill> fills = {{"enclosed", Fill::kEnclosed},
+                                             {"even-odd", Fill::kEvenOdd},
+                                             {"winding", Fill::kWinding},
+                                             {"hull", Fill::kHull}};
+  command
+      .add_option("--fill,--domain-kind", options.fill,
+                  "What the domain fills: 'enclosed', all that its polygons (in the plane its "
+                  "segments) enclose; 'even-odd', of that what a way from the outside enters by "
+                  "an odd number of walls, so that a sphere in a sphere is hollow; 'winding', what "
+                  "its walls wind around, as they are listed; or 'hull', its convex hull. The "
+                  "default is 'enclosed' if they enclose anything, and 'hull' if there are none. "
+                  "If there are some and they enclose nothing, say which you mean: 'enclosed' "
+                  "meshes them alone and fills nothing. 'hull' needs points that do not all lie in "
+                  "one plane")
+      ->transform(one_of(fills))
+      ->option_text("enclosed|even-odd|winding|hull");
+  add_points(command, "--hole", options.holes,
+             "A point in a hole: what encloses it is not filled. May be given several times, and "
+             "adds to the holes of the file");
+  add_points(command, "--region", options.regions,
+             "A point in what is filled: of all that is enclosed, nothing else is. May be given "
+             "several times");
+  const auto read = [&options](const CLI::results_t& texts) {
+    options.merged_slope = Rational(0);
+    if (texts.front() == "true") return true;
+    const std::string fault = read_angle(texts.front(), *options.merged_slope);
+    if (!fault.empty()) throw CLI::ValidationError(kMerge, fault);
+    return true;
+  };
+  const std::string with_angle =
+      takes_angle ? ". With an angle of at most 5deg, as 0.1deg, also polygons whose planes differ "
+                    "by no more, if their vertices are within the DISTANCE of --within of one plane"
+                  : "";
+  const auto reader = takes_angle ? CLI::callback_t(read) : [read](const CLI::results_t& texts) {
+    if (texts.front() != "true") {
+      throw CLI::ValidationError(kMerge, "expected no angle, found " + texts.front() +
+                                             ": circumspect check takes one, with --within");
+    }
+    return read(texts);
+  };
+  CLI::Option* const merge =
+      command
+          .add_option(kMerge, reader,
+                      "Take polygons that share a segment and lie in one plane for one polygon, as "
+                      "tetgen -p does; the segments between them, unless they are listed as "
+                      "segments, need not be in the mesh" +
+                          with_angle)
+          ->expected(0)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  if (takes_angle) merge->option_text("[ANGLE]");
+}
+
+std::string domain_options_fault(const DomainOptions& options) {
+  if (options.regions.empty() || !options.fill || *options.fill == Fill::kEnclosed) return "";
+  return fmt::format(
+      "expected --region alone or beside --fill enclosed, found it beside --fill {}: the regions "
+      "say what is filled",
+      name(*options.fill));
+}
+
+std::vector<std::string> with_angles_joined(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string text = argv[i];
+    const bool is_angle =
+        ends_in_unit(text) && text.front() != '-' &&
+        read_number(text.substr(0, text.size() - kUnit.size()), NumberReading::kDecimal)
+            .has_value();
+    if (is_angle && !words.empty() && words.back() == kMerge) {
+      words.back() += "=" + text;
+    } else {
+      words.push_back(text);
+    }
+  }
+  return words;
+}
+
+}  // namespace circumspect::cli

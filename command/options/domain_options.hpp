@@ -1,0 +1,38 @@
+// What a user says about a domain beside its file: what it fills, and which of its polygons are one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "reference/kernel/piecewise_linear/filling.hpp"
+
+namespace circumspect::cli {
+
+struct DomainOptions {
+  std::optional<Fill> fill = {};
+  std::vector<Point> holes = {};    // more hole seeds
+  std::vector<Point> regions = {};  // if any, nothing is filled but what they are in
+  // --merge-coplanar: the tangent of the angle, 0 if polygons have to be in one plane exactly.
+  std::optional<Rational> merged_slope = {};
+
+  bool is_given() const {
+    return fill || !holes.empty() || !regions.empty() || merged_slope.has_value();
+  }
+  bool merges_bent() const { return merged_slope && *merged_slope > 0; }
+};
+
+// Adds --fill (or --domain-kind), --hole, --region and --merge-coplanar. `takes_angle`: may the last one have an
+// angle, which only a command with --within can make something of?
+void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_angle = false);
+
+// What options contradict each other; empty if none do.
+std::string domain_options_fault(const DomainOptions& options);
+
+// Makes one word of --merge-coplanar and an angle behind it, which CLI11 would take for a file: whether a value
+// follows an option, it decides without looking at it.
+std::vector<std::string> with_angles_joined(int argc, char** argv);
+
+}  // namespace circumspect::cli

@@ -1,0 +1,263 @@
+#include "oracle/judge/within/nearly_coplanar.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "oracle/judge/within/cells.hpp"
+#include "oracle/judge/within/distance.hpp"
+#include "reference/kernel/exact/box_index.hpp"
+#include "reference/kernel/piecewise_linear/incidence.hpp"
+#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+
+namespace circumspect::check {
+namespace {
+
+// How much farther than its own height other cells have to be from a polygon that is not flat.
+constexpr long kTimesFarther = 100;
+
+Point crossed(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <typename T>
+void keep_sorted(std::vector<T>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+struct Plane {
+  Point origin;
+  Point u;  // in it
+  Point normal;
+
+  Rational height_times_length(const Point& point) const {
+    return inner_product(normal, point - origin);
+  }
+};
+
+Plane plane_of(const PointSet& points, const Simplex& triangle) {
+  const Point& origin = points[triangle[0]];
+  Point u = points[triangle[1]] - origin;
+  Point normal = crossed(u, points[triangle[2]] - origin);
+  return {origin, std::move(u), std::move(normal)};
+}
+
+class NearlyCoplanar {
+ public:
+  NearlyCoplanar(const PiecewiseLinearComplex& complex, const std::vector<Simplex>& listed,
+                 const Flatness& flatness)
+      : complex_(complex), flatness_(flatness), set_(complex.polygons.size(), kNone) {
+    for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+      planes_.push_back(plane_of(complex.points, complex.polygons[p].triangles.front()));
+      for (const Simplex& segment : complex.polygons[p].segments) at_[segment].push_back(p);
+    }
+    std::erase_if(at_, [&](const auto& one) {
+      return one.second.size() != 2 || std::binary_search(listed.begin(), listed.end(), one.first);
+    });
+    const Cells cells(complex);
+    for (const Cell cell : cells.all()) {
+      for (Simplex& simplex : cells.simplices(cell)) {
+        Box box = box_around(complex.points[simplex.front()]);
+        for (const Vertex v : simplex) box = box_around(box, box_around(complex.points[v]));
+        boxes_.push_back(box);
+        pieces_.push_back(std::move(simplex));
+      }
+    }
+    index_.emplace(boxes_);
+  }
+
+  NearlyJoined result() {
+    for (const std::size_t seed : largest_first()) {
+      if (set_[seed] == kNone) grow(seed);
+    }
+    NearlyJoined joined{complex_, {}, 0, squared_height_, refused_};
+    joined.complex.polygons.clear();
+    std::set<Simplex> removed;
+    for (const auto& [segment, polygons] : at_) {
+      if (set_[polygons[0]] == set_[polygons[1]]) removed.insert(segment);
+    }
+    joined.removed_segments = removed.size();
+    std::erase_if(joined.complex.segments, [&](const Simplex& s) { return removed.contains(s); });
+    std::map<std::size_t, std::vector<std::size_t>> members;
+    for (std::size_t p = 0; p < set_.size(); ++p) members[set_[p]].push_back(p);
+    std::vector<std::pair<std::size_t, std::size_t>> order;  // first member, seed
+    for (const auto& [seed, of_seed] : members) order.emplace_back(of_seed.front(), seed);
+    std::sort(order.begin(), order.end());
+    for (const auto& [first, seed] : order) {
+      joined.complex.polygons.push_back(joined_polygon(seed, members[seed], removed));
+      joined.members.push_back(members[seed]);
+    }
+    return joined;
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  std::vector<std::size_t> largest_first() const {
+    std::vector<std::pair<Rational, std::size_t>> order;
+    for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
+      // Along one axis, areas of one plane are to each other as they are.
+      Rational area = 0;
+      const Point& normal = planes_[p].normal;
+      for (const Simplex& triangle : complex_.polygons[p].triangles) {
+        area += abs(inner_product(normal, plane_of(complex_.points, triangle).normal));
+      }
+      order.emplace_back(-area * area / squared_length(normal), p);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> places;
+    for (const auto& [area, place] : order) places.push_back(place);
+    return places;
+  }
+
+  bool is_flat_enough(std::size_t polygon, const Plane& plane) const {
+    const Point& normal = planes_[polygon].normal;
+    const Rational along = inner_product(normal, plane.normal);
+    const Rational across = squared_length(crossed(normal, plane.normal));
+    if (across > flatness_.squared_slope * along * along) return false;
+    const Rational limit = flatness_.squared_distance * squared_length(plane.normal);
+    const std::vector<Vertex>& vertices = complex_.polygons[polygon].vertices;
+    return std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {
+      const Rational height = plane.height_times_length(complex_.points[v]);
+      return height * height <= limit;
+    });
+  }
+
+  void grow(std::size_t seed) {
+    const Plane& plane = planes_[seed];
+    std::vector<std::size_t> members = {seed};
+    set_[seed] = seed;
+    for (std::size_t next = 0; next < members.size(); ++next) {
+      for (const Simplex& segment : complex_.polygons[members[next]].segments) {
+        const auto at = at_.find(segment);
+        if (at == at_.end()) continue;
+        for (const std::size_t other : at->second) {
+          if (set_[other] != kNone || !is_flat_enough(other, plane)) continue;
+          set_[other] = seed;
+          members.push_back(other);
+        }
+      }
+    }
+    if (members.size() == 1) return;
+    Rational highest = 0;
+    std::vector<Simplex> triangles;
+    for (const std::size_t p : members) {
+      const Polygon& polygon = complex_.polygons[p];
+      triangles.insert(triangles.end(), polygon.triangles.begin(), polygon.triangles.end());
+      for (const Vertex v : polygon.vertices) {
+        highest = std::max(highest, Rational(abs(plane.height_times_length(complex_.points[v]))));
+      }
+    }
+    if (!are_beside_each_other(triangles, plane) || is_near_others(triangles, highest, plane)) {
+      ++refused_;
+      for (const std::size_t p : members) set_[p] = kNone;
+      set_[seed] = seed;
+      return;
+    }
+    squared_height_ =
+        std::max(squared_height_, Rational(highest * highest / squared_length(plane.normal)));
+  }
+
+  // Are no two triangles before each other, seen along the normal?
+  bool are_beside_each_other(const std::vector<Simplex>& triangles, const Plane& plane) const {
+    const Point w = crossed(plane.normal, plane.u);
+    std::map<Vertex, Vertex> place;
+    std::vector<Point> flat;
+    std::vector<Simplex> flat_triangles;
+    for (const Simplex& triangle : triangles) {
+      Simplex corners;
+      for (const Vertex v : triangle) {
+        const auto [at, is_new] = place.try_emplace(v, static_cast<Vertex>(flat.size()));
+        if (is_new) {
+          const Point to = complex_.points[v] - plane.origin;
+          flat.push_back({inner_product(to, plane.u), inner_product(to, w)});
+        }
+        corners.push_back(at->second);
+      }
+      flat_triangles.push_back(std::move(corners));
+    }
+    if (!duplicates(flat).empty()) return false;
+    const PointSet points(std::move(flat));
+    const CellBoxes boxes(points);
+    const BoxIndex index = boxes.index_of(flat_triangles);
+    const std::vector<std::size_t> axes = {0, 1};
+    for (std::size_t i = 0; i < flat_triangles.size(); ++i) {
+      for (const std::size_t j : index.meeting(boxes.of(flat_triangles[i]))) {
+        if (j <= i) continue;
+        if (interiors_meet(points.configuration(), axes, flat_triangles[i], flat_triangles[j])) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // `highest`: as the plane's height_times_length.
+  bool is_near_others(const std::vector<Simplex>& triangles, const Rational& highest,
+                      const Plane& plane) const {
+    Rational longest = 0;  // at most the length of the normal
+    for (const Rational& x : plane.normal) longest = std::max(longest, Rational(abs(x)));
+    const Rational far = kTimesFarther * highest / longest;
+    std::set<Vertex> own;
+    for (const Simplex& triangle : triangles) own.insert(triangle.begin(), triangle.end());
+    for (const Simplex& triangle : triangles) {
+      const std::vector<Point> corners = coordinates(complex_.points, triangle);
+      Box box = cube(corners[0], far);
+      for (const Point& corner : corners) box = box_around(box, cube(corner, far));
+      for (const std::size_t piece : index_->meeting(box)) {
+        const Simplex& other = pieces_[piece];
+        if (std::any_of(other.begin(), other.end(), [&](Vertex v) { return own.contains(v); })) {
+          continue;
+        }
+        const auto apart = squared_distance_between(corners, coordinates(complex_.points, other));
+        if (apart <= far * far) return true;
+      }
+    }
+    return false;
+  }
+
+  Polygon joined_polygon(std::size_t seed, const std::vector<std::size_t>& members,
+                         const std::set<Simplex>& removed) const {
+    Polygon polygon = complex_.polygons[seed];
+    if (members.size() == 1) return polygon;
+    polygon.hole_seeds.clear();
+    for (const std::size_t p : members) {
+      if (p == seed) continue;
+      const Polygon& member = complex_.polygons[p];
+      polygon.vertices.insert(polygon.vertices.end(), member.vertices.begin(),
+                              member.vertices.end());
+      polygon.segments.insert(polygon.segments.end(), member.segments.begin(),
+                              member.segments.end());
+      polygon.triangles.insert(polygon.triangles.end(), member.triangles.begin(),
+                               member.triangles.end());
+    }
+    std::erase_if(polygon.segments, [&](const Simplex& s) { return removed.contains(s); });
+    // The triangles stay in this order: the first of them says which plane is that of the polygon.
+    keep_sorted(polygon.segments);
+    keep_sorted(polygon.vertices);
+    return polygon;
+  }
+
+  const PiecewiseLinearComplex& complex_;
+  const Flatness& flatness_;
+  std::vector<Plane> planes_;
+  std::vector<std::size_t> set_;                    // by its seed
+  std::map<Simplex, std::vector<std::size_t>> at_;  // segments across which polygons may be joined
+  std::vector<Simplex> pieces_;
+  std::vector<Box> boxes_;
+  std::optional<BoxIndex> index_;
+  Rational squared_height_ = 0;
+  std::size_t refused_ = 0;
+};
+
+}  // namespace
+
+NearlyJoined nearly_coplanar_polygons_joined(const PiecewiseLinearComplex& complex,
+                                             const std::vector<Simplex>& listed,
+                                             const Flatness& flatness) {
+  return NearlyCoplanar(complex, listed, flatness).result();
+}
+
+}  // namespace circumspect::check
