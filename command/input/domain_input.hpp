@@ -1,6 +1,7 @@
 // From a file to a domain that meshes can be held against.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,15 @@ struct DomainFault {
   bool truncated = false;  // are there more breaches?
 };
 
+// Who waits for a domain: is told how far its validation has come, of each breach as soon as it is found
+// (then only the first kBreachLimit are in the DomainFault), and that it is valid before its kind is chosen.
+struct DomainWatch {
+  Progress progress = {};
+  std::function<void(const Breach&, const formats::DomainFile&)> on_breach = {};
+  std::function<void(const PiecewiseLinearComplex&, const formats::DomainFile&)> on_valid = {};
+  bool only_validity = false;  // the kind stays as it is, without notes
+};
+
 // Adds --domain-kind enclosed|hull. Without it, `choose_kind` decides.
 void add_domain_kind_option(CLI::App& command, std::optional<DomainKind>& kind);
 
@@ -42,7 +52,8 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
                                                     std::optional<DomainKind> kind,
                                                     std::size_t max_breaches = kBreachLimit,
-                                                    Leak leak = Leak::kRefused);
+                                                    Leak leak = Leak::kRefused,
+                                                    const DomainWatch& watch = {});
 
 std::string_view word(DomainKind kind);
 
