@@ -372,7 +372,7 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
           "--only", options->only,
           "Find no more than these facts: of points dimension, genericity, simplices; of a "
           "domain validity, regions, edge-protection, cdt")
-      ->option_text("FACT,…")
+      ->option_text("FACTS")
       ->delimiter(',')
       ->allow_extra_args(false);
   add_domain_inspection_options(*command, options->domain);
