@@ -70,9 +70,11 @@ std::string facts(const BuildOptions& options, const ExactMesh& mesh,
 }
 
 Triangulation construct_triangulation(const BuildOptions& options, const PointSet& points,
-                                      delaunay::Statistics& statistics) {
+                                      const Progress& progress, delaunay::Statistics& statistics) {
   if (options.what == "lexicographic") return delaunay::lexicographic(points);
-  return constructions().at(options.algorithm)(points, {options.bowyer_watson, &statistics});
+  delaunay::BowyerWatsonOptions how = options.bowyer_watson;
+  how.progress = progress;
+  return constructions().at(options.algorithm)(points, {how, &statistics});
 }
 
 // Writes the files asked for; false if one could not be written.
@@ -98,14 +100,18 @@ bool write_files(const BuildOptions& options, const ExactMesh& mesh,
 }
 
 void build_triangulation(const BuildOptions& options, Output& output) {
+  output.begin("reading " + options.points);
   const auto loaded = load_points(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
   const ExactMesh& mesh = loaded->mesh;
+  output.begin("triangulating " + options.points);
   delaunay::Statistics statistics;
-  const Triangulation triangulation = construct_triangulation(options, mesh.points, statistics);
+  const Triangulation triangulation =
+      construct_triangulation(options, mesh.points, output.progress(), statistics);
+  output.end_watch();
   if (!write_files(options, mesh, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
@@ -151,6 +157,7 @@ ExitCode run(const BuildOptions& options) {
   // The mesh itself goes to stdout: then nothing else does.
   if (options.output_file == "-" || options.neighbors_file == "-") spoken.quiet = true;
   Output output(spoken);
+  output.watch("build");
   build_triangulation(options, output);
   // Where the mesh is the JSON document, only an error needs another one.
   return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
@@ -220,6 +227,7 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   if (what != "lexicographic") add_algorithm_options(*command, *options);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
   return command;

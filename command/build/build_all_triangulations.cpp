@@ -79,6 +79,8 @@ report::Json json(const LoadedPoints& input, const std::vector<Listed>& all) {
 
 ExitCode run(const AllTriangulationsOptions& options) {
   Output output(options.output);
+  output.watch("build");
+  output.begin("listing all triangulations of " + options.points);
   const auto loaded = load_points(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
@@ -122,6 +124,7 @@ void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code) {
                     "Also those that leave out points, as flips of weighted triangulations do");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -114,7 +114,9 @@ void say_note(const ConstrainedOptions& options, const std::string& note, Output
 }
 
 void build(const ConstrainedOptions& options, Output& output) {
-  const auto loaded = load_domain(options.input_file, options.input, options.said);
+  output.begin("reading " + options.input_file);
+  const auto loaded = load_domain(options.input_file, options.input, options.said, kBreachLimit,
+                                  Leak::kRefused, {.progress = output.progress()});
   if (!loaded) {
     output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
     return;
@@ -126,8 +128,10 @@ void build(const ConstrainedOptions& options, Output& output) {
     output.error(ExitCode::kUsage, "domain", options.input_file, fault);
     return;
   }
-  const auto mesh = construct(
-      {options.what, options.algorithm, options.search, options.most_steiner_points}, domain);
+  const auto mesh =
+      construct({options.what, options.algorithm, options.search, options.most_steiner_points},
+                domain, options.input_file, output);
+  output.end_watch();
   if (!mesh) {
     say_no_mesh(options, mesh.error(), output);
     return;
@@ -176,6 +180,7 @@ ExitCode run(const ConstrainedOptions& options) {
   OutputOptions spoken = options.output;
   if (options.output_file == "-") spoken.quiet = true;
   Output output(spoken);
+  output.watch("build");
   build(options, output);
   // Where the mesh is the JSON document, only an error needs another one.
   return output.exit_code() == ExitCode::kHolds ? ExitCode::kHolds : output.finish();
@@ -259,6 +264,7 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   add_domain_options(*command, options->said);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

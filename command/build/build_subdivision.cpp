@@ -69,6 +69,8 @@ std::string text(const LoadedPoints& input, const PolyhedralComplex& complex) {
 
 ExitCode run(const SubdivisionOptions& options) {
   Output output(options.output);
+  output.watch("build");
+  output.begin("subdividing " + options.points);
   const auto loaded = load_points(options.points, options.input);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
@@ -105,6 +107,7 @@ void add_build_subdivision(CLI::App& build, ExitCode& exit_code) {
                     "With weights: the first attribute of a .node file, or the key of JSON");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

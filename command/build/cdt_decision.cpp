@@ -6,7 +6,10 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "command/options/whole_number.hpp"
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/kernel/complex/point_set.hpp"
@@ -52,6 +55,11 @@ PlcTriangulation completed(const PiecewiseLinearComplex& complex, std::vector<Si
 
 }  // namespace
 
+double seconds_of_gift_wrapping(std::size_t vertices) {
+  const auto n = static_cast<double>(vertices);
+  return 1.5e-5 * n * n;
+}
+
 std::string_view word(CdtAnswer answer) {
   switch (answer) {
     case CdtAnswer::kCanonical:
@@ -70,17 +78,35 @@ existence::Limits existence_limits(const SearchLimits& limits) {
   return {.vertices = limits.vertices, .conflicts = limits.conflicts};
 }
 
-CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
-                       const SearchLimits& limits) {
+CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits& limits,
+                       bool insert, const std::string& name, Output& output) {
   CdtDecision decision;
-  auto canonical = constrained::gift_wrapping_cdt(complex);
+  const std::size_t vertices = complex.points.size();
+  if (insert && vertices > kFewVertices) {
+    output.begin("inserting the polygons of " + name);
+    auto inserted = constrained::cdt_by_polygon_insertion(
+        complex, {constrained::PolygonInsertion::kFlips, {}, output.progress()});
+    if (inserted) {
+      decision.answer = CdtAnswer::kCanonical;
+      decision.cdt = *std::move(inserted);
+      return decision;
+    }
+  }
+  if (limits.wrapped_vertices != 0 && vertices > limits.wrapped_vertices) {
+    decision.limit = fmt::format("more than {} vertices", limits.wrapped_vertices);
+    return decision;
+  }
+  output.begin("gift-wrapping " + name, seconds_of_gift_wrapping(vertices));
+  auto canonical = constrained::gift_wrapping_cdt(complex, output.progress());
   if (canonical) {
     decision.answer = CdtAnswer::kCanonical;
     decision.cdt = *std::move(canonical);
     return decision;
   }
   decision.not_canonical = canonical.error();
-  existence::Existence any = existence::any_cdt(complex, regions, existence_limits(limits));
+  output.begin("searching for a CDT of " + name);
+  existence::Existence any =
+      existence::any_cdt(complex, Regions(complex), existence_limits(limits));
   if (auto* exists = std::get_if<existence::Exists>(&any)) {
     decision.answer = CdtAnswer::kAnother;
     decision.cdt = completed(complex, std::move(exists->tetrahedra));

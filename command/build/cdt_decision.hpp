@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command/output/output.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/existence/existence.hpp"
 
@@ -18,24 +19,36 @@ namespace circumspect::cli {
 enum class CdtAnswer { kCanonical, kAnother, kNone, kUnknown };
 std::string_view word(CdtAnswer answer);
 
+// In domains of more vertices the polygons are inserted, which is fast and finds most canonical CDTs;
+// gift-wrapping, which finds all, takes time in proportion to the square of the vertices and more.
+constexpr std::size_t kFewVertices = 200;
+
 struct SearchLimits {
   std::size_t vertices = 60;
   int conflicts = 1'000'000;
+  // Gift-wrapping is tried in domains of at most so many vertices; 0: in any.
+  std::size_t wrapped_vertices = 0;
 };
 
 struct CdtDecision {
   CdtAnswer answer = CdtAnswer::kUnknown;
   std::optional<constrained::PlcTriangulation> cdt = {};  // kCanonical, kAnother
-  std::optional<constrained::NoCdt> not_canonical = {};   // all but kCanonical: how that shows
-  std::optional<existence::Impossible> refutation = {};   // kNone
-  std::string limit = {};                                 // kUnknown: what stopped the search
+  // How it shows that there is no canonical one; nothing if there is, or if that was not decided.
+  std::optional<constrained::NoCdt> not_canonical = {};
+  std::optional<existence::Impossible> refutation = {};  // kNone
+  std::string limit = {};                                // kUnknown: what stopped the search
 };
 
-// Gift-wrapping decides about the canonical one; then a search that is exponential at worst, and so
-// has limits, about any.
-// Requires: the complex is in space, and valid; the regions are its own.
-CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
-                       const SearchLimits& limits);
+// Gift-wrapping decides about the canonical one, if the insertion of polygons has not found it before
+// (`insert`: in domains of more than kFewVertices vertices that is tried first); then a search that is
+// exponential at worst, and so has limits, about any. `name` is that of the domain, for whoever waits.
+// Requires: the complex is in space, and valid.
+CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits& limits,
+                       bool insert, const std::string& name, Output& output);
+
+// How long gift-wrapping takes, about, on a machine of 2023: from a ball of 1,200 vertices with bumps, a
+// double cone of 1,000 and prisms.
+double seconds_of_gift_wrapping(std::size_t vertices);
 
 // The limits of any search for a triangulation.
 existence::Limits existence_limits(const SearchLimits& limits);

@@ -47,29 +47,33 @@ DomainMesh mesh_of(const Domain& domain, PlcTriangulation triangulation) {
 
 // By insertion, or nothing: where insertion fails there may be a CDT all the same.
 std::optional<DomainMesh> by_polygon_insertion(const Domain& domain,
-                                               constrained::PolygonInsertion by) {
-  auto cdt = constrained::cdt_by_polygon_insertion(domain.complex, {by, {}});
+                                               constrained::PolygonInsertion by,
+                                               const Progress& progress) {
+  auto cdt = constrained::cdt_by_polygon_insertion(domain.complex, {by, {}, progress});
   if (!cdt) return std::nullopt;
   return mesh_of(domain, std::move(*cdt));
 }
 
-tl::expected<DomainMesh, NoMesh> cdt(const Domain& domain, const DomainConstruction& construction) {
+tl::expected<DomainMesh, NoMesh> cdt(const Domain& domain, const DomainConstruction& construction,
+                                     const std::string& name, Output& output) {
   const std::optional<std::string>& asked_for = construction.algorithm;
-  const bool is_large = domain.complex.points.size() > kFewVertices;
-  const std::string algorithm = asked_for.value_or(is_large ? "polygon-flips" : "gift-wrapping");
-  if (algorithm != "gift-wrapping") {
-    auto mesh = by_polygon_insertion(domain, algorithm == "polygon-flips"
-                                                 ? constrained::PolygonInsertion::kFlips
-                                                 : constrained::PolygonInsertion::kCavities);
+  if (asked_for && *asked_for != "gift-wrapping") {
+    output.begin("inserting the polygons of " + name);
+    auto mesh = by_polygon_insertion(domain,
+                                     *asked_for == "polygon-flips"
+                                         ? constrained::PolygonInsertion::kFlips
+                                         : constrained::PolygonInsertion::kCavities,
+                                     output.progress());
     if (mesh) return *std::move(mesh);
   }
-  CdtDecision decision = decide_cdt(domain.complex, Regions(domain.complex), construction.search);
+  CdtDecision decision = decide_cdt(domain.complex, construction.search, !asked_for, name, output);
   if (decision.answer == CdtAnswer::kCanonical) {
-    if (!asked_for || algorithm == "gift-wrapping")
+    if (!asked_for || *asked_for == "gift-wrapping") {
       return mesh_of(domain, *std::move(decision.cdt));
+    }
     return tl::unexpected(NoMesh{
         false, fmt::format("{} cannot insert every polygon; gift-wrapping finds the canonical one",
-                           algorithm)});
+                           *asked_for)});
   }
   const std::string why = in_words(*decision.not_canonical, domain);
   switch (decision.answer) {
@@ -80,7 +84,7 @@ tl::expected<DomainMesh, NoMesh> cdt(const Domain& domain, const DomainConstruct
         return tl::unexpected(NoMesh{
             false, fmt::format("there is one, but no canonical one, and {} makes no other; without "
                                "--algorithm it is built; {}",
-                               algorithm, why)});
+                               *asked_for, why)});
       }
       DomainMesh mesh = mesh_of(domain, *std::move(decision.cdt));
       mesh.not_canonical = why;
@@ -124,12 +128,12 @@ NoMesh not_with(std::size_t steiner_points) {
 }
 
 tl::expected<DomainMesh, NoMesh> steiner(const Domain& domain, const std::string& algorithm,
-                                         std::size_t most) {
+                                         std::size_t most, const Progress& progress) {
   using constrained::CdtAlgorithm;
   const CdtAlgorithm by = algorithm == "polygon-flips"      ? CdtAlgorithm::kPolygonFlips
                           : algorithm == "polygon-cavities" ? CdtAlgorithm::kPolygonCavities
                                                             : CdtAlgorithm::kGiftWrapping;
-  auto built = constrained::steiner_cdt(domain.complex, by, most);
+  auto built = constrained::steiner_cdt(domain.complex, by, most, progress);
   if (!built) return tl::unexpected(not_with(most));
   DomainMesh mesh{std::move(built->complex.points), std::move(built->triangulation)};
   for (const auto& point : built->steiner_points) {
@@ -164,15 +168,20 @@ std::vector<std::string> algorithms_for(const std::string& what, std::size_t dim
 }
 
 tl::expected<DomainMesh, NoMesh> construct(const DomainConstruction& construction,
-                                           const Domain& domain) {
+                                           const Domain& domain, const std::string& name,
+                                           Output& output) {
   const std::string& what = construction.what;
   const std::size_t dimension = domain.complex.ambient_dimension();
+  if (what != "cdt" || dimension == 2) output.begin("meshing " + name);
   if (what == "conforming-delaunay") return conforming(domain, construction.most_steiner_points);
   if (what == "planar-cdt" && dimension == 3) return mesh_of(domain, of_polygons(domain.complex));
-  if (what == "cdt" && dimension == 3) return cdt(domain, construction);
+  if (what == "cdt" && dimension == 3) return cdt(domain, construction, name, output);
   if (dimension == 2) return planar(domain, construction.algorithm.value_or("gift-wrapping"));
+  if (construction.algorithm == "gift-wrapping") {
+    output.begin("gift-wrapping " + name, seconds_of_gift_wrapping(domain.complex.points.size()));
+  }
   return steiner(domain, construction.algorithm.value_or("polygon-flips"),
-                 construction.most_steiner_points);
+                 construction.most_steiner_points, output.progress());
 }
 
 }  // namespace circumspect::cli

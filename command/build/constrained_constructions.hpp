@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "command/build/cdt_decision.hpp"
+#include "command/output/output.hpp"
 #include "oracle/model/domain.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 
@@ -40,10 +41,10 @@ struct DomainConstruction {
   SearchLimits search = {};                  // cdt
   std::size_t most_steiner_points = 10'000;  // steiner-cdt, conforming-delaunay
 };
+// `name` is that of the domain, for whoever waits.
 tl::expected<DomainMesh, NoMesh> construct(const DomainConstruction& construction,
-                                           const Domain& domain);
-
-constexpr std::size_t kFewVertices = 200;
+                                           const Domain& domain, const std::string& name,
+                                           Output& output);
 
 // For conforming-delaunay there is but one way, without a name.
 std::vector<std::string> algorithms_for(const std::string& what, std::size_t dimension);

@@ -75,9 +75,13 @@ void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
     say(fmt::format("minimize: {} points; ends after {:g} s at the latest (--minimize-time)\n",
                     campaign::point_count(input), options.subject.minimise().time.count()));
   }
+  const std::atomic<bool>& interrupted = stop_flag();  // what an interrupt does is settled by now
+  output.watch("minimize");
+  output.begin("making " + options.input + " small");
   const campaign::Input minimal =
-      campaign::minimised(input, signature, runner, options.subject.minimise(), stop_flag());
+      campaign::minimised(input, signature, runner, options.subject.minimise(), interrupted);
   const campaign::Outcome outcome = runner.run(minimal);
+  output.end_watch();
   const std::string failure = write_input(options, subject, minimal);
   if (!failure.empty()) {
     output.error(ExitCode::kUsage, "input", options.input, failure);
@@ -85,7 +89,7 @@ void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
   }
   report(options, subject, outcome, campaign::point_count(input), campaign::point_count(minimal),
          output);
-  if (stop_flag()) output.exit_with(ExitCode::kUndecided);
+  if (interrupted) output.exit_with(ExitCode::kUndecided);
 }
 
 // Errors: there is no place for its files.

@@ -100,12 +100,23 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
   }
 }
 
+// How long judging by definition takes, about, on a machine of 2023: every pair of simplices is looked at,
+// and every simplex with every point. By lemma nobody need wait long.
+std::optional<double> seconds_of_judging(const Mesh& mesh, const CheckOptions& options) {
+  if (options.check.by != check::By::kDefinition) return std::nullopt;
+  const auto simplices = static_cast<double>(mesh.simplices.size());
+  const auto points = static_cast<double>(mesh.points());
+  return simplices * simplices / 2 * 2e-5 + simplices * points * 2e-6;
+}
+
 void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
+  output.begin("reading " + path);
   auto loaded = load_mesh(path, options.input, options.check.threads);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
+  output.begin("judging " + path, seconds_of_judging(loaded->mesh, options));
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
   if (!verdict) {
@@ -115,6 +126,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   for (const std::string& note : loaded->notes) output.note(note);
   report_verdict(path, *verdict, loaded->mesh, loaded->notes, options, nullptr, output);
   if (options.certificate) {
+    output.end_watch();
     write_certificate(*options.certificate, path, exact(loaded->mesh), *verdict, output);
   }
 }
@@ -231,6 +243,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
                        const HeldAgainst& against, Output& output) {
   const LoadedDomain& domain = against.loaded;
   const std::size_t dimension = domain.domain.complex.ambient_dimension();
+  output.begin("reading " + path);
   auto loaded = load_mesh(path, options.input, options.check.threads, dimension);
   // The claim may depend on which points there are.
   const std::string fault =
@@ -248,6 +261,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
                     dimension, domain.name, mesh.dimension()));
     return;
   }
+  output.begin("judging " + path, seconds_of_judging(mesh, options));
   const Claim claim = claim_of(options, mesh, domain);
   std::optional<Verdict> verdict;
   if (options.within) {
@@ -286,8 +300,10 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
+  output.begin("reading " + *options.domain);
   auto domain =
-      load_domain(*options.domain, options.input, options.said, options.check.max_violations);
+      load_domain(*options.domain, options.input, options.said, options.check.max_violations,
+                  Leak::kRefused, {.progress = output.progress()});
   if (!domain) {
     output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
     return;
@@ -358,6 +374,7 @@ ExitCode run(CheckOptions& options) {
     return usage_error(fault);
   }
   Output output(options.output);
+  output.watch("check");
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
   options.check.threads = thread_count(options.threads);
@@ -381,7 +398,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       "  tetgen -pq part.poly                    # part.1.node, part.1.ele, part.1.face\n"
       "  circumspect check part.1.ele --domain part.poly\n\n"
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also if it\n"
-      "has neither points nor simplices), 5 internal error.");
+      "has neither points nor simplices), 4 interrupted or stopped by --limit, 5 internal error.");
   command
       ->add_option(
           "mesh", options->meshes,
@@ -428,6 +445,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   add_duplicates_option(*command, options->input);
   add_keep_label_option(*command, options->input);
   add_allow_empty_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

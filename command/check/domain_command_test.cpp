@@ -230,8 +230,8 @@ TEST_CASE("Schonhardt's polyhedron has no triangulation, which is proved") {
   CHECK(has(inspected.out, "constrained Delaunay triangulation: none (proved)\n"));
   CHECK(has(inspected.out, "triangulation without Steiner points: none (proved)\n"));
   const Run unknown = run({"inspect", domain, "--domain", "--search-vertices", "5"});
-  CHECK(unknown.exit_code == 4);
-  CHECK(has(unknown.out, "constrained Delaunay triangulation: unknown\n"));
+  CHECK(unknown.exit_code == 0);
+  CHECK(has(unknown.out, "constrained Delaunay triangulation: unknown ("));
   for (const char* algorithm : {"gift-wrapping", "polygon-flips", "polygon-cavities"}) {
     const Run built = run(
         {"build", "cdt", domain, "--algorithm", algorithm, "-o", folder.path("schonhardt.1.ele")});

@@ -254,11 +254,14 @@ void compare(const CompareOptions& options, Output& output) {
     output.error(ExitCode::kUsage, "mesh", "-", "expected one mesh on standard input, found two");
     return;
   }
+  output.begin("reading " + options.a);
   auto a = load_mesh(options.a, options.input, thread_count(0));
   if (!a) output.error(ExitCode::kInputFault, "mesh", options.a, a.error());
+  output.begin("reading " + options.b);
   auto b = load_mesh(options.b, options.input, thread_count(0));
   if (!b) output.error(ExitCode::kInputFault, "mesh", options.b, b.error());
   if (!a || !b) return;
+  output.begin("comparing " + options.a + " and " + options.b);
   std::optional<check::Difference> found = check::difference(a->mesh, b->mesh);
   if (!found) {
     const bool are_settled = settle(*a, options, output) && settle(*b, options, output);
@@ -296,7 +299,8 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
       "weight 0. If the points are not generic, two Delaunay triangulations may differ and both "
       "be\n"
       "right, which check can tell.\n\n"
-      "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 5 internal error.");
+      "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 4 interrupted or\n"
+      "stopped by --limit, 5 internal error.");
   command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
   command->add_option("b", options->b, "The other mesh")->required();
   command
@@ -319,9 +323,11 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   add_duplicates_option(*command, options->input);
   add_keep_label_option(*command, options->input);
   add_allow_empty_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     Output output(options->output);
+    output.watch("compare");
     compare(*options, output);
     exit_code = output.finish();
   });

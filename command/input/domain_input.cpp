@@ -80,7 +80,8 @@ std::string_view word(DomainKind kind) {
 tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
                                                     const DomainOptions& said,
-                                                    std::size_t max_breaches, Leak leak) {
+                                                    std::size_t max_breaches, Leak leak,
+                                                    const DomainWatch& watch) {
   auto read = formats::read_domain(path, options.coordinates);
   if (!read) return tl::unexpected(DomainFault{read.error().to_string()});
   formats::DomainFile file = options.duplicates == Duplicates::kMerge
@@ -100,11 +101,17 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   }
   file.input.hole_seeds.insert(file.input.hole_seeds.end(), said.holes.begin(), said.holes.end());
   // One more than is reported tells whether there are more.
-  auto complex = validated(file.input, max_breaches == 0 ? 0 : max_breaches + 1);
+  ValidityWatch validity{watch.progress};
+  if (watch.on_breach) {
+    validity.on_breach = [&](const Breach& breach) { watch.on_breach(breach, file); };
+  }
+  auto complex = validated(file.input, max_breaches == 0 ? 0 : max_breaches + 1, validity);
   if (!complex) {
     return tl::unexpected(fault_of(std::move(complex.error()), max_breaches, std::move(file)));
   }
+  if (watch.on_valid) watch.on_valid(*complex, file);
   LoadedDomain loaded{path, domain_of(std::move(*complex), file), std::move(file)};
+  if (watch.only_validity) return loaded;
   auto chosen = choose_kind(loaded.domain, loaded.file.input, said, leak);
   if (!chosen) return tl::unexpected(DomainFault{path + ": " + chosen.error()});
   for (const std::string& note : chosen->notes) loaded.file.notes.push_back(path + ": " + note);

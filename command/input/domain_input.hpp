@@ -1,6 +1,7 @@
 // From a file to a domain that meshes can be held against.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,15 @@ struct DomainFault {
   bool truncated = false;  // are there more breaches?
 };
 
+// Who waits for a domain: is told how far its validation has come, of each breach as soon as it is found
+// (then only the first kBreachLimit are in the DomainFault), and that it is valid before its kind is chosen.
+struct DomainWatch {
+  Progress progress = {};
+  std::function<void(const Breach&, const formats::DomainFile&)> on_breach = {};
+  std::function<void(const PiecewiseLinearComplex&, const formats::DomainFile&)> on_valid = {};
+  bool only_validity = false;  // the kind stays as it is, without notes
+};
+
 // Errors: a malformed file; duplicates, unless they are merged; any other breach, up to
 // `max_breaches` of them (0: all); no kind that `choose_kind` can give it. The notes of the file have
 // those about the kind too. Polygons of one plane are joined if the options say so, those that are nearly
@@ -43,7 +53,8 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const InputOptions& options,
                                                     const DomainOptions& said,
                                                     std::size_t max_breaches = kBreachLimit,
-                                                    Leak leak = Leak::kRefused);
+                                                    Leak leak = Leak::kRefused,
+                                                    const DomainWatch& watch = {});
 
 // The domain with its polygons of one plane joined. Polygons are called by the first of those they were joined
 // of; a note says how many there are.

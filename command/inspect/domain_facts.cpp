@@ -6,50 +6,46 @@
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::cli {
-namespace {
-
-void count_regions(const Regions& regions, DomainFacts& facts) {
+void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {
+  output.begin("finding the regions of " + loaded.name);
+  const Regions regions(loaded.domain.complex);
   for (std::size_t region = 0; region < regions.size(); ++region) {
     if (region == Regions::kUnbounded) continue;
     if (regions.where(region) == Where::kInside) ++facts.polyhedra;
     if (regions.where(region) == Where::kHole) ++facts.holes;
   }
   facts.ignored_hole_seeds = regions.ignored_seeds();
+  facts.adoptions = adoptions(loaded.file.input, loaded.domain.complex);
 }
 
-void look_for_cdt(const PiecewiseLinearComplex& complex, const Regions& regions,
-                  const SearchLimits& limits, DomainFacts& facts) {
+void find_edge_protection(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {
+  output.begin("deciding whether " + loaded.name + " is edge-protected");
+  facts.segments = constrained::edge_protection(loaded.domain.complex, output.progress());
+  facts.is_edge_protected = constrained::is_edge_protected(facts.segments);
+  facts.is_edge_protected_under_perturbation =
+      constrained::is_edge_protected_under_perturbation(facts.segments);
+}
+
+void find_cdt(const LoadedDomain& loaded, const SearchLimits& limits, DomainFacts& facts,
+              Output& output) {
+  const PiecewiseLinearComplex& complex = loaded.domain.complex;
   if (complex.ambient_dimension() == 2) {
     facts.cdt = CdtAnswer::kCanonical;
     return;
   }
-  CdtDecision decision = decide_cdt(complex, regions, limits);
+  CdtDecision decision = decide_cdt(complex, limits, true, loaded.name, output);
   facts.cdt = decision.answer;
+  facts.limit = std::move(decision.limit);
   facts.no_cdt = std::move(decision.refutation);
-  if (decision.cdt) return;
+  if (decision.cdt || complex.points.size() > limits.vertices) return;
+  output.begin("searching for a triangulation of " + loaded.name);
   existence::Existence any =
-      existence::any_triangulation(complex, regions, existence_limits(limits));
+      existence::any_triangulation(complex, Regions(complex), existence_limits(limits));
   if (std::holds_alternative<existence::Exists>(any)) facts.triangulation = true;
   if (auto* impossible = std::get_if<existence::Impossible>(&any)) {
     facts.triangulation = false;
     facts.no_triangulation = std::move(*impossible);
   }
-}
-
-}  // namespace
-
-DomainFacts facts_of(const LoadedDomain& loaded, const SearchLimits& limits) {
-  const PiecewiseLinearComplex& complex = loaded.domain.complex;
-  const Regions regions(complex);
-  DomainFacts facts;
-  count_regions(regions, facts);
-  facts.adoptions = adoptions(loaded.file.input, complex);
-  facts.segments = constrained::edge_protection(complex);
-  facts.is_edge_protected = constrained::is_edge_protected(complex);
-  facts.is_edge_protected_under_perturbation =
-      facts.is_edge_protected || constrained::is_edge_protected_under_perturbation(complex);
-  look_for_cdt(complex, regions, limits, facts);
-  return facts;
 }
 
 }  // namespace circumspect::cli

@@ -21,6 +21,7 @@ struct DomainFacts {
   bool is_edge_protected = false;
   bool is_edge_protected_under_perturbation = false;
   CdtAnswer cdt = CdtAnswer::kUnknown;
+  std::string limit = {};  // what left that open
   // Is there any triangulation, where there is no CDT? Unknown: not within the limits.
   std::optional<bool> triangulation = {};
   // Where there is none: the proofs.
@@ -28,6 +29,10 @@ struct DomainFacts {
   std::optional<existence::Impossible> no_triangulation = {};
 };
 
-DomainFacts facts_of(const LoadedDomain& loaded, const SearchLimits& limits);
+// Each finds some of the facts; `output` is told what is being done.
+void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output);
+void find_edge_protection(const LoadedDomain& loaded, DomainFacts& facts, Output& output);
+void find_cdt(const LoadedDomain& loaded, const SearchLimits& limits, DomainFacts& facts,
+              Output& output);
 
 }  // namespace circumspect::cli

@@ -1,14 +1,18 @@
 // circumspect inspect INPUT
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "command/input/input.hpp"
 #include "command/inspect/inspect_counts.hpp"
 #include "command/inspect/inspect_domain.hpp"
 #include "command/inspect/inspect_simplex.hpp"
 #include "command/inspect/refutation_files.hpp"
+#include "command/options/nearest_word.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
@@ -29,6 +33,7 @@ struct InspectOptions {
   std::vector<std::string> inputs;
   std::size_t subsets = 200'000;
   std::vector<std::string> simplices;  // "1 2 3", by the user's indices
+  std::vector<std::string> only;       // some of the facts; none means all
   DomainInspection domain;
   InputOptions input;
   OutputOptions output;
@@ -50,6 +55,18 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
     if (result > cap) return cap;
   }
   return result;
+}
+
+// How many simplices of the highest dimension a triangulation has at most, less than the Upper Bound Theorem
+// allows for its lifted points: about half of the facets of a cyclic polytope. And how long it takes to
+// make them, about, on a machine of 2023, in dimensions in which that is more than a moment.
+std::optional<double> seconds_of_triangulating(std::size_t points, int dimension) {
+  if (dimension < 4) return std::nullopt;
+  const auto n = static_cast<double>(points);
+  const int half = (dimension + 1) / 2;
+  double simplices = 1;
+  for (int i = 0; i < half; ++i) simplices *= std::max(1.0, n - half - 1 - i) / (i + 1);
+  return simplices * 1e-6 * std::pow(dimension, 3);
 }
 
 // An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size of
@@ -88,14 +105,6 @@ std::string_view answer_word(Genericity::Answer answer) {
   return "";
 }
 
-struct Facts {
-  const LoadedPoints& input;
-  std::size_t points_read;
-  std::vector<Duplicate> duplicates;
-  Genericity genericity;
-  std::vector<SimplexCount> counts;
-};
-
 // "simplices: 19 of at most 28 edges, 18 of at most 40 triangles, 6 of at most 19 tetrahedra"
 std::string counts_text(const std::vector<SimplexCount>& counts) {
   std::string text;
@@ -109,71 +118,163 @@ std::string counts_text(const std::vector<SimplexCount>& counts) {
   return text.empty() ? "" : text + "\n";
 }
 
-std::string text(const Facts& facts) {
-  const ExactMesh& mesh = facts.input.mesh;
-  std::string out;
-  for (const Duplicate& duplicate : facts.duplicates) {
-    out += fmt::format("duplicate: points {} and {} are equal\n", duplicate.kept + mesh.first_index,
-                       duplicate.again + mesh.first_index);
+std::string duplicates_text(const ExactMesh& mesh, const std::vector<Duplicate>& duplicates) {
+  std::string text;
+  for (const Duplicate& duplicate : duplicates) {
+    text += fmt::format("duplicate: points {} and {} are equal\n",
+                        duplicate.kept + mesh.first_index, duplicate.again + mesh.first_index);
   }
-  const Genericity& genericity = facts.genericity;
-  if (!genericity.cospherical.empty()) {
-    const Ball ball = common_ball(mesh.points, genericity.cospherical);
-    std::string centre;
-    for (const Rational& x : ball.centre) centre += " " + to_decimal(x);
-    out += fmt::format("cospherical: points {} on {} of centre ~{} radius ~ {}\n",
-                       report::labels(mesh, genericity.cospherical),
-                       genericity.unique ? "a sphere" : "an empty sphere", centre,
-                       square_root_to_decimal(ball.squared_radius));
-  }
-  if (genericity.answer == Genericity::Answer::kUndecided) {
-    out += "generic: undecided, more subsets than --subsets; no empty ball has too many points\n";
-  }
-  out += counts_text(facts.counts);
-  return out +
-         fmt::format("inspected: {} {} {} dimension {} of {} {} {}\n",
-                     on_one_line(facts.input.name), report::counted(facts.points_read, "point"),
-                     report::counted(facts.duplicates.size(), "duplicate"), mesh.points.dimension(),
-                     mesh.points.ambient_dimension(), answer_word(genericity.answer),
-                     genericity.unique ? "unique" : "not-unique");
+  return text;
 }
 
-report::Json json(const Facts& facts) {
-  const ExactMesh& mesh = facts.input.mesh;
-  report::Json repeated = report::Json::array();
-  for (const Duplicate& duplicate : facts.duplicates) {
-    repeated.push_back({duplicate.kept + mesh.first_index, duplicate.again + mesh.first_index});
+std::string genericity_text(const ExactMesh& mesh, const Genericity& genericity) {
+  if (genericity.answer == Genericity::Answer::kUndecided) {
+    return "generic: undecided, more subsets than --subsets; no empty ball has too many points\n";
   }
-  report::Json object = {{"input", facts.input.name},
-                         {"points", facts.points_read},
-                         {"duplicates", repeated},
-                         {"ambient_dimension", mesh.points.ambient_dimension()},
-                         {"dimension", mesh.points.dimension()},
-                         {"generic", answer_word(facts.genericity.answer)},
-                         {"unique", facts.genericity.unique}};
-  report::Json counts = report::Json::array();
-  for (const SimplexCount& count : facts.counts) {
-    report::Json entry = {{"dimension", count.dimension}, {"count", count.count}};
-    if (count.bound) entry["bound"] = *count.bound;
-    counts.push_back(entry);
+  if (genericity.cospherical.empty()) return "";
+  const Ball ball = common_ball(mesh.points, genericity.cospherical);
+  std::string centre;
+  for (const Rational& x : ball.centre) centre += " " + to_decimal(x);
+  return fmt::format("cospherical: points {} on {} of centre ~{} radius ~ {}\n",
+                     report::labels(mesh, genericity.cospherical),
+                     genericity.unique ? "a sphere" : "an empty sphere", centre,
+                     square_root_to_decimal(ball.squared_radius));
+}
+
+report::Json genericity_json(const ExactMesh& mesh, const Genericity& genericity) {
+  report::Json object = {{"generic", answer_word(genericity.answer)},
+                         {"unique", genericity.unique}};
+  if (genericity.cospherical.empty()) return object;
+  report::Json vertices = report::Json::array();
+  report::Json coordinates = report::Json::object();
+  for (const Vertex v : genericity.cospherical) {
+    vertices.push_back(mesh.label(v));
+    coordinates[std::to_string(mesh.label(v))] = report::point(mesh.points[v]);
   }
-  object["simplices_of_canonical_triangulation"] = counts;
-  if (!facts.genericity.cospherical.empty()) {
-    report::Json vertices = report::Json::array();
-    report::Json coordinates = report::Json::object();
-    for (const Vertex v : facts.genericity.cospherical) {
-      vertices.push_back(mesh.label(v));
-      coordinates[std::to_string(mesh.label(v))] = report::point(mesh.points[v]);
-    }
-    object["cospherical"] = {
-        {"vertices", vertices},
-        {"ball", report::ball(common_ball(mesh.points, facts.genericity.cospherical))},
-        {"coordinates", coordinates}};
-  }
+  object["cospherical"] = {{"vertices", vertices},
+                           {"ball", report::ball(common_ball(mesh.points, genericity.cospherical))},
+                           {"coordinates", coordinates}};
   return object;
 }
 
+report::Json counts_json(const std::vector<SimplexCount>& counts) {
+  report::Json array = report::Json::array();
+  for (const SimplexCount& count : counts) {
+    report::Json entry = {{"dimension", count.dimension}, {"count", count.count}};
+    if (count.bound) entry["bound"] = *count.bound;
+    array.push_back(entry);
+  }
+  return array;
+}
+
+constexpr std::string_view kDimension = "dimension", kGenericity = "genericity",
+                           kSimplices = "simplices";
+
+std::vector<std::string> point_facts() {
+  return {std::string(kDimension), std::string(kGenericity), std::string(kSimplices)};
+}
+
+// Prints what is found as soon as it is found, and collects it for JSON and for the last line.
+class PointsInspection {
+ public:
+  PointsInspection(const LoadedPoints& loaded, const std::vector<Duplicate>& repeated,
+                   const InspectOptions& options, Output& output)
+      : loaded_(loaded), repeated_(repeated), options_(options), output_(output) {}
+
+  void run() {
+    add_dimension();
+    if (!add_answers()) return;
+    if (wants(kGenericity) || wants(kSimplices)) {
+      const Triangulation triangulation = triangulated();
+      if (wants(kGenericity)) add_genericity(triangulation);
+      if (wants(kSimplices)) add_counts(triangulation);
+    }
+    output_.text(fmt::format("inspected: {} {}\n", on_one_line(loaded_.name), summary_));
+    if (output_.wants_json()) output_.json(known_);
+  }
+
+ private:
+  bool wants(std::string_view fact) const {
+    const std::vector<std::string>& only = options_.only;
+    return only.empty() || std::find(only.begin(), only.end(), fact) != only.end();
+  }
+  const ExactMesh& mesh() const { return loaded_.mesh; }
+  const PointSet& points() const { return mesh().points; }
+
+  void add_dimension() {
+    const std::size_t read = points().size() + repeated_.size();
+    const std::string dimension =
+        fmt::format("dimension {} of {}", points().dimension(), points().ambient_dimension());
+    summary_ = fmt::format("{} {} {}", report::counted(read, "point"),
+                           report::counted(repeated_.size(), "duplicate"), dimension);
+    output_.text(duplicates_text(mesh(), repeated_) + fmt::format("points: {}\n", summary_));
+    report::Json repeated = report::Json::array();
+    for (const Duplicate& duplicate : repeated_) {
+      repeated.push_back(
+          {duplicate.kept + mesh().first_index, duplicate.again + mesh().first_index});
+    }
+    know({{"input", loaded_.name},
+          {"points", read},
+          {"duplicates", repeated},
+          {"ambient_dimension", points().ambient_dimension()},
+          {"dimension", points().dimension()}});
+  }
+
+  // What was asked about single simplices. False, and said, if a question has no sense.
+  bool add_answers() {
+    report::Json answers = report::Json::array();
+    for (const std::string& vertices : options_.simplices) {
+      const auto answer = inspect_simplex(mesh(), repeated_, vertices);
+      if (!answer) {
+        output_.error(ExitCode::kUsage, "input", loaded_.name, answer.error());
+        return false;
+      }
+      output_.text(answer->text + "\n");
+      answers.push_back(answer->json);
+    }
+    if (!answers.empty()) know({{"simplices", answers}});
+    return true;
+  }
+
+  Triangulation triangulated() {
+    output_.begin("triangulating " + loaded_.name,
+                  seconds_of_triangulating(points().size(), points().dimension()));
+    return delaunay::bowyer_watson(
+        points(), {delaunay::InsertionOrder::kBrioHilbert, delaunay::PointLocation::kWalking, 0,
+                   output_.progress()});
+  }
+
+  void add_genericity(const Triangulation& triangulation) {
+    output_.begin("deciding whether " + loaded_.name + " is generic");
+    const Genericity found = genericity(points(), triangulation, options_.subsets);
+    output_.text(genericity_text(mesh(), found));
+    summary_ +=
+        fmt::format(" {} {}", answer_word(found.answer), found.unique ? "unique" : "not-unique");
+    know(genericity_json(mesh(), found));
+  }
+
+  void add_counts(const Triangulation& triangulation) {
+    output_.begin("counting the simplices of " + loaded_.name);
+    const std::vector<SimplexCount> counts = simplex_counts(triangulation, points().size());
+    output_.text(counts_text(counts));
+    know({{"simplices_of_canonical_triangulation", counts_json(counts)}});
+  }
+
+  void know(const report::Json& more) {
+    known_.update(more);
+    output_.know(known_);
+  }
+
+  const LoadedPoints& loaded_;
+  const std::vector<Duplicate>& repeated_;
+  const InspectOptions& options_;
+  Output& output_;
+  std::string summary_;
+  report::Json known_ = report::Json::object();
+};
+
 void inspect_points(const std::string& path, const InspectOptions& options, Output& output) {
+  output.begin("reading " + path);
   // Duplicates are one of the facts asked for: they are merged and reported, not rejected.
   InputOptions merging = options.input;
   merging.duplicates = Duplicates::kMerge;
@@ -183,32 +284,26 @@ void inspect_points(const std::string& path, const InspectOptions& options, Outp
     output.error(ExitCode::kInputFault, "input", path, loaded.error());
     return;
   }
-  const PointSet& points = loaded->mesh.points;
-  const Triangulation triangulation = delaunay::bowyer_watson(
-      points, {delaunay::InsertionOrder::kBrioHilbert, delaunay::PointLocation::kWalking, 0});
-  const Facts facts{*loaded, points.size() + repeated.size(), repeated,
-                    genericity(points, triangulation, options.subsets),
-                    simplex_counts(triangulation, points.size())};
-  report::Json answers = report::Json::array();
-  for (const std::string& vertices : options.simplices) {
-    const auto answer = inspect_simplex(loaded->mesh, repeated, vertices);
-    if (!answer) {
-      output.error(ExitCode::kUsage, "input", path, answer.error());
-      return;
-    }
-    output.text(answer->text + "\n");
-    answers.push_back(answer->json);
+  PointsInspection(*loaded, repeated, options, output).run();
+}
+
+// What is wrong with the facts that are asked for; empty if nothing is.
+std::string facts_fault(const std::vector<std::string>& only, bool of_domain) {
+  const std::vector<std::string> known = of_domain ? domain_facts() : point_facts();
+  for (const std::string& fact : only) {
+    if (std::find(known.begin(), known.end(), fact) != known.end()) continue;
+    return fmt::format("expected --only {} for {}, found {}{}", fmt::join(known, "|"),
+                       of_domain ? "a domain" : "points", fact, nearest_text(fact, known));
   }
-  if (output.wants_text()) output.text(text(facts));
-  if (!output.wants_json()) return;
-  report::Json result = json(facts);
-  if (!answers.empty()) result["simplices"] = answers;
-  output.json(result);
+  return "";
 }
 
 void inspect_one(const std::string& path, const InspectOptions& options, Output& output) {
-  if (options.domain.is_asked_for || formats::is_domain_file(path)) {
-    inspect_domain(path, options.input, options.domain, output);
+  const bool is_domain = options.domain.is_asked_for || formats::is_domain_file(path);
+  if (const std::string fault = facts_fault(options.only, is_domain); !fault.empty()) {
+    output.error(ExitCode::kUsage, is_domain ? "domain" : "input", path, fault);
+  } else if (is_domain) {
+    inspect_domain(path, options.input, options.domain, options.only, output);
   } else {
     inspect_points(path, options, output);
   }
@@ -243,14 +338,18 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       "hull). 'unique' says that there is only one Delaunay triangulation.\n\n"
       "A domain that is no piecewise linear complex gets exit code 3, and its breaches are "
       "listed.\n"
-      "Of one that is, the last line says whether it has a constrained Delaunay triangulation "
-      "(CDT):\n"
+      "Of one that is, each fact is printed as soon as it is known, and the last line says "
+      "whether\n"
+      "it has a constrained Delaunay triangulation (CDT):\n"
       "  cdt canonical   it has one, by the symbolic perturbation\n"
       "  cdt another     it has one, by other tie-breaks\n"
       "  cdt none        it has none without Steiner points, which is proved\n"
-      "  cdt unknown     the search reached a limit (exit code 4)\n\n"
-      "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 undecided within a limit,\n"
-      "5 internal error.");
+      "  cdt unknown     the search reached a limit (exit code 4 if --decide asks for the "
+      "answer)\n\n"
+      "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 interrupted, stopped by "
+      "--limit "
+      "or\n"
+      "undecided in spite of --decide, 5 internal error.");
   command
       ->add_option("input", options->inputs,
                    "Points: .node, .json, .off, .xyz, .csv, or Qhull's form; domains: .poly, "
@@ -268,9 +367,18 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
                    "(\"1 2 3\")")
       ->option_text("VERTICES")
       ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--only", options->only,
+          "Find no more than these facts: of points dimension, genericity, simplices; of a "
+          "domain validity, regions, edge-protection, cdt")
+      ->option_text("FACTS")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_domain_inspection_options(*command, options->domain);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     if (const std::string fault = refutations_fault(*options); !fault.empty()) {
@@ -278,6 +386,7 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       return;
     }
     Output output(options->output);
+    output.watch("inspect");
     for (const std::string& input : options->inputs) inspect_one(input, *options, output);
     exit_code = output.finish();
   });

@@ -1,5 +1,7 @@
 #include "command/inspect/inspect_domain.hpp"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,7 +60,9 @@ std::string adoption_line(const Domain& domain, const Adoption& adoption) {
 }
 
 std::string cdt_line(const DomainFacts& facts) {
-  const std::string proof = facts.cdt == CdtAnswer::kUnknown ? "" : " (proved)";
+  const std::string proof = facts.cdt == CdtAnswer::kUnknown
+                                ? fmt::format(" ({}; --decide goes on)", facts.limit)
+                                : " (proved)";
   std::string line =
       fmt::format("constrained Delaunay triangulation: {}{}\n", word(facts.cdt), proof);
   if (facts.cdt == CdtAnswer::kCanonical || facts.cdt == CdtAnswer::kAnother) return line;
@@ -68,33 +72,27 @@ std::string cdt_line(const DomainFacts& facts) {
   return line + "triangulation without Steiner points: " + any + "\n";
 }
 
-std::string summary(const LoadedDomain& loaded, const DomainFacts& facts) {
-  const PiecewiseLinearComplex& complex = loaded.domain.complex;
-  const bool in_plane = complex.ambient_dimension() == 2;
-  const std::string polygons =
-      in_plane ? "" : " " + report::counted(complex.polygons.size(), "polygon");
-  return fmt::format("inspected: {} {} {}{} {} {} {} cdt {}\n", on_one_line(loaded.name),
-                     report::counted(complex.points.size(), "vertex", "vertices"),
-                     report::counted(complex.segments.size(), "segment"), polygons,
-                     in_plane ? report::counted(facts.polyhedra, "region")
-                              : report::counted(facts.polyhedra, "polyhedron", "polyhedra"),
-                     word(complex.kind),
-                     facts.is_edge_protected                      ? "edge-protected"
-                     : facts.is_edge_protected_under_perturbation ? "perturbed-edge-protected"
-                                                                  : "not-edge-protected",
-                     word(facts.cdt));
+// "12 vertices 20 segments 10 polygons"
+std::string counts_of(const PiecewiseLinearComplex& complex) {
+  std::string text =
+      fmt::format("{} {}", report::counted(complex.points.size(), "vertex", "vertices"),
+                  report::counted(complex.segments.size(), "segment"));
+  if (complex.ambient_dimension() == 3) {
+    text += " " + report::counted(complex.polygons.size(), "polygon");
+  }
+  return text;
 }
 
-std::string text(const LoadedDomain& loaded, const DomainFacts& facts, bool all_segments) {
-  const Domain& domain = loaded.domain;
-  std::string out;
-  for (const std::string& note : loaded.file.notes) out += "note: " + on_one_line(note) + "\n";
-  if (facts.holes > 0) out += fmt::format("holes: {}\n", facts.holes);
-  for (const Adoption& adoption : facts.adoptions) out += adoption_line(domain, adoption);
-  for (const SegmentProtection& protection : facts.segments) {
-    if (all_segments || !is_strong(protection)) out += segment_line(domain, protection);
-  }
-  return out + cdt_line(facts) + summary(loaded, facts);
+std::string regions_of(const PiecewiseLinearComplex& complex, const DomainFacts& facts) {
+  return complex.ambient_dimension() == 2
+             ? report::counted(facts.polyhedra, "region")
+             : report::counted(facts.polyhedra, "polyhedron", "polyhedra");
+}
+
+std::string_view protection_word(const DomainFacts& facts) {
+  return facts.is_edge_protected                      ? "edge-protected"
+         : facts.is_edge_protected_under_perturbation ? "perturbed-edge-protected"
+                                                      : "not-edge-protected";
 }
 
 report::Json own(const Domain& domain, const Simplex& simplex) {
@@ -133,59 +131,176 @@ report::Json adoptions_json(const Domain& domain, const DomainFacts& facts) {
   return array;
 }
 
-report::Json json(const LoadedDomain& loaded, const DomainFacts& facts) {
-  const PiecewiseLinearComplex& complex = loaded.domain.complex;
-  report::Json ignored = report::Json::array();
-  for (const std::size_t seed : facts.ignored_hole_seeds) {
-    ignored.push_back(report::point(complex.hole_seeds[seed]));
-  }
-  report::Json object = {
-      {"domain", loaded.name},
-      {"valid", true},
-      {"kind", word(complex.kind)},
-      {"dimension", complex.ambient_dimension()},
-      {"vertices", complex.points.size()},
-      {"segments", complex.segments.size()},
-      {"polygons", complex.polygons.size()},
-      {"polyhedra", facts.polyhedra},
-      {"holes", facts.holes},
-      {"ignored_hole_seeds", ignored},
-      {"adoptions", adoptions_json(loaded.domain, facts)},
-      {"edge_protected", facts.is_edge_protected},
-      {"edge_protected_under_perturbation", facts.is_edge_protected_under_perturbation},
-      {"protection", segments_json(loaded.domain, facts)},
-      {"cdt", word(facts.cdt)},
-      {"cdt_proved", facts.cdt != CdtAnswer::kUnknown},
-      {"notes", loaded.file.notes}};
-  if (facts.triangulation) object["triangulation_without_steiner_points"] = *facts.triangulation;
-  return object;
-}
+// ---- One fact after the other ----
 
-// The breaches are facts asked for; that there are any is the input's fault.
-void report_breaches(const std::string& path, const DomainFault& fault, Output& output) {
-  output.exit_with(ExitCode::kInputFault);
-  std::string lines;
-  report::Json breaches = report::Json::array();
-  for (const Breach& breach : fault.breaches) {
-    lines += breach_line(breach, fault.file) + "\n";
-    breaches.push_back(breach_json(breach, fault.file));
+constexpr std::string_view kValidity = "validity", kRegions = "regions",
+                           kProtection = "edge-protection", kCdt = "cdt";
+
+// Prints what is found as soon as it is found, and collects it for JSON and for the last line.
+class Inspection {
+ public:
+  Inspection(const std::string& path, const DomainInspection& options,
+             const std::vector<std::string>& only, Output& output)
+      : path_(path), options_(options), only_(only), output_(output) {}
+
+  void run(const InputOptions& input) {
+    output_.begin("deciding whether " + path_ + " is valid");
+    DomainWatch watch{output_.progress()};
+    watch.on_breach = [this](const Breach& breach, const formats::DomainFile& file) {
+      add_breach(breach, file);
+    };
+    watch.on_valid = [this](const PiecewiseLinearComplex& complex,
+                            const formats::DomainFile& file) { add_validity(complex, file); };
+    watch.only_validity = !wants(kRegions) && !wants(kProtection) && !wants(kCdt);
+    const auto loaded =
+        load_domain(path_, input, options_.said, options_.max_errors, Leak::kTold, watch);
+    if (!loaded && breaches_ > 0) {
+      end_invalid();
+    } else if (!loaded) {
+      output_.error(ExitCode::kInputFault, "domain", path_, loaded.error().message);
+    } else {
+      inspect(*loaded);
+    }
   }
-  if (fault.truncated) {
-    lines += fmt::format("… stopped at {}; --max-errors 0 lists all\n", fault.breaches.size());
+
+ private:
+  bool wants(std::string_view fact) const {
+    return only_.empty() || std::find(only_.begin(), only_.end(), fact) != only_.end();
   }
-  output.text(
-      lines +
-      fmt::format("inspected: {} no piecewise linear complex, {}{} {} of which the first is {}\n",
-                  on_one_line(path), fault.truncated ? "more than " : "", fault.breaches.size(),
-                  fault.breaches.size() == 1 && !fault.truncated ? "breach" : "breaches",
-                  identifier(fault.breaches.front().kind)));
-  if (output.wants_json()) {
-    output.json({{"domain", path},
-                 {"valid", false},
-                 {"breaches", breaches},
-                 {"truncated", fault.truncated}});
+
+  // ---- Not valid ----
+
+  // The breaches are facts asked for; that there are any is the input's fault.
+  void add_breach(const Breach& breach, const formats::DomainFile& file) {
+    if (breaches_ == 0) {
+      output_.exit_with(ExitCode::kInputFault);
+      first_ = breach.kind;
+      known_ = {{"domain", path_}, {"valid", false}, {"breaches", report::Json::array()}};
+    }
+    ++breaches_;
+    if (options_.max_errors != 0 && breaches_ > options_.max_errors) return;
+    output_.text(breach_line(breach, file) + "\n");
+    if (output_.wants_json() && breaches_ <= kMostInJson) {
+      known_["breaches"].push_back(breach_json(breach, file));
+    }
   }
-}
+  void end_invalid() {
+    const bool truncated = options_.max_errors != 0 && breaches_ > options_.max_errors;
+    const std::size_t listed = truncated ? options_.max_errors : breaches_;
+    std::string text;
+    if (truncated) text = fmt::format("… stopped at {}; --max-errors 0 lists all\n", listed);
+    output_.text(
+        text + fmt::format("inspected: {} no piecewise linear complex, {}{} {} of which the "
+                           "first is {}\n",
+                           on_one_line(path_), truncated ? "more than " : "", listed,
+                           listed == 1 && !truncated ? "breach" : "breaches", identifier(first_)));
+    known_["truncated"] = truncated || breaches_ > kMostInJson;
+    if (output_.wants_json()) output_.json(known_);
+  }
+
+  // ---- Valid ----
+
+  void add_validity(const PiecewiseLinearComplex& complex, const formats::DomainFile& file) {
+    for (const std::string& note : file.notes) output_.note(note);
+    notes_told_ = file.notes.size();
+    output_.text(fmt::format("valid: {} {}\n", on_one_line(path_), counts_of(complex)));
+    know({{"domain", path_},
+          {"valid", true},
+          {"dimension", complex.ambient_dimension()},
+          {"vertices", complex.points.size()},
+          {"segments", complex.segments.size()},
+          {"polygons", complex.polygons.size()}});
+    output_.begin("finding what " + path_ + " encloses");
+  }
+
+  void inspect(const LoadedDomain& loaded) {
+    const std::vector<std::string>& notes = loaded.file.notes;
+    for (std::size_t i = notes_told_; i < notes.size(); ++i) output_.note(notes[i]);
+    summary_ = counts_of(loaded.domain.complex);
+    if (wants(kRegions)) add_regions(loaded);
+    if (wants(kProtection)) add_protection(loaded);
+    if (wants(kCdt)) add_cdt(loaded);
+    know({{"notes", notes}});
+    if (wants(kCdt) && !options_.refutations.empty()) {
+      output_.end_watch();
+      const std::string error = write_refutations(options_.refutations, loaded.domain, facts_);
+      if (!error.empty()) {
+        output_.error(ExitCode::kInputFault, "file", options_.refutations, error);
+      }
+    }
+    output_.text(fmt::format("inspected: {} {}\n", on_one_line(path_), summary_));
+    if (output_.wants_json()) output_.json(known_);
+  }
+
+  void add_regions(const LoadedDomain& loaded) {
+    const PiecewiseLinearComplex& complex = loaded.domain.complex;
+    find_regions(loaded, facts_, output_);
+    std::string lines = fmt::format("{}: {}\n", word(complex.kind), regions_of(complex, facts_));
+    if (facts_.holes > 0) lines += fmt::format("holes: {}\n", facts_.holes);
+    for (const Adoption& adoption : facts_.adoptions) {
+      lines += adoption_line(loaded.domain, adoption);
+    }
+    output_.text(lines);
+    summary_ += fmt::format(" {} {}", regions_of(complex, facts_), word(complex.kind));
+    report::Json ignored = report::Json::array();
+    for (const std::size_t seed : facts_.ignored_hole_seeds) {
+      ignored.push_back(report::point(complex.hole_seeds[seed]));
+    }
+    know({{"kind", word(complex.kind)},
+          {"polyhedra", facts_.polyhedra},
+          {"holes", facts_.holes},
+          {"ignored_hole_seeds", ignored},
+          {"adoptions", adoptions_json(loaded.domain, facts_)}});
+  }
+
+  void add_protection(const LoadedDomain& loaded) {
+    find_edge_protection(loaded, facts_, output_);
+    std::string lines;
+    for (const SegmentProtection& protection : facts_.segments) {
+      if (options_.all_segments || !is_strong(protection)) {
+        lines += segment_line(loaded.domain, protection);
+      }
+    }
+    output_.text(lines + fmt::format("segments: {}\n", protection_word(facts_)));
+    summary_ += fmt::format(" {}", protection_word(facts_));
+    know({{"edge_protected", facts_.is_edge_protected},
+          {"edge_protected_under_perturbation", facts_.is_edge_protected_under_perturbation}});
+    if (output_.wants_json()) know({{"protection", segments_json(loaded.domain, facts_)}});
+  }
+
+  void add_cdt(const LoadedDomain& loaded) {
+    SearchLimits limits = options_.limits;
+    if (options_.decide) limits.wrapped_vertices = 0;
+    find_cdt(loaded, limits, facts_, output_);
+    if (facts_.cdt == CdtAnswer::kUnknown && options_.decide) {
+      output_.exit_with(ExitCode::kUndecided);
+    }
+    output_.text(cdt_line(facts_));
+    summary_ += fmt::format(" cdt {}", word(facts_.cdt));
+    know({{"cdt", word(facts_.cdt)}, {"cdt_proved", facts_.cdt != CdtAnswer::kUnknown}});
+    if (facts_.triangulation)
+      know({{"triangulation_without_steiner_points", *facts_.triangulation}});
+  }
+
+  void know(const report::Json& more) {
+    known_.update(more);
+    output_.know(known_);
+  }
+
+  // Of more breaches JSON tells no more than their number would: they have to fit into memory.
+  static constexpr std::size_t kMostInJson = 100'000;
+
+  const std::string& path_;
+  const DomainInspection& options_;
+  const std::vector<std::string>& only_;
+  Output& output_;
+  std::size_t breaches_ = 0;
+  BreachKind first_ = {};
+  std::size_t notes_told_ = 0;
+  DomainFacts facts_;
+  std::string summary_;
+  report::Json known_ = report::Json::object();
+};
 
 }  // namespace
 
@@ -200,6 +315,10 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
                   "Report at most N breaches of a domain (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
+  command.add_flag(
+      "--decide", options.decide,
+      "Decide whether a domain of any size has a canonical CDT, by gift-wrapping if need "
+      "be, which may take long; and end with exit code 4 if the answer stays open");
   add_search_options(command, options.limits);
   command
       .add_option("--refutations", options.refutations,
@@ -208,29 +327,19 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
       ->option_text("PREFIX");
 }
 
+std::vector<std::string> domain_facts() {
+  return {std::string(kValidity), std::string(kRegions), std::string(kProtection),
+          std::string(kCdt)};
+}
+
 void inspect_domain(const std::string& path, const InputOptions& input,
-                    const DomainInspection& options, Output& output) {
+                    const DomainInspection& options, const std::vector<std::string>& only,
+                    Output& output) {
   if (const std::string fault = domain_options_fault(options.said); !fault.empty()) {
     output.error(ExitCode::kUsage, "domain", path, fault);
     return;
   }
-  const auto loaded = load_domain(path, input, options.said, options.max_errors, Leak::kTold);
-  if (!loaded && !loaded.error().breaches.empty()) {
-    report_breaches(path, loaded.error(), output);
-    return;
-  }
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "domain", path, loaded.error().message);
-    return;
-  }
-  const DomainFacts facts = facts_of(*loaded, options.limits);
-  if (facts.cdt == CdtAnswer::kUnknown) output.exit_with(ExitCode::kUndecided);
-  if (!options.refutations.empty()) {
-    const std::string error = write_refutations(options.refutations, loaded->domain, facts);
-    if (!error.empty()) output.error(ExitCode::kInputFault, "file", options.refutations, error);
-  }
-  output.text(text(*loaded, facts, options.all_segments));
-  if (output.wants_json()) output.json(json(*loaded, facts));
+  Inspection(path, options, only, output).run(input);
 }
 
 }  // namespace circumspect::cli

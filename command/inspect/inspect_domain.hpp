@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command/input/input.hpp"
 #include "command/inspect/domain_facts.hpp"
@@ -18,15 +19,21 @@ struct DomainInspection {
   DomainOptions said = {};
   bool all_segments = false;  // name every segment, not only those that are not strongly Delaunay
   std::size_t max_errors = kBreachLimit;  // how many breaches are reported; 0: all
-  SearchLimits limits = {};
+  SearchLimits limits = {.wrapped_vertices = kFewVertices};
+  bool decide = false;           // is an open question a failure?
   std::string refutations = {};  // where proofs go that there is no triangulation; empty: nowhere
 };
 
-// --domain, those of add_domain_options, --all-segments, --max-errors, --search-vertices, --search-conflicts,
-// --refutations.
+// --domain, those of add_domain_options, --all-segments, --max-errors, --decide, --search-vertices,
+// --search-conflicts, --refutations.
 void add_domain_inspection_options(CLI::App& command, DomainInspection& options);
 
+// The facts that --only may name: in the order in which they are found, and printed at once.
+std::vector<std::string> domain_facts();
+
+// `only`: some of the facts; none means all. Requires: domain_facts() has them.
 void inspect_domain(const std::string& path, const InputOptions& input,
-                    const DomainInspection& options, Output& output);
+                    const DomainInspection& options, const std::vector<std::string>& only,
+                    Output& output);
 
 }  // namespace circumspect::cli

@@ -1,6 +1,7 @@
 #include "command/output/output.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "command/campaign/campaign_options.hpp"
 #include "command/options/one_of.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
@@ -37,25 +39,96 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
 }
 
+void add_limit_option(CLI::App& command, OutputOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--limit",
+          [&options](const std::string& text) {
+            double seconds = 0;
+            const std::string fault = read_duration(text, seconds);
+            if (!fault.empty()) throw CLI::ValidationError(fault);
+            options.limit = seconds;
+          },
+          "End after so long, with what is known by then and exit code 4: 90s, 15m, 1h (default: "
+          "never)")
+      ->option_text("TIME");
+}
+
+void Output::watch(const std::string& command) {
+  command_ = command;
+  long_work_ =
+      std::make_unique<LongWork>(command, options_.limit, !options_.quiet,
+                                 [this](const std::string& why) { return last_words(why); });
+}
+
+void Output::begin(const std::string& what, std::optional<double> seconds) {
+  constexpr double kLong = 10;
+  if (seconds && *seconds >= kLong && !options_.quiet) {
+    if (long_work_) long_work_->clear();
+    fmt::print(stderr, "circumspect: {} may take about {} (--limit TIME ends it)\n",
+               on_one_line(what), about(*seconds));
+  }
+  if (long_work_) long_work_->begin(what, seconds && *seconds >= kLong ? seconds : std::nullopt);
+}
+
+void Output::know(report::Json so_far) {
+  const std::lock_guard lock(mutex_);
+  known_ = std::move(so_far);
+}
+
+void Output::json(report::Json result) {
+  const std::lock_guard lock(mutex_);
+  results_.push_back(std::move(result));
+  known_ = report::Json::object();
+}
+
+void Output::exit_with(ExitCode code) {
+  const std::lock_guard lock(mutex_);
+  code_ = worse(code_, code);
+}
+
+// Who is stuck in printing, to a pipe that nobody reads, holds the lock for ever.
+int Output::last_words(const std::string& why) {
+  const std::unique_lock lock(mutex_, std::chrono::milliseconds(500));
+  const ExitCode code = worse(code_, ExitCode::kUndecided);
+  if (!lock.owns_lock()) return static_cast<int>(code);
+  if (wants_text()) print(fmt::format("undecided: {} {}\n", command_, why));
+  known_["undecided"] = command_ + " " + why;
+  results_.push_back(known_);
+  print_document();
+  return static_cast<int>(when_written(code));
+}
+
 void Output::text(const std::string& text) const {
-  if (wants_text()) print(on_lines(text));
+  if (!wants_text()) return;
+  const std::string lines = on_lines(text);
+  if (long_work_) long_work_->clear();
+  const std::lock_guard lock(mutex_);
+  print(lines);
+  // What is known is there to read at once, while the work goes on.
+  if (long_work_) std::fflush(stdout);
 }
 
 void Output::note(const std::string& note) const { text("note: " + on_one_line(note) + "\n"); }
 
 void Output::error(ExitCode code, const std::string& subject, const std::string& name,
                    const std::string& message) {
+  if (long_work_) long_work_->clear();
   usage_error(message);
   if (wants_json()) json({{subject, name}, {"error", message}});
   exit_with(code);
 }
 
-ExitCode Output::finish() const {
-  if (wants_json()) {
-    const report::Json document = {{"circumspect", 1}, {"results", results_}};
-    print(report::document_text(document));
-  }
+ExitCode Output::finish() {
+  end_watch();
+  print_document();
   return code_;
+}
+
+void Output::print_document() const {
+  if (!wants_json()) return;
+  const report::Json document = {{"circumspect", 1}, {"results", results_}};
+  print(report::document_text(document));
 }
 
 void say(const std::string& text) {

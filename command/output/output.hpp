@@ -2,10 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <ostream>
 #include <string>
 
 #include "command/output/exit_code.hpp"
+#include "command/output/long_work.hpp"
 #include "oracle/report/json.hpp"
 
 namespace CLI {
@@ -18,16 +22,30 @@ enum class OutputFormat { kText, kJson };
 
 struct OutputOptions {
   OutputFormat format = OutputFormat::kText;
-  bool quiet = false;  // nothing but errors
+  bool quiet = false;                // nothing but errors
+  std::optional<double> limit = {};  // how many seconds the command may take
 };
 
 void add_output_options(CLI::App& command, OutputOptions& options);
+// --limit TIME, for commands that call Output::watch.
+void add_limit_option(CLI::App& command, OutputOptions& options);
 
 // Collects what a run says: text as it comes, or one JSON document {"circumspect": 1, "results": […]}
 // at the end; and the worst exit code so far.
 class Output {
  public:
   explicit Output(const OutputOptions& options) : options_(options) {}
+
+  // From now on long work is shown, and an interrupt or the limit ends the command, with what is known and
+  // a last line, "undecided: …", that says what it was at (see long_work.hpp); until the end, or until
+  // files are written, which are to be whole or not at all.
+  void watch(const std::string& command);
+  void end_watch() { long_work_.reset(); }
+  // What is being done: "judging part.1.ele". If it is expected to take long, that is said beforehand.
+  void begin(const std::string& what, std::optional<double> seconds = {});
+  Progress progress() const { return long_work_ ? long_work_->progress() : Progress(); }
+  // What is known, in JSON, of what is not done yet: it is part of the last words.
+  void know(report::Json so_far);
 
   bool wants_text() const { return options_.format == OutputFormat::kText && !options_.quiet; }
   bool wants_json() const { return options_.format == OutputFormat::kJson && !options_.quiet; }
@@ -36,21 +54,28 @@ class Output {
   void text(const std::string& text) const;
   // One line: what was read otherwise than it stands there.
   void note(const std::string& note) const;
-  void json(report::Json result) { results_.push_back(std::move(result)); }
+  void json(report::Json result);
   // One line on stderr, and in JSON {subject: name, "error": message}.
   void error(ExitCode code, const std::string& subject, const std::string& name,
              const std::string& message);
-  void exit_with(ExitCode code) { code_ = worse(code_, code); }
+  void exit_with(ExitCode code);
 
   ExitCode exit_code() const { return code_; }
 
   // Prints the JSON document, if that is wanted, and says with what to exit.
-  ExitCode finish() const;
+  ExitCode finish();
 
  private:
+  int last_words(const std::string& why);
+  void print_document() const;
+
   OutputOptions options_;
+  std::string command_;
+  mutable std::timed_mutex mutex_;  // of what follows, and of standard output
   report::Json results_ = report::Json::array();
+  report::Json known_ = report::Json::object();
   ExitCode code_ = ExitCode::kHolds;
+  std::unique_ptr<LongWork> long_work_;  // the last: it ends first
 };
 
 // Says what is wrong with a command line, in one line on stderr.

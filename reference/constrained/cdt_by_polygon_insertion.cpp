@@ -24,7 +24,7 @@ std::optional<NoChange> insert(const PointSet& points, EvolvingCdt& cdt, const P
 tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options,
     std::vector<PolygonFlips>* runs) {
-  EvolvingCdt cdt = evolving_delaunay(complex.points);
+  EvolvingCdt cdt = evolving_delaunay(complex.points, options.progress);
   for (const Simplex& segment : complex.segments) {
     if (cdt.tetrahedra.star(segment).empty()) {
       return tl::unexpected(
@@ -38,7 +38,9 @@ tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
     std::iota(order.begin(), order.end(), std::size_t{0});
   }
   assert(order.size() == complex.polygons.size());
+  std::size_t done = 0;
   for (const std::size_t i : order) {
+    tell(options.progress, "polygons inserted", done++, order.size());
     const auto wrong = insert(complex.points, cdt, complex.polygons[i], options.by, runs);
     if (wrong) return tl::unexpected(NoPolygonInsertion{*wrong, i});
   }

@@ -9,6 +9,7 @@
 #include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/flip_insert_polygon.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
+#include "reference/kernel/exact/progress.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
@@ -26,6 +27,7 @@ struct NoPolygonInsertion {
 struct PolygonInsertionOptions {
   PolygonInsertion by = PolygonInsertion::kFlips;
   std::vector<std::size_t> order = {};  // of the polygons; empty: as given
+  Progress progress = {};
 };
 
 // The canonical CDT of the complex. It is found whenever all segments are in the canonical Delaunay

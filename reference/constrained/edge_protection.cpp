@@ -111,18 +111,20 @@ SimplexDelaunayhood of_missing_edge(const PointSet& points, const StarIndex& can
 
 }  // namespace
 
-StarIndex canonical_delaunay(const PointSet& points) {
+StarIndex canonical_delaunay(const PointSet& points, const Progress& progress) {
   const delaunay::BowyerWatsonOptions options{delaunay::InsertionOrder::kBrioHilbert,
-                                              delaunay::PointLocation::kWalking, 1};
+                                              delaunay::PointLocation::kWalking, 1, progress};
   return StarIndex(delaunay::bowyer_watson(points, options).simplices());
 }
 
 std::vector<SegmentProtection> edge_protection(const PointSet& points,
                                                const StarIndex& canonical_delaunay,
-                                               const std::vector<Simplex>& segments) {
+                                               const std::vector<Simplex>& segments,
+                                               const Progress& progress) {
   std::vector<SegmentProtection> answers;
   answers.reserve(segments.size());
   for (const Simplex& segment : segments) {
+    tell(progress, "segments", answers.size(), segments.size());
     const std::vector<Simplex> star = canonical_delaunay.star(segment);
     answers.push_back({segment, !star.empty(),
                        star.empty() ? of_missing_edge(points, canonical_delaunay, segment)
@@ -131,8 +133,10 @@ std::vector<SegmentProtection> edge_protection(const PointSet& points,
   return answers;
 }
 
-std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex) {
-  return edge_protection(complex.points, canonical_delaunay(complex.points), complex.segments);
+std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex,
+                                               const Progress& progress) {
+  return edge_protection(complex.points, canonical_delaunay(complex.points, progress),
+                         complex.segments, progress);
 }
 
 std::optional<Vertex> encroaching_vertex(const PointSet& points,
@@ -160,16 +164,24 @@ bool has_empty_diametral_ball(const PointSet& points, const StarIndex& canonical
 }
 
 bool is_edge_protected(const PiecewiseLinearComplex& complex) {
-  const StarIndex canonical = canonical_delaunay(complex.points);
-  return std::all_of(complex.segments.begin(), complex.segments.end(), [&](const Simplex& segment) {
-    return is_strongly_delaunay_edge(complex.points, canonical, segment);
-  });
+  return is_edge_protected(edge_protection(complex));
 }
 
 bool is_edge_protected_under_perturbation(const PiecewiseLinearComplex& complex) {
   const StarIndex canonical = canonical_delaunay(complex.points);
   return std::all_of(complex.segments.begin(), complex.segments.end(),
                      [&](const Simplex& segment) { return !canonical.star(segment).empty(); });
+}
+
+bool is_edge_protected(const std::vector<SegmentProtection>& segments) {
+  return std::all_of(segments.begin(), segments.end(), [](const SegmentProtection& segment) {
+    return segment.status.delaunayhood == Delaunayhood::kStronglyDelaunay;
+  });
+}
+
+bool is_edge_protected_under_perturbation(const std::vector<SegmentProtection>& segments) {
+  return std::all_of(segments.begin(), segments.end(),
+                     [](const SegmentProtection& segment) { return segment.is_present; });
 }
 
 }  // namespace circumspect::constrained

@@ -6,6 +6,7 @@
 
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/exact/progress.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
@@ -26,8 +27,10 @@ struct SegmentProtection {
 // Requires: points without weights; segments are pairs of them.
 std::vector<SegmentProtection> edge_protection(const PointSet& points,
                                                const StarIndex& canonical_delaunay,
-                                               const std::vector<Simplex>& segments);
-std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex);
+                                               const std::vector<Simplex>& segments,
+                                               const Progress& progress = {});
+std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex,
+                                               const Progress& progress = {});
 
 // A point of the obstruction that the diametral ball of the segment contains; nothing if the segment
 // is strongly Delaunay.
@@ -51,7 +54,11 @@ bool has_empty_diametral_ball(const PointSet& points, const StarIndex& canonical
 bool is_edge_protected(const PiecewiseLinearComplex& complex);
 bool is_edge_protected_under_perturbation(const PiecewiseLinearComplex& complex);
 
+// The same, of all segments of a complex as `edge_protection` has found them.
+bool is_edge_protected(const std::vector<SegmentProtection>& segments);
+bool is_edge_protected_under_perturbation(const std::vector<SegmentProtection>& segments);
+
 // The canonical Delaunay triangulation of any points, ready to be asked for stars.
-StarIndex canonical_delaunay(const PointSet& points);
+StarIndex canonical_delaunay(const PointSet& points, const Progress& progress = {});
 
 }  // namespace circumspect::constrained

@@ -41,11 +41,12 @@ void exchange(std::set<Simplex>& set, const std::set<Simplex>& out, const std::s
 
 }  // namespace
 
-EvolvingCdt evolving_delaunay(const PointSet& points) {
+EvolvingCdt evolving_delaunay(const PointSet& points, const Progress& progress) {
   assert(points.dimension() == 3);
   delaunay::BowyerWatsonOptions options;
   options.order = delaunay::InsertionOrder::kBrioHilbert;
   options.location = delaunay::PointLocation::kWalking;
+  options.progress = progress;
   return {StarIndex(delaunay::bowyer_watson(points, options).simplices()), {}, {}};
 }
 

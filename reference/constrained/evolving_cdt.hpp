@@ -8,6 +8,7 @@
 
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::constrained {
 
@@ -30,7 +31,7 @@ struct EvolvingCdt {
 
 // The canonical Delaunay triangulation of the points, all of them vertices; no segments, no walls.
 // Requires: points.dimension() == 3.
-EvolvingCdt evolving_delaunay(const PointSet& points);
+EvolvingCdt evolving_delaunay(const PointSet& points, const Progress& progress = {});
 
 // Why an evolving CDT cannot become the one that was asked for.
 enum class WhyNoChange {

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <tuple>
 
+#include "reference/constrained/planar_cdt.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
@@ -197,6 +198,19 @@ class FlipInsertPolygon {
 
 }  // namespace
 
+namespace {
+
+// Triangles of which the polygon is the union, and which are facets of the CDT if the polygon is there
+// already: those of its planar CDT (Proposition 4.11). Of many vertices that takes longer than to see
+// that some other triangles are not there.
+std::vector<Simplex> likely_tiles(const PointSet& points, const Polygon& polygon) {
+  constexpr std::size_t kFew = 16;
+  const bool is_small = polygon.triangles.size() > 1 && polygon.vertices.size() <= kFew;
+  return is_small ? planar_cdt(points, polygon) : polygon.triangles;
+}
+
+}  // namespace
+
 tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points, EvolvingCdt& cdt,
                                                          const Polygon& polygon) {
   for (const Simplex& segment : polygon.segments) {
@@ -204,18 +218,18 @@ tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points,
       return tl::unexpected(NoChange{WhyNoChange::kSegmentMissing, segment});
     }
   }
-  PolygonFlips done;
-  const PolygonInSpace in_space(points, polygon);
-  const bool is_there =
-      std::none_of(polygon.triangles.begin(), polygon.triangles.end(),
-                   [&](const Simplex& facet) { return cdt.tetrahedra.star(facet).empty(); });
-  if (!is_there) {
-    auto run = FlipInsertPolygon(cdt, in_space).run();
-    if (!run) return run;
-    done = *std::move(run);
+  const std::vector<Simplex> tiles = likely_tiles(points, polygon);
+  const bool is_there = std::none_of(tiles.begin(), tiles.end(), [&](const Simplex& facet) {
+    return cdt.tetrahedra.star(facet).empty();
+  });
+  if (is_there) {
+    cdt.walls.insert(tiles.begin(), tiles.end());
+    return PolygonFlips();
   }
-  cdt.walls.merge(facets_included_in(cdt.tetrahedra, in_space));
-  return done;
+  const PolygonInSpace in_space(points, polygon);
+  auto run = FlipInsertPolygon(cdt, in_space).run();
+  if (run) cdt.walls.merge(facets_included_in(cdt.tetrahedra, in_space));
+  return run;
 }
 
 }  // namespace circumspect::constrained

@@ -32,8 +32,8 @@ class SpatialWrapping {
         polygons_(points_, kAxesOfSpace, walls_),
         segments_(points_, kAxesOfSpace, segments_apart()) {}
 
-  tl::expected<PlcTriangulation, NoCdt> run() {
-    std::optional<NoCdt> failure = wrap();
+  tl::expected<PlcTriangulation, NoCdt> run(const Progress& progress) {
+    std::optional<NoCdt> failure = wrap(progress);
     if (!failure) failure = what_is_wrong();
     if (failure) return tl::unexpected(*failure);
     return with_dangling(tetrahedra_, cells());
@@ -71,12 +71,13 @@ class SpatialWrapping {
   }
 
   // Finishes facets until none is left, and collects the tetrahedra.
-  std::optional<NoCdt> wrap() {
+  std::optional<NoCdt> wrap(const Progress& progress) {
     const std::vector<Vertex> all = all_vertices(points_);
     const auto is_clear = [&](const Simplex& simplex) { return polygons_.is_clear(simplex); };
     UnfinishedFacets unfinished = seeds();
     SimplexDictionary dictionary;
     while (!unfinished.empty()) {
+      tell(progress, "tetrahedra found", dictionary.size());
       const OrientedFacet facet = unfinished.first();
       const InFront in_front = first_clear_apex(points_, kAxesOfSpace, facet, all, is_clear);
       if (!in_front.has_candidates && complex_.kind == DomainKind::kHull) {
@@ -203,8 +204,9 @@ std::vector<Simplex> triangulated_polygons(const PiecewiseLinearComplex& complex
   return triangles;
 }
 
-tl::expected<PlcTriangulation, NoCdt> gift_wrapping_cdt(const PiecewiseLinearComplex& complex) {
-  return SpatialWrapping(complex).run();
+tl::expected<PlcTriangulation, NoCdt> gift_wrapping_cdt(const PiecewiseLinearComplex& complex,
+                                                        const Progress& progress) {
+  return SpatialWrapping(complex).run(progress);
 }
 
 }  // namespace circumspect::constrained

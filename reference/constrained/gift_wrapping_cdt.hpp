@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "reference/constrained/plc_triangulation.hpp"
+#include "reference/kernel/exact/progress.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
@@ -51,7 +52,8 @@ struct NoCdt {
 //
 // Requires: complex.ambient_dimension() == 3; the complex is valid. (A hull without volume has nothing
 // inside.)
-tl::expected<PlcTriangulation, NoCdt> gift_wrapping_cdt(const PiecewiseLinearComplex& complex);
+tl::expected<PlcTriangulation, NoCdt> gift_wrapping_cdt(const PiecewiseLinearComplex& complex,
+                                                        const Progress& progress = {});
 
 // The part of it that a PLC always has: the planar CDTs of all its polygons. Ascending, in
 // lexicographic order.

@@ -80,18 +80,21 @@ RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex) {
 }
 
 tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
-    const PiecewiseLinearComplex& complex, std::size_t most_steiner_points) {
+    const PiecewiseLinearComplex& complex, std::size_t most_steiner_points,
+    const Progress& progress) {
   SplitSegments segments(complex);
   PointSet points = complex.points;
   while (true) {
-    const auto added = points_for_unprotected_subsegments(
-        points, canonical_delaunay(points), segments, SubsegmentCondition::kStronglyDelaunay);
+    const auto added =
+        points_for_unprotected_subsegments(points, canonical_delaunay(points, progress), segments,
+                                           SubsegmentCondition::kStronglyDelaunay);
     if (added.empty()) break;
     std::vector<Point> all = points.points();
     for (const PointOnSegment& point : added) {
       all.push_back(segments.point_at(point.segment, point.parameter));
       segments.add(point);
     }
+    tell(progress, "Steiner points added", segments.added().size());
     if (segments.added().size() > most_steiner_points) {
       return tl::unexpected(SteinerLimitReached{.on_segments = segments.added().size()});
     }

@@ -8,6 +8,7 @@
 
 #include "reference/constrained/split_segments.hpp"
 #include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::constrained {
 
@@ -64,7 +65,8 @@ RecoveredSegments recover_segments(const PiecewiseLinearComplex& complex);
 
 // The same, given up after the round that makes them more than so many.
 tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
-    const PiecewiseLinearComplex& complex, std::size_t most_steiner_points);
+    const PiecewiseLinearComplex& complex, std::size_t most_steiner_points,
+    const Progress& progress = {});
 
 // What is asked of a subsegment: to be strongly Delaunay, or only to be so under the canonical
 // perturbation, that is, an edge of the canonical Delaunay triangulation. What is said above holds

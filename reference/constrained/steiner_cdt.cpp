@@ -20,17 +20,18 @@ PlcTriangulation value_of(Expected result) {
 }  // namespace
 
 PlcTriangulation cdt_of_edge_protected(const PiecewiseLinearComplex& complex,
-                                       CdtAlgorithm algorithm) {
+                                       CdtAlgorithm algorithm, const Progress& progress) {
   if (complex.ambient_dimension() == 2) {
     return planar_cdt(complex, PlanarAlgorithm::kSegmentInsertion);
   }
   switch (algorithm) {
     case CdtAlgorithm::kGiftWrapping:
-      return value_of(gift_wrapping_cdt(complex));
+      return value_of(gift_wrapping_cdt(complex, progress));
     case CdtAlgorithm::kPolygonFlips:
-      return value_of(cdt_by_polygon_insertion(complex, {PolygonInsertion::kFlips}));
+      return value_of(cdt_by_polygon_insertion(complex, {PolygonInsertion::kFlips, {}, progress}));
     case CdtAlgorithm::kPolygonCavities:
-      return value_of(cdt_by_polygon_insertion(complex, {PolygonInsertion::kCavities}));
+      return value_of(
+          cdt_by_polygon_insertion(complex, {PolygonInsertion::kCavities, {}, progress}));
   }
   throw std::logic_error("no such algorithm");
 }
@@ -41,11 +42,12 @@ SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex, CdtAlgorithm algor
 
 tl::expected<SteinerCdt, SteinerLimitReached> steiner_cdt(const PiecewiseLinearComplex& complex,
                                                           CdtAlgorithm algorithm,
-                                                          std::size_t most_steiner_points) {
+                                                          std::size_t most_steiner_points,
+                                                          const Progress& progress) {
   if (complex.ambient_dimension() == 2) return SteinerCdt{complex, planar_cdt(complex), {}};
-  auto recovered = recover_segments(complex, most_steiner_points);
+  auto recovered = recover_segments(complex, most_steiner_points, progress);
   if (!recovered) return tl::unexpected(recovered.error());
-  PlcTriangulation triangulation = cdt_of_edge_protected(recovered->complex, algorithm);
+  PlcTriangulation triangulation = cdt_of_edge_protected(recovered->complex, algorithm, progress);
   return SteinerCdt{std::move(recovered->complex), std::move(triangulation),
                     std::move(recovered->steiner_points)};
 }

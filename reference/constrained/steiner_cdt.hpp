@@ -7,6 +7,7 @@
 
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
+#include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::constrained {
 
@@ -16,7 +17,8 @@ enum class CdtAlgorithm { kGiftWrapping, kPolygonFlips, kPolygonCavities };
 // Requires: in space, that the complex is edge-protected in either reading; the complex is valid.
 // Throws std::logic_error if it turns out to have no CDT, and so was not edge-protected.
 PlcTriangulation cdt_of_edge_protected(const PiecewiseLinearComplex& complex,
-                                       CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips);
+                                       CdtAlgorithm algorithm = CdtAlgorithm::kPolygonFlips,
+                                       const Progress& progress = {});
 
 struct SteinerCdt {
   PiecewiseLinearComplex complex;  // the augmented complex: the original points come first
@@ -35,6 +37,7 @@ SteinerCdt steiner_cdt(const PiecewiseLinearComplex& complex,
 // The same, unless more than so many Steiner points are needed.
 tl::expected<SteinerCdt, SteinerLimitReached> steiner_cdt(const PiecewiseLinearComplex& complex,
                                                           CdtAlgorithm algorithm,
-                                                          std::size_t most_steiner_points);
+                                                          std::size_t most_steiner_points,
+                                                          const Progress& progress = {});
 
 }  // namespace circumspect::constrained

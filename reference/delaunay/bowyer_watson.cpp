@@ -124,21 +124,24 @@ namespace {
 
 // Inserts the vertices one by one; `locate` finds a simplex in conflict with each, or nothing.
 template <typename Locate>
-void insert_all(BowyerWatson& algorithm, const std::vector<Vertex>& vertices, Locate locate) {
+void insert_all(BowyerWatson& algorithm, const std::vector<Vertex>& vertices,
+                const Progress& progress, Locate locate) {
+  std::size_t done = 0;
   for (const Vertex u : vertices) {
+    tell(progress, "points inserted", done++, vertices.size());
     if (const std::optional<Simplex> located = locate(u)) algorithm.insert(u, *located);
   }
 }
 
 void insert_all(const PointSet& points, BowyerWatson& algorithm,
-                const std::vector<Vertex>& vertices, PointLocation location) {
+                const std::vector<Vertex>& vertices, const BowyerWatsonOptions& options) {
   Statistics& statistics = algorithm.statistics();
   const SimplexDictionary& dictionary = algorithm.dictionary();
-  if (location == PointLocation::kLinearScan) {
-    insert_all(algorithm, vertices,
+  if (options.location == PointLocation::kLinearScan) {
+    insert_all(algorithm, vertices, options.progress,
                [&](Vertex u) { return linear_scan(points, dictionary, u, statistics); });
-  } else if (location == PointLocation::kWalking) {
-    insert_all(algorithm, vertices, [&](Vertex u) {
+  } else if (options.location == PointLocation::kWalking) {
+    insert_all(algorithm, vertices, options.progress, [&](Vertex u) {
       return walk(points, dictionary, algorithm.most_recent_solid(), u, statistics);
     });
   } else {
@@ -159,7 +162,7 @@ Triangulation bowyer_watson(const PointSet& points, const BowyerWatsonOptions& o
   std::vector<Vertex> sequence = insertion_order(points, options.order, options.seed);
   BowyerWatson algorithm(points, first_independent(points, sequence));
   std::erase_if(sequence, [&](Vertex u) { return contains(algorithm.first_simplex(), u); });
-  insert_all(points, algorithm, sequence, options.location);
+  insert_all(points, algorithm, sequence, options);
   if (statistics != nullptr) *statistics = algorithm.statistics();
   return algorithm.triangulation();
 }

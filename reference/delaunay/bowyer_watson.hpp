@@ -11,6 +11,7 @@
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
+#include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::delaunay {
 
@@ -88,6 +89,7 @@ struct BowyerWatsonOptions {
   InsertionOrder order = InsertionOrder::kAsGiven;
   PointLocation location = PointLocation::kLinearScan;
   std::uint64_t seed = 0;  // of the random orders
+  Progress progress = {};
 };
 
 // Inserts all points. Any number of points, any dimension; one answer, whatever the options.

@@ -12,6 +12,7 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 namespace circumspect {
 
@@ -21,6 +22,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
+
+// The greatest double that is at most the sum, or one below it. In round-to-nearest the sum s of two
+// finite doubles is a double next to what they add up to, from which it differs by `error` exactly, unless
+// it overflows. (D. Knuth, "The Art of Computer Programming" 2, Section 4.2.2, Theorem B.)
+double lower_sum(double a, double b) {
+  const double sum = a + b;
+  if (!std::isfinite(sum))
+    return sum > 0 && std::isfinite(a) && std::isfinite(b) ? kLargest : -kInfinity;
+  const double of_b = sum - a;
+  const double error = (a - (sum - of_b)) + (b - of_b);
+  const bool is_above =
+      !(error >= 0) || std::abs(sum) > 0x1p1000;  // of such sums nothing is concluded
+  return is_above ? std::nextafter(sum, -kInfinity) : sum;
+}
 
 // lower_double and upper_double at once: most values are doubles.
 void enclose(const Rational& value, double& low, double& high) {
@@ -49,13 +64,15 @@ double upper_double(const Rational& value) { return -lower_double(-value); }
 
 Box box_around(const Point& point) {
   assert(point.size() == 2 || point.size() == 3);
-  const Rational& x = point[0];
-  const Rational& y = point[1];
-  const Rational z = point.size() == 3 ? point[2] : Rational(0);
-  const std::array<Rational, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
-  Box box;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    enclose(values[i], box.low[i], box.high[i]);
+  Box box = {};
+  for (std::size_t i = 0; i < point.size(); ++i) enclose(point[i], box.low[i], box.high[i]);
+  constexpr std::array<std::array<std::size_t, 2>, 3> kPairs = {{{0, 1}, {0, 2}, {1, 2}}};
+  for (std::size_t i = 0; i < kPairs.size(); ++i) {
+    const auto [a, b] = kPairs[i];
+    box.low[3 + 2 * i] = lower_sum(box.low[a], box.low[b]);
+    box.high[3 + 2 * i] = -lower_sum(-box.high[a], -box.high[b]);
+    box.low[4 + 2 * i] = lower_sum(box.low[a], -box.high[b]);
+    box.high[4 + 2 * i] = -lower_sum(-box.high[a], box.low[b]);
   }
   return box;
 }
@@ -137,10 +154,11 @@ BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
 
 std::vector<std::size_t> BoxIndex::meeting(const Box& box) const {
   std::vector<std::size_t> places;
-  const auto all = bg::index::intersects(tree_box(box));
-  for (auto it = tree_->places.qbegin(all); it != tree_->places.qend(); ++it) {
-    if (may_meet(tree_->boxes[it->second], box)) places.push_back(it->second);
-  }
+  const auto take = [&](const Entry& entry) {
+    if (may_meet(tree_->boxes[entry.second], box)) places.push_back(entry.second);
+  };
+  tree_->places.query(bg::index::intersects(tree_box(box)),
+                      boost::make_function_output_iterator(take));
   std::sort(places.begin(), places.end());
   return places;
 }

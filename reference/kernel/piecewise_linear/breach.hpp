@@ -1,6 +1,8 @@
 // What is wrong with an input that is no piecewise linear complex. Book: Definition 4.3.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -72,20 +74,30 @@ struct Breach {
   bool operator==(const Breach&) const = default;
 };
 
+inline constexpr std::size_t kBreachLimit = 20;
+
 // Breaches up to a limit, at which the search may end.
 class BreachList {
  public:
-  // A limit of 0 means all.
-  explicit BreachList(std::size_t limit) : limit_(limit) {}
+  // A limit of 0 means all. Whoever hears of each breach at once need not have all of them kept, of which
+  // there may be more than memory holds: then the first kBreachLimit are.
+  explicit BreachList(std::size_t limit, std::function<void(const Breach&)> on_breach = {})
+      : limit_(limit), on_breach_(std::move(on_breach)) {}
   void add(Breach breach) {
-    if (!is_full()) breaches_.push_back(std::move(breach));
+    if (is_full()) return;
+    ++count_;
+    if (on_breach_) on_breach_(breach);
+    if (!on_breach_ || count_ <= kBreachLimit) breaches_.push_back(std::move(breach));
   }
-  bool is_full() const { return limit_ != 0 && breaches_.size() >= limit_; }
-  bool empty() const { return breaches_.empty(); }
-  const std::vector<Breach>& breaches() const { return breaches_; }
+  bool is_full() const { return limit_ != 0 && count_ >= limit_; }
+  bool empty() const { return count_ == 0; }
+  std::size_t count() const { return count_; }
+  const std::vector<Breach>& breaches() const { return breaches_; }  // those that are kept
 
  private:
   std::size_t limit_;
+  std::function<void(const Breach&)> on_breach_;
+  std::size_t count_ = 0;
   std::vector<Breach> breaches_;
 };
 

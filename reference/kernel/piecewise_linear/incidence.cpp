@@ -60,6 +60,13 @@ bool segments_cross(const Configuration& points, const Simplex& a, const Simplex
   return false;
 }
 
+std::vector<std::size_t> axes_of_plane(const Configuration& points, const Simplex& triangle) {
+  for (const Axes& axes : coordinate_planes(points)) {
+    if (orientation(points, axes, triangle) != 0) return {axes.begin(), axes.end()};
+  }
+  return {};
+}
+
 int side_of_triangle(const Configuration& points, const Simplex& triangle, Vertex v) {
   if (contains(triangle, v)) return 0;
   return orientation(points, kSpace, Simplex{triangle[0], triangle[1], triangle[2], v});

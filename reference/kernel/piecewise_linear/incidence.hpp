@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "reference/kernel/complex/simplex.hpp"
 
@@ -14,6 +15,10 @@ bool lies_inside_segment(const Configuration& points, Vertex v, const Simplex& s
 // Have the segments a point in common that is inside both, without lying on one line?
 // Requires: no vertex in common.
 bool segments_cross(const Configuration& points, const Simplex& a, const Simplex& b);
+
+// Two axes on which the plane of the triangle projects injectively, the first such pair; none if its
+// corners are on one line.
+std::vector<std::size_t> axes_of_plane(const Configuration& points, const Simplex& triangle);
 
 // On which side of the triangle is v? Zero in its plane. Requires: in space.
 int side_of_triangle(const Configuration& points, const Simplex& triangle, Vertex v);

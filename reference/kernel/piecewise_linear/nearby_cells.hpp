@@ -23,11 +23,12 @@ class CellBoxes {
     for (const Vertex v : simplex) box = box_around(box, of_vertices_[static_cast<std::size_t>(v)]);
     return box;
   }
-  BoxIndex index_of(const std::vector<Simplex>& simplices) const {
+  std::vector<Box> of(const std::vector<Simplex>& simplices) const {
     std::vector<Box> boxes;
     for (const Simplex& simplex : simplices) boxes.push_back(of(simplex));
-    return BoxIndex(boxes);
+    return boxes;
   }
+  BoxIndex index_of(const std::vector<Simplex>& simplices) const { return BoxIndex(of(simplices)); }
 
  private:
   std::vector<Box> of_vertices_;

@@ -34,10 +34,15 @@ class Assembly {
     std::vector<Vertex> vertices = vertices_of(lines);
     const std::set<Simplex> listed = edges_of(lines);
     const std::vector<Simplex> walls(listed.begin(), listed.end());
-    polygon.axes = flat_through(points_, vertices).axes;
+    polygon.axes = axes_of(vertices);
     if (polygon.axes.size() != 2) return polygon;
-    polygon.triangles =
-        polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds);
+    const bool is_triangle = vertices.size() == 3 && walls.size() == 3 && lines.hole_seeds.empty();
+    if (is_triangle) {
+      polygon.triangles = {vertices};
+    } else {
+      polygon.triangles =
+          polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds);
+    }
     const std::vector<Vertex> inside = vertices_in(polygon);
     const std::vector<Simplex> slits = segments_between(inside);
     const std::size_t count = vertices.size();
@@ -63,6 +68,12 @@ class Assembly {
   }
 
  private:
+  // Axes on which the plane of a polygon projects injectively; fewer if it has no plane.
+  std::vector<std::size_t> axes_of(const std::vector<Vertex>& vertices) const {
+    if (vertices.size() != 3) return flat_through(points_, vertices).axes;
+    return axes_of_plane(points_.configuration(), vertices);
+  }
+
   // All vertices in the triangles of a polygon.
   std::vector<Vertex> vertices_in(const Polygon& polygon) const {
     std::set<Vertex> found;

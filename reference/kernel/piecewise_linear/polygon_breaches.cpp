@@ -3,17 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
+#include "reference/kernel/piecewise_linear/cell_index.hpp"
 #include "reference/kernel/piecewise_linear/incidence.hpp"
 #include "reference/kernel/piecewise_linear/nearby_cells.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect {
 namespace {
+
+// Does the complex have the segment?
+bool is_segment(const PiecewiseLinearComplex& complex, Vertex v, Vertex w) {
+  return std::binary_search(complex.segments.begin(), complex.segments.end(), Simplex{v, w});
+}
 
 struct Tile {
   Simplex triangle;
@@ -30,8 +38,8 @@ std::vector<Tile> tiles_of(const PiecewiseLinearComplex& complex) {
     for (const Simplex& triangle : complex.polygons[i].triangles) {
       Tile tile = {triangle, i, {}};
       for (std::size_t place = 0; place < 3; ++place) {
-        tile.is_segment[place] = std::binary_search(
-            complex.segments.begin(), complex.segments.end(), facet_opposite(triangle, place));
+        const Simplex edge = facet_opposite(triangle, place);
+        tile.is_segment[place] = is_segment(complex, edge[0], edge[1]);
       }
       tiles.push_back(tile);
     }
@@ -93,6 +101,94 @@ struct Sides {
   bool has_segment_in_plane = false;
 };
 
+// Which of some polygons share two vertices that no segment joins: a chord. The chords of a polygon of
+// few vertices are listed; those of another, which may be too many, are not.
+class CommonChords {
+ public:
+  CommonChords(const PiecewiseLinearComplex& complex, const std::vector<std::size_t>& polygons)
+      : complex_(complex) {
+    for (const std::size_t polygon : polygons) {
+      if (is_listed(polygon)) {
+        const std::vector<Chord> chords = chords_of(polygon);
+        chords_.insert(chords_.end(), chords.begin(), chords.end());
+      } else {
+        for (const Vertex v : vertices(polygon)) large_at_[v].push_back(polygon);
+      }
+    }
+    std::sort(chords_.begin(), chords_.end());
+  }
+
+  // Those after this one that have a chord in common with it.
+  std::set<std::size_t> after(std::size_t polygon) const {
+    std::set<std::size_t> found;
+    const std::vector<Chord> own = is_listed(polygon) ? chords_of(polygon) : std::vector<Chord>();
+    for (const auto& [from, to, self] : own) {
+      auto chord = std::upper_bound(chords_.begin(), chords_.end(), Chord{from, to, self});
+      for (; chord != chords_.end() && chord->from == from && chord->to == to; ++chord) {
+        found.insert(chord->polygon);
+      }
+    }
+    std::map<std::size_t, std::vector<Vertex>> common_with_large;
+    for (const Vertex v : vertices(polygon)) {
+      if (const auto at = large_at_.find(v); at != large_at_.end()) {
+        for (const std::size_t other : at->second) common_with_large[other].push_back(v);
+      }
+      if (!is_listed(polygon)) find_listed(polygon, v, found);
+    }
+    for (const auto& [other, common] : common_with_large) {
+      if (other > polygon && have_chord(common)) found.insert(other);
+    }
+    return found;
+  }
+
+ private:
+  struct Chord {
+    Vertex from, to;
+    std::size_t polygon;
+    auto operator<=>(const Chord&) const = default;
+  };
+
+  const std::vector<Vertex>& vertices(std::size_t polygon) const {
+    return complex_.polygons[polygon].vertices;
+  }
+  bool is_listed(std::size_t polygon) const { return vertices(polygon).size() <= 16; }
+  bool has(std::size_t polygon, Vertex v) const {
+    return std::binary_search(vertices(polygon).begin(), vertices(polygon).end(), v);
+  }
+
+  // In lexicographic order.
+  std::vector<Chord> chords_of(std::size_t polygon) const {
+    const std::vector<Vertex>& all = vertices(polygon);
+    std::vector<Chord> chords;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        if (!is_segment(complex_, all[i], all[j])) chords.push_back({all[i], all[j], polygon});
+      }
+    }
+    return chords;
+  }
+  // The listed polygons with a chord that starts at v and is one of this polygon.
+  void find_listed(std::size_t polygon, Vertex v, std::set<std::size_t>& found) const {
+    auto chord = std::lower_bound(chords_.begin(), chords_.end(), Chord{v, -1, 0});
+    for (; chord != chords_.end() && chord->from == v; ++chord) {
+      if (chord->polygon > polygon && has(polygon, chord->to)) found.insert(chord->polygon);
+    }
+  }
+  // Segments that join all vertices of a plane are few: a pair that none joins is soon found.
+  bool have_chord(const std::vector<Vertex>& common) const {
+    for (std::size_t i = 0; i < common.size(); ++i) {
+      for (std::size_t j = i + 1; j < common.size(); ++j) {
+        if (!is_segment(complex_, common[i], common[j])) return true;
+      }
+    }
+    return false;
+  }
+
+  const PiecewiseLinearComplex& complex_;
+  std::vector<Chord> chords_;
+  std::unordered_map<Vertex, std::vector<std::size_t>> large_at_;
+};
+
 // How two tiles of different polygons can go wrong, given that vertices and segments form a
 // simplicial complex, no segment pierces a polygon, and all vertices and segments of the complex that
 // lie in a polygon are corners and edges of its tiles.
@@ -102,9 +198,15 @@ struct Sides {
 // both and go on. So the stretch runs from vertex to vertex, and is legal iff it consists of
 // segments, which then are edges of tiles of both.
 //
-// A tile that has segments for all edges holds no vertex but its corners. What it shares with another
-// polygon is then made of corners and edges, or it is a tile of both. So only equal tiles, and pairs of
-// tiles that both have an edge within their polygons, need a look.
+// Let the interiors of two polygons of one plane meet, and take from what they share all segments. A
+// component of the rest is bounded by segments, whose ends are vertices of both polygons. If it is a
+// triangle with no other vertices, it is a tile of both. If not, it can be cut into two triangles or
+// more, and the edges between them join vertices of both that no segment joins.
+//
+// So only equal tiles need a look, and polygons that have a *chord* in common: two vertices that no
+// segment joins. Of these, only tiles do that have an edge within their polygon. For a tile that has
+// segments for all edges holds no vertex but its corners, and what it shares with another polygon is
+// made of corners and edges, or it is a tile of both.
 class TilePairs {
  public:
   TilePairs(const PiecewiseLinearComplex& complex, const std::vector<Tile>& tiles,
@@ -124,26 +226,43 @@ class TilePairs {
     }
   }
 
-  void judge_other_tiles() {
-    std::vector<Tile> tiles;
-    std::copy_if(tiles_.begin(), tiles_.end(), std::back_inserter(tiles),
-                 [](const Tile& tile) { return !tile.has_segments_only(); });
-    if (tiles.empty()) return;
+  void judge_other_tiles(const Progress& progress) {
+    std::map<std::size_t, std::vector<Tile>> tiles_of_polygon;
+    for (const Tile& tile : tiles_) {
+      if (!tile.has_segments_only()) tiles_of_polygon[tile.polygon].push_back(tile);
+    }
+    std::vector<std::size_t> polygons;
+    for (const auto& [polygon, tiles] : tiles_of_polygon) polygons.push_back(polygon);
+    if (polygons.empty()) return;
+    const CommonChords chords(complex_, polygons);
     const CellBoxes boxes(points_);
-    const BoxIndex index = index_of(boxes, tiles);
     SidesOfPlane sides(points_);
-    for (std::size_t i = 0; i < tiles.size() && !found_.is_full(); ++i) {
-      const Tile& a = tiles[i];
-      if (i == 0 || tiles[i - 1].polygon != a.polygon) sides.set_plane(a.triangle);
-      for (const std::size_t j : index.meeting(boxes.of(a.triangle))) {
-        const Tile& b = tiles[j];
-        if (j <= i || b.polygon == a.polygon) continue;
-        judge(a, b, Sides(b, [&](Vertex v) { return sides.side(v); }));
+    std::size_t done = 0;
+    for (const std::size_t i : polygons) {
+      tell(progress, "polygons against polygons", done++, polygons.size());
+      sides.set_plane(complex_.polygons[i].triangles.front());
+      for (const std::size_t j : chords.after(i)) {
+        if (found_.is_full()) return;
+        judge(tiles_of_polygon[i], tiles_of_polygon[j], boxes, sides);
       }
     }
   }
 
  private:
+  // The sides are those of the plane of the first polygon.
+  void judge(const std::vector<Tile>& of_first, const std::vector<Tile>& of_second,
+             const CellBoxes& boxes, SidesOfPlane& sides) {
+    std::vector<Box> around;
+    for (const Tile& b : of_second) around.push_back(boxes.of(b.triangle));
+    for (const Tile& a : of_first) {
+      const Box box = boxes.of(a.triangle);
+      for (std::size_t i = 0; i < of_second.size(); ++i) {
+        if (!may_meet(box, around[i])) continue;
+        const Tile& b = of_second[i];
+        judge(a, b, Sides(b, [&](Vertex v) { return sides.side(v); }));
+      }
+    }
+  }
   void judge(const Tile& a, const Tile& b, const Sides& b_from_a) {
     const Configuration& configuration = points_.configuration();
     if (b_from_a.in_plane == 3) {
@@ -215,23 +334,22 @@ class PiercedPolygon {
 
 }  // namespace
 
-void find_piercing_segments(const PiecewiseLinearComplex& complex, BreachList& found) {
+void find_piercing_segments(const PiecewiseLinearComplex& complex, const Progress& progress,
+                            BreachList& found) {
   if (complex.polygons.empty()) return;
   const PointSet& points = complex.points;
   const CellBoxes boxes(points);
-  const BoxIndex index = boxes.index_of(complex.segments);
+  const CellIndex index(boxes.of(complex.segments), complex.segments);
   SidesOfPlane sides(points);
   for (std::size_t i = 0; i < complex.polygons.size() && !found.is_full(); ++i) {
+    tell(progress, "polygons against segments", i, complex.polygons.size());
     const Polygon& polygon = complex.polygons[i];
     PiercedPolygon pierced(points, boxes, polygon);
     sides.set_plane(polygon.triangles.front());
-    for (const std::size_t place : index.meeting(boxes.of(polygon.vertices))) {
+    // A segment with an end that is a vertex of the polygon has that in its plane.
+    for (const std::size_t place : index.apart(boxes.of(polygon.vertices), polygon.vertices)) {
       const Simplex& segment = complex.segments[place];
-      // An end that is a vertex of the polygon lies in its plane.
-      const bool ends_in_plane = std::any_of(segment.begin(), segment.end(), [&](Vertex v) {
-        return std::binary_search(polygon.vertices.begin(), polygon.vertices.end(), v);
-      });
-      if (ends_in_plane || sides.side(segment[0]) * sides.side(segment[1]) >= 0) continue;
+      if (sides.side(segment[0]) * sides.side(segment[1]) >= 0) continue;
       if (const auto point = pierced.pierced_by(segment)) {
         found.add({BreachKind::kSegmentPiercesPolygon, {}, {segment}, {i}, *point});
       }
@@ -239,11 +357,12 @@ void find_piercing_segments(const PiecewiseLinearComplex& complex, BreachList& f
   }
 }
 
-void find_polygon_pair_breaches(const PiecewiseLinearComplex& complex, BreachList& found) {
+void find_polygon_pair_breaches(const PiecewiseLinearComplex& complex, const Progress& progress,
+                                BreachList& found) {
   const std::vector<Tile> tiles = tiles_of(complex);
   TilePairs pairs(complex, tiles, found);
   pairs.judge_equal_tiles();
-  pairs.judge_other_tiles();
+  pairs.judge_other_tiles(progress);
 }
 
 void find_hole_seed_breaches(const PiecewiseLinearComplex& complex, BreachList& found) {

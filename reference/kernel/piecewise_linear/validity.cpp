@@ -10,6 +10,7 @@
 #include "reference/kernel/complex/facets.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/piecewise_linear/breach.hpp"
+#include "reference/kernel/piecewise_linear/cell_index.hpp"
 #include "reference/kernel/piecewise_linear/disjoint_sets.hpp"
 #include "reference/kernel/piecewise_linear/incidence.hpp"
 #include "reference/kernel/piecewise_linear/nearby_cells.hpp"
@@ -58,6 +59,10 @@ void find_line_list_breaches(const PiecewiseLinearInput& input, BreachList& foun
 
 // Three vertices of a polygon that are not on one line, or two if there are none, ascending places.
 Simplex spanning(const PointSet& points, const std::vector<Vertex>& vertices) {
+  // Most polygons are triangles; this answers for them in integers.
+  if (vertices.size() == 3 && !axes_of_plane(points.configuration(), vertices).empty()) {
+    return vertices;
+  }
   std::vector<Point> coordinates_of;
   for (const Vertex v : vertices) coordinates_of.push_back(points[v]);
   Simplex basis;
@@ -106,13 +111,14 @@ void find_plane_breaches(const PiecewiseLinearInput& input, const PointSet& poin
 
 // Two segments of one line that overlap have an end of one inside the other, or are the same.
 void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& segments,
-                           BreachList& found) {
+                           const Progress& progress, BreachList& found) {
   if (segments.empty()) return;
   const Configuration& configuration = points.configuration();
   const CellBoxes boxes(points);
   const BoxIndex vertex_index(boxes.of_vertices());
-  const BoxIndex segment_index = boxes.index_of(segments);
+  const CellIndex segment_index(boxes.of(segments), segments);
   for (std::size_t i = 0; i < segments.size() && !found.is_full(); ++i) {
+    tell(progress, "segments", i, segments.size());
     const Simplex& a = segments[i];
     const Box box = boxes.of(a);
     for (const std::size_t place : vertex_index.meeting(box)) {
@@ -120,10 +126,9 @@ void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& s
       if (contains(a, v) || !lies_inside_segment(configuration, v, a)) continue;
       found.add({BreachKind::kVertexInSegment, {v}, {a}, {}, points[v]});
     }
-    for (const std::size_t j : segment_index.meeting(box)) {
+    for (const std::size_t j : segment_index.apart(box, a)) {
       const Simplex& b = segments[j];
-      if (j <= i || contains(a, b[0]) || contains(a, b[1])) continue;
-      if (!segments_cross(configuration, a, b)) continue;
+      if (j <= i || !segments_cross(configuration, a, b)) continue;
       const auto common = intersection(coordinates(points, a), coordinates(points, b));
       found.add({BreachKind::kCrossingSegments, {}, {a, b}, {}, common.front()});
     }
@@ -219,13 +224,13 @@ void find_area_breaches(const PiecewiseLinearInput& input, const PiecewiseLinear
   std::optional<CellBoxes> boxes;
   for (std::size_t i = 0; i < complex.polygons.size() && !found.is_full(); ++i) {
     const Polygon& polygon = complex.polygons[i];
-    const std::size_t before = found.breaches().size();
+    const std::size_t before = found.count();
     if (!polygon.hole_seeds.empty()) {
       if (!boxes) boxes.emplace(complex.points);
       find_polygon_seed_breaches(complex.points, *boxes, i, input.polygons[i], polygon, found);
     }
     // If nothing is left, a seed that is in no hole may be why.
-    if (polygon.triangles.empty() && found.breaches().size() == before) {
+    if (polygon.triangles.empty() && found.count() == before) {
       found.add({BreachKind::kDegeneratePolygon, {}, {}, {i}});
     }
   }
@@ -244,23 +249,23 @@ std::vector<typename A::value_type> difference(const A& a, const B& b) {
 }  // namespace
 
 tl::expected<PiecewiseLinearComplex, std::vector<Breach>> validated(
-    const PiecewiseLinearInput& input, std::size_t limit) {
-  BreachList found(limit);
+    const PiecewiseLinearInput& input, std::size_t limit, const ValidityWatch& watch) {
+  BreachList found(limit, watch.on_breach);
   const auto breaches = [&] { return tl::make_unexpected(found.breaches()); };
   find_list_breaches(input, found);
   if (!found.empty()) return breaches();
   {
     const PointSet points(input.points);
     find_plane_breaches(input, points, found);
-    find_segment_breaches(points, segments_of(input), found);
+    find_segment_breaches(points, segments_of(input), watch.progress, found);
     if (!found.empty()) return breaches();
   }
   PiecewiseLinearComplex complex = assemble(input);
   find_area_breaches(input, complex, found);
   if (!found.empty()) return breaches();
-  find_piercing_segments(complex, found);
+  find_piercing_segments(complex, watch.progress, found);
   if (!found.empty()) return breaches();
-  find_polygon_pair_breaches(complex, found);
+  find_polygon_pair_breaches(complex, watch.progress, found);
   find_hole_seed_breaches(complex, found);
   if (!found.empty()) return breaches();
   return complex;

@@ -1,17 +1,24 @@
 // Is an input a piecewise linear complex? Book: Section 4.5.1, Definition 4.3.
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
 
+#include "reference/kernel/exact/progress.hpp"
 #include "reference/kernel/piecewise_linear/breach.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect {
 
-inline constexpr std::size_t kBreachLimit = 20;
+// Who waits for `validated`.
+struct ValidityWatch {
+  Progress progress = {};
+  // Hears of each breach as soon as it is found. Then no more than kBreachLimit come back.
+  std::function<void(const Breach&)> on_breach = {};
+};
 
 // The complex that an input describes, or what keeps it from being one: at most `limit` breaches, or
 // all if that is 0. Judged in stages, so that breaches are causes and not their consequences:
@@ -31,7 +38,8 @@ inline constexpr std::size_t kBreachLimit = 20;
 // lists but what lies outside it belongs to the complex, not to the polygon.
 // Requires: points and hole seeds all have the same dimension, 2 or 3; in the plane no polygon.
 tl::expected<PiecewiseLinearComplex, std::vector<Breach>> validated(
-    const PiecewiseLinearInput& input, std::size_t limit = kBreachLimit);
+    const PiecewiseLinearInput& input, std::size_t limit = kBreachLimit,
+    const ValidityWatch& watch = {});
 
 // How the polygons of a complex differ from what their lines list.
 struct Adoption {

@@ -167,6 +167,62 @@ TEST_CASE("plc.polygons-overlap") {
   CHECK(is_valid(with_polygon(square({{12, 0, 0}, {12, 8, 0}}), {1, 4, 5, 2})));
 }
 
+// A polygon in the plane y = 0 (else x = 0) that lies on both sides of the line from (0, 0, 0) to (0, 0, 1),
+// with a saw of so many teeth on one side.
+PiecewiseLinearInput with_saw(PiecewiseLinearInput input, Vertex teeth, bool in_x) {
+  std::vector<Vertex> line = {0};
+  const auto add = [&](const Rational& along, Rational height) {
+    height.canonicalize();
+    line.push_back(static_cast<Vertex>(input.points.size()));
+    input.points.push_back(in_x ? Point{along, 0, height} : Point{0, along, height});
+  };
+  for (Vertex i = 0; i < teeth; ++i) {
+    add(5, Rational(4 * i + 1, 4 * teeth));
+    add(6, Rational(4 * i + 3, 4 * teeth));
+  }
+  line.push_back(1);
+  add(-2, Rational(1, 2));
+  input.polygons.push_back({{line}, {}});
+  return input;
+}
+
+TEST_CASE("plc.polygons-cross: polygons of few and of many vertices") {
+  PiecewiseLinearInput ends;
+  ends.points = {{0, 0, 0}, {0, 0, 1}};
+  for (const Vertex teeth : {1, 20}) {
+    for (const Vertex others : {1, 20}) {
+      PiecewiseLinearInput input = with_saw(with_saw(ends, teeth, true), others, false);
+      const auto found = breaches(input);
+      REQUIRE(!found.empty());
+      CHECK(found[0].kind == BreachKind::kPolygonsCross);
+      CHECK(found[0].polygons == std::vector<std::size_t>{0, 1});
+    }
+  }
+}
+
+TEST_CASE("plc.polygons-overlap: polygons of few and of many vertices that share some") {
+  // Fans over the same ends, one within the other.
+  for (const Vertex inner : {1, 20}) {
+    for (const Vertex outer : {1, 20}) {
+      PiecewiseLinearInput input;
+      input.points = {{0, 0, 0}, {100, 0, 0}};
+      for (const auto& [count, height] : {std::pair{inner, 1}, std::pair{outer, 2}}) {
+        std::vector<Vertex> line = {0, 1};
+        for (Vertex i = count; i > 0; --i) {
+          line.push_back(static_cast<Vertex>(input.points.size()));
+          const Rational x = Rational(100 * i, count + 1);
+          input.points.push_back({x, height * x * (100 - x) / 100, 0});
+          for (Rational& c : input.points.back()) c.canonicalize();
+        }
+        input.polygons.push_back({{line}, {}});
+      }
+      const auto found = breaches(input);
+      REQUIRE(!found.empty());
+      CHECK(found[0].kind == BreachKind::kPolygonsOverlap);
+    }
+  }
+}
+
 TEST_CASE("plc.polygon-hole-seed") {
   const auto holed = square({{2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}}, {{4, 5, 6, 7}});
   CHECK(is_valid(with_seed(with_seed(holed, {3, 3, 0}), {Rational(5, 2), 3, 0})));

@@ -1,0 +1,205 @@
+// circumspect inspect and other long work, as their users see it: one fact after the other, limits,
+// interrupts, and what a terminal shows.
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "command/run_command.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+constexpr const char* kCube =
+    "8 3\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
+    "6 0\n1\n4 1 2 3 4\n1\n4 5 6 7 8\n1\n4 1 2 6 5\n1\n4 2 3 7 6\n1\n4 3 4 8 7\n1\n4 4 1 5 8\n0\n";
+
+// Schönhardt's polyhedron, which has no triangulation, and so many more vertices outside.
+std::string schonhardt_and(int more) {
+  std::string text = fmt::format(
+      "{} 3\n1 10 0 0\n2 -5 8 0\n3 -5 -8 0\n4 8 6 10\n5 -9 4 10\n6 1 -10 10\n", 6 + more);
+  for (int i = 0; i < more; ++i) {
+    text += fmt::format("{} {} {} {}\n", 7 + i, 100 + i, i * i % 97, i * i * i % 89);
+  }
+  return text +
+         "8 0\n1\n3 1 2 3\n1\n3 4 5 6\n1\n3 1 2 5\n1\n3 1 5 4\n1\n3 2 3 6\n1\n3 2 6 5\n1\n3 3 1 "
+         "4\n1\n"
+         "3 3 4 6\n0\n";
+}
+
+// Points of which a Delaunay triangulation has very many simplices.
+std::string points_in_dimension(int dimension, int points) {
+  std::string text = fmt::format("{} {} 0 0\n", points, dimension);
+  unsigned state = 1;
+  for (int i = 1; i <= points; ++i) {
+    text += std::to_string(i);
+    for (int j = 0; j < dimension; ++j) {
+      state = state * 1103515245u + 12345u;
+      text += fmt::format(" {}", state >> 12);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_CASE("inspect: one line for each fact, and --only some of them") {
+  const ScratchFolder folder;
+  const std::string cube = folder.write("cube.poly", kCube);
+  const std::string valid = fmt::format("valid: {} 8 vertices 12 segments 6 polygons\n", cube);
+  const std::string inspected =
+      fmt::format("inspected: {} 8 vertices 12 segments 6 polygons", cube);
+  CHECK(run({"inspect", cube}).out ==
+        valid + "enclosed: 1 polyhedron\nsegments: edge-protected\n" +
+            "constrained Delaunay triangulation: canonical (proved)\n" + inspected +
+            " 1 polyhedron enclosed edge-protected cdt canonical\n");
+  CHECK(run({"inspect", cube, "--only", "validity"}).out == valid + inspected + "\n");
+  CHECK(run({"inspect", cube, "--only", "cdt,regions"}).out ==
+        valid + "enclosed: 1 polyhedron\nconstrained Delaunay triangulation: canonical (proved)\n" +
+            inspected + " 1 polyhedron enclosed cdt canonical\n");
+  const auto json = document(run({"inspect", cube, "--only", "validity", "--format", "json"}));
+  CHECK(json["results"][0]["valid"] == true);
+  CHECK(!json["results"][0].contains("cdt"));
+
+  const std::string square = folder.write("s.node", "4 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n");
+  CHECK(run({"inspect", square, "--only", "dimension"}).out ==
+        "points: 4 points 0 duplicates dimension 2 of 2\ninspected: " + square +
+            " 4 points 0 duplicates dimension 2 of 2\n");
+  const Run wrong = run({"inspect", square, "--only", "validity"});
+  CHECK(wrong.exit_code == 2);
+  CHECK(
+      has(wrong.err, "expected --only dimension|genericity|simplices for points, found validity"));
+  CHECK(run({"inspect", cube, "--only", "cdts"}).exit_code == 2);
+}
+
+TEST_CASE("inspect: whether there is a CDT may stay open, unless --decide asks") {
+  const ScratchFolder folder;
+  const std::string domain = folder.write("s.poly", schonhardt_and(200));
+  const Run open = run({"inspect", domain});
+  CHECK(open.exit_code == 0);
+  CHECK(has(open.out, "constrained Delaunay triangulation: unknown (more than 200 vertices; "));
+  CHECK(has(open.out, " cdt unknown\n"));
+  const Run asked = run({"inspect", domain, "--decide", "--only", "cdt"});
+  CHECK(asked.exit_code == 4);
+  CHECK(has(asked.out, " cdt unknown\n"));
+  const std::string small = folder.write("small.poly", schonhardt_and(0));
+  const Run decided = run({"inspect", small, "--decide"});
+  CHECK(decided.exit_code == 0);
+  CHECK(has(decided.out, " cdt none\n"));
+}
+
+TEST_CASE("inspect --max-errors 0: what crosses is printed, and JSON has all up to its limit") {
+  const ScratchFolder folder;
+  std::string text = "60 2 0 0\n";
+  for (int i = 0; i < 30; ++i) {
+    text += fmt::format("{} {} 0\n{} {}.25 30\n", 2 * i + 1, i, 2 * i + 2, 29 - i);
+  }
+  text += "30 0\n";
+  for (int i = 0; i < 30; ++i) text += fmt::format("{} {} {}\n", i + 1, 2 * i + 1, 2 * i + 2);
+  const std::string domain = folder.write("x.poly", text + "0\n");
+  const Run all = run({"inspect", domain, "--max-errors", "0"});
+  CHECK(all.exit_code == 3);
+  CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 30 * 29 / 2 + 1);
+  CHECK(has(all.out, "no piecewise linear complex, 435 breaches of which the first is "));
+  const auto json =
+      document(run({"inspect", domain, "--max-errors", "0", "--format", "json"}))["results"][0];
+  CHECK(json["breaches"].size() == 435);
+  CHECK(json["truncated"] == false);
+  const Run some = run({"inspect", domain});
+  CHECK(std::count(some.out.begin(), some.out.end(), '\n') == 22);
+  CHECK(has(some.out, "no piecewise linear complex, more than 20 breaches "));
+}
+
+TEST_CASE("--limit ends long work with what is known") {
+  const ScratchFolder folder;
+  const std::string points = folder.write("p.node", points_in_dimension(12, 60));
+  const auto start = std::chrono::steady_clock::now();
+  const Run ended = run({"inspect", points, "--limit", "500ms"});
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+  CHECK(ended.exit_code == 4);
+  CHECK(has(ended.out,
+            "points: 60 points 0 duplicates dimension 12 of 12\nundecided: inspect "
+            "stopped by --limit after 0."));
+  CHECK(has(ended.out, " s, while triangulating " + points + ", points inserted: "));
+  CHECK(has(ended.err, "circumspect: triangulating " + points + " may take about "));
+  CHECK(has(ended.err, " (--limit TIME ends it)\n"));
+  const Run quiet = run({"inspect", points, "--limit", "500ms", "--quiet"});
+  CHECK((quiet.exit_code == 4 && quiet.out.empty() && quiet.err.empty()));
+  const auto json =
+      document(run({"inspect", points, "--limit", "500ms", "--format", "json"}))["results"][0];
+  CHECK(json["dimension"] == 12);
+  CHECK(begins_with(json["undecided"], "inspect stopped by --limit after 0."));
+  CHECK(run({"inspect", points, "--limit", "0"}).exit_code == 2);
+}
+
+// The command with a terminal for its standard error, interrupted once the terminal shows `awaited`.
+struct Session {
+  int exit_code = -1;
+  std::string out;
+  std::string terminal;
+  double seconds_to_end = 0;  // after the interrupt
+};
+
+Session interrupted(std::vector<std::string> arguments, const std::string& awaited) {
+  const ScratchFolder folder;
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  REQUIRE(terminal >= 0);
+  REQUIRE(grantpt(terminal) == 0);
+  REQUIRE(unlockpt(terminal) == 0);
+  const int end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  arguments.insert(arguments.begin(), CIRCUMSPECT_COMMAND);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 1, folder.path("out").c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&files, end, 2);
+  pid_t process = 0;
+  REQUIRE(posix_spawn(&process, CIRCUMSPECT_COMMAND, &files, nullptr, argv.data(), environ) == 0);
+  posix_spawn_file_actions_destroy(&files);
+  close(end);
+  Session session;
+  std::chrono::steady_clock::time_point sent;
+  bool is_sent = false;
+  for (char bytes[4096];;) {
+    pollfd ready = {terminal, POLLIN, 0};
+    poll(&ready, 1, 20'000);
+    const ssize_t count = read(terminal, bytes, sizeof bytes);
+    if (count <= 0) break;  // the command has ended
+    session.terminal.append(bytes, static_cast<std::size_t>(count));
+    if (is_sent || !has(session.terminal, awaited)) continue;
+    is_sent = true;
+    sent = std::chrono::steady_clock::now();
+    kill(process, SIGINT);
+  }
+  int status = 0;
+  waitpid(process, &status, 0);
+  close(terminal);
+  REQUIRE(is_sent);
+  session.seconds_to_end =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - sent).count();
+  session.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  session.out = contents(folder.path("out"));
+  return session;
+}
+
+TEST_CASE("a terminal shows how far long work is, and an interrupt ends it with what is known") {
+  const ScratchFolder folder;
+  const std::string points = folder.write("p.node", points_in_dimension(12, 60));
+  const Session session = interrupted({"inspect", points}, "points inserted: ");
+  CHECK(session.exit_code == 4);
+  CHECK(session.seconds_to_end < 5);  // a second, where nothing else runs
+  CHECK(has(session.terminal, "\r\x1b[Kinspect: tri"));
+  CHECK(has(session.terminal, " of about "));
+  CHECK(begins_with(session.out, "points: 60 points 0 duplicates dimension 12 of 12\n"));
+  CHECK(has(session.out, "undecided: inspect interrupted after "));
+}
+
+}  // namespace
+}  // namespace circumspect::cli
