@@ -127,7 +127,7 @@ Progress LongWork::progress() {
 
 void LongWork::clear() {
   const std::lock_guard lock(mutex_);
-  if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+  if (is_shown_) std::fputs("\r\x1b[K", stderr);
   is_shown_ = false;
 }
 
@@ -170,7 +170,7 @@ void LongWork::show() {
     line += "...";
   }
   line += rest;
-  fmt::print(stderr, "\r\x1b[K{}", line);
+  std::fputs(("\r\x1b[K" + line).c_str(), stderr);
   std::fflush(stderr);
   is_shown_ = true;
 }

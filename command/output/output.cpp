@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "command/campaign/campaign_options.hpp"
@@ -65,8 +66,8 @@ void Output::begin(const std::string& what, std::optional<double> seconds) {
   constexpr double kLong = 10;
   if (seconds && *seconds >= kLong && !options_.quiet) {
     if (long_work_) long_work_->clear();
-    fmt::print(stderr, "circumspect: {} may take about {} (--limit TIME ends it)\n",
-               on_one_line(what), about(*seconds));
+    say(fmt::format("circumspect: {} may take about {} (--limit TIME ends it)\n", on_one_line(what),
+                    about(*seconds)));
   }
   if (long_work_) long_work_->begin(what, seconds && *seconds >= kLong ? seconds : std::nullopt);
 }
