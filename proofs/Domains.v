@@ -14,7 +14,8 @@ Open Scope R_scope.
     it begins with one for a mesh of a whole convex hull, that of the domain or a greater one.  Some of
     its simplices are kept: these are the mesh that the certificate is about. *)
 
-Inductive domain_claim := PlcTriangulation | SteinerTriangulation | ConformingDelaunay.
+Inductive domain_claim :=
+  PlcTriangulation | SteinerTriangulation | ConformingDelaunay | Cdt | SteinerCdt.
 (** What the domain fills: what its walls enclose, or the convex hull of its vertices. *)
 Inductive domain_kind := Enclosed | Hull.
 
@@ -61,6 +62,8 @@ Definition domain_claim_name (c : domain_claim) : string :=
   | PlcTriangulation => "plc-triangulation"
   | SteinerTriangulation => "steiner-triangulation"
   | ConformingDelaunay => "conforming-delaunay"
+  | Cdt => "cdt"
+  | SteinerCdt => "steiner-cdt"
   end%string.
 
 Section Book.
@@ -154,6 +157,31 @@ Definition plc_triangulation (P : domain) (T : list (simplex d)) : Prop :=
 (** Definition 4.5: all its simplices are Delaunay, with respect to its vertices. *)
 Definition conforming_delaunay (P : domain) (T : list (simplex d)) : Prop :=
   steiner_triangulation P T /\ forall t, In t T -> delaunay (concat T) t.
+
+(** ** Constrained Delaunay *)
+
+(** Definition 2.11: a simplex respects a domain if it is in |P|, and what it has in common with each
+    cell is a union of its faces. *)
+Definition union_of_faces (X : point d -> Prop) (s : simplex d) : Prop :=
+  exists F, (forall f, In f F -> incl f s) /\ forall q, X q <-> exists f, In f F /\ conv f q.
+Definition respects (P : domain) (s : simplex d) : Prop :=
+  (forall q, conv s q -> underlying P q) /\
+  (forall X, In X (cells P) -> union_of_faces (fun q => X q /\ conv s q) s).
+
+(** Definition 2.13. *)
+Definition visible (P : domain) (x y : point d) : Prop := respects P [x; y].
+
+(** Definition 4.6, for the vertices [V]: those of the domain or, with Steiner points, of the mesh. *)
+Definition constrained_delaunay (V : list (point d)) (P : domain) (s : simplex d) : Prop :=
+  incl s V /\ respects P s /\
+  exists c r2, circumball s c r2 /\ forall v x, In v V -> strictly_inside s x -> visible P x v ->
+    ~ dist2 c v < r2.
+
+(** Definition 4.7, where nothing dangles; and a Steiner CDT. *)
+Definition cdt (P : domain) (T : list (simplex d)) : Prop :=
+  plc_triangulation P T /\ forall t, In t T -> constrained_delaunay (domain_vertices P) P t.
+Definition steiner_cdt (P : domain) (T : list (simplex d)) : Prop :=
+  steiner_triangulation P T /\ forall t, In t T -> constrained_delaunay (concat T) P t.
 End Book.
 Arguments polygon d : clear implicits.
 Arguments domain d : clear implicits.

@@ -68,6 +68,8 @@ Theorem verified_domain D c : check_domain D c = Accepted ->
   | PlcTriangulation => plc_triangulation P T
   | SteinerTriangulation => steiner_triangulation P T
   | ConformingDelaunay => conforming_delaunay P T
+  | Cdt => cdt P T
+  | SteinerCdt => steiner_cdt P T
   end.
 Proof. apply DomainSound.check_domain_sound. Qed.
 

@@ -125,20 +125,36 @@ Definition check_segment (k : positive) (s : segment_entry) : result :=
     | _, _ => false
     end at AtSegment k; Accepted.
 
-(** [hole-inside] *)
-Fixpoint strictly_in (i : nat) (X : list site) (h : hole_entry) : bool :=
+(** [hole-inside]: the point is strictly inside a simplex that is not kept; or in one, and then each
+    wall is looked at, for it must be on none. *)
+Fixpoint all_sides (f : Z -> bool) (i : nat) (X : list site) (h : hole_entry) : bool :=
   match i with
   | O => true
-  | S i' => (0 <? side pr i' X (hole_point h) (hole_w h)) && strictly_in i' X h
+  | S i' => f (side pr i' X (hole_point h) (hole_w h)) && all_sides f i' X h
   end.
-Definition check_hole (k : positive) (h : hole_entry) : result :=
+Definition strictly_in : list site -> hole_entry -> bool := all_sides (Z.ltb 0) (S (dimension pr)).
+Definition closed_in : list site -> hole_entry -> bool := all_sides (Z.leb 0) (S (dimension pr)).
+Fixpoint off_facets (e : mark) (i : nat) (X : list site) (h : hole_entry) : bool :=
+  match i with
+  | O => true
+  | S i' => match flag e i' with
+            | Some _ => negb ((side pr i' X (hole_point h) (hole_w h) =? 0) && closed_in X h)
+            | None => true
+            end && off_facets e i' X h
+  end.
+Definition off_walls (h : hole_entry) (se : simplex_entry * mark) : bool :=
+  match find_all (points_of m) (corners (fst se)) with
+  | None => false
+  | Some X => off_facets (snd se) (S (dimension pr)) X h
+  end.
+Definition check_hole (all : list (simplex_entry * mark)) (k : positive) (h : hole_entry) : result :=
   require hole_inside by
     negb (kept_at (hole_simplex h)) && shaped pr (hole_point h) && (0 <? hole_w h) &&
     match Table.find (hole_simplex h) (simplices_of m) with
     | None => false
     | Some e => match find_all (points_of m) (corners e) with
                 | None => false
-                | Some X => strictly_in (S (dimension pr)) X h
+                | Some X => strictly_in X h || (closed_in X h && forallb (off_walls h) all)
                 end
     end at AtHole k; Accepted.
 
@@ -197,7 +213,7 @@ Definition check_part (pr : predicates) (planar : bool) (kind : domain_kind) (c 
   require claim_of_mesh by negb (weights_of (claimed c)) at Nowhere;
   each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c) (roles p) ;;
   each (check_segment m planar kind roles_of marks_of) 1 (segments p) ;;
-  each (check_hole pr m marks_of) 1 (holes p) ;;
+  each (check_hole pr m marks_of (combine (simplices c) (marks p))) 1 (holes p) ;;
   each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
     (simplices c) (marks p).
 
@@ -302,12 +318,57 @@ Definition known_corners (c : domain_certificate) : result :=
     require vertices_of_domain by
       negb (kept e) || forallb (is_corner roles_of) (corners s) at AtSimplex t; Accepted) 1
     (simplices (whole_mesh c)) (marks (domain_part c)).
-Definition check_claim (c : domain_certificate) : result :=
+(** [facet-locally-delaunay], where both simplices are kept and the facet is in no wall. *)
+Section Local.
+Variable pr : predicates.
+Variable m : mesh.
+Definition check_local_facet (t : positive) (e : mark) (X : list site) (n : list Z) (i : nat) (f : wall) :
+    result :=
+  match f with
+  | OnHull _ => Accepted
+  | Neighbour u j =>
+      match flag e i with
+      | Some _ => Accepted
+      | None =>
+          if Pos.ltb t u then
+            match Table.find u (simplices_of m) with
+            | None => Rejected facet_matched (AtFacet t i)
+            | Some s =>
+                match nth_error (corners s) j with
+                | None => Rejected facet_matched (AtFacet t i)
+                | Some v =>
+                    match Table.find v (points_of m) with
+                    | None => Rejected vertex_known (AtSimplex u)
+                    | Some p =>
+                        require facet_locally_delaunay by locally_delaunay pr X n p at AtFacet t i;
+                        Accepted
+                    end
+                end
+            end
+          else Accepted
+      end
+  end.
+Definition check_local_simplex (t : positive) (s : simplex_entry) (e : mark) : result :=
+  if kept e then
+    match find_all (points_of m) (corners s) with
+    | None => Rejected vertex_known (AtSimplex t)
+    | Some X => each_index (check_local_facet t e X (slope pr X)) 0 (walls s)
+    end
+  else Accepted.
+End Local.
+Definition check_local (pr : predicates) (c : domain_certificate) : result :=
+  require claim_of_mesh by match kind c with Enclosed => true | Hull => false end at Nowhere;
+  each_pair mark_consistent AtSimplex (check_local_simplex pr (mesh_of (whole_mesh c))) 1
+    (simplices (whole_mesh c)) (marks (domain_part c)).
+
+Definition check_claim (pr : predicates) (c : domain_certificate) : result :=
   match domain_claimed c with
   | PlcTriangulation => known_corners c
   | SteinerTriangulation => Accepted
   | ConformingDelaunay =>
       require claim_of_mesh by delaunay_of (claimed (whole_mesh c)) at Nowhere; Accepted
+  | Cdt => known_corners c ;; check_local pr c
+  | SteinerCdt => check_local pr c
   end.
 Definition in_polygon (k : positive) (r : result) : result :=
   match r with Accepted => Accepted | Rejected c _ => Rejected c (AtPolygon k) end.
@@ -327,4 +388,4 @@ Definition check_domain (D : plane_or_space) (c : domain_certificate) : result :
       each (fun k f => in_polygon k (check_polygon (kind c) (whole_mesh c) m marks_of f)) 1
         (polygons c)
   end ;;
-  check_claim c.
+  check_claim (predicates_of D) c.

@@ -2,7 +2,8 @@
 From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Faces Orientation Integers Accepted Soundness.
-From Circumspect Require Import KeptMesh KeptCells Polygons Definitions Domains.
+From Circumspect Require Import CertifiedMesh KeptMesh KeptCells Constrained Polygons.
+From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -50,7 +51,8 @@ Notation T := (part_simplices d c p).
 Hypothesis accepts : check_in pr c = Accepted.
 Variables (planar : bool) (shown : list positive -> nat -> positive * positive -> bool).
 Hypothesis part_accepts : check_part pr planar (kind D) c p shown = Accepted.
-Hypothesis claim_accepts : check_claim D = Accepted.
+Hypothesis positive_d : (1 <= d)%nat.
+Hypothesis claim_accepts : check_claim pr D = Accepted.
 Let members := kept_members Or Co c accepts p planar (kind D) shown part_accepts.
 Let dim_d : dimension pr = d := computes_dimension _ _ Co.
 
@@ -58,11 +60,10 @@ Lemma corner_known t e k : numbered (simplices c) t = Some e -> In k (corners e)
   exists x, numbered (points c) k = Some x.
 Proof. intros E I. destruct (simplex_accepted dim_d accepts t e E) as (Known & _). auto. Qed.
 
-Lemma no_other_vertices : domain_claimed D = PlcTriangulation -> forall t v, In t T -> In v t ->
+Lemma no_other_vertices : known_corners D = Accepted -> forall t v, In t T -> In v t ->
   In v (part_vertices d c p).
 Proof.
-  intros Cl t v It Iv. pose proof claim_accepts as H. unfold check_claim in H. rewrite Cl in H.
-  unfold known_corners in H. apply each_pair_accepted in H. destruct H as [L H].
+  intros H t v It Iv. unfold known_corners in H. apply each_pair_accepted in H. destruct H as [L H].
   apply members in It. destruct It as (u & e & E & K & ->). apply in_map_iff in Iv.
   destruct Iv as (k & <- & Ik).
   destruct (mark_of c p planar (kind D) shown part_accepts u e E) as (mk & Em & Km & _).
@@ -87,17 +88,47 @@ Proof.
   destruct Ix as (k & <- & Ik). destruct (corner_known u e k E Ik) as (y & Y). now apply spot_in with y.
 Qed.
 
-Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> steiner_triangulation P T ->
+(** Each wall is a cell of the domain. *)
+Definition walls_are_cells (P : domain d) : Prop := kind D = Enclosed -> forall q, flagged_points c p q ->
+  exists X, In X (cells P) /\ X q /\ forall y, X y -> flagged_points c p y.
+
+Lemma constrained (P : domain d) V : check_local pr D = Accepted -> walls_are_cells P ->
+  steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  forall t, In t T -> constrained_delaunay V P t.
+Proof.
+  intros L Wa St HV. destruct (frames_exist Or Co c accepts) as (geo & G).
+  assert (E : forall x, walls_in c p geo x <-> flagged_points c p x).
+  { intros x. split.
+    - intros (t & i & Ht & Hi & F & O). apply in_tets in Ht. destruct Ht as (e & E). exists t, e, i.
+      repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
+    - intros (t & e & i & E & Hi & F & C). exists t, i. split; [apply in_tets; eauto|].
+      repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e). }
+  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G P V St); [|assumption].
+  intros q W. apply E in W. destruct (Wa (proj1 (local_parts D planar shown part_accepts L)) q W) as (X & IX & Xq & XW).
+  exists X. split; [assumption|]. split; [assumption|]. intros y Xy. now apply E, XW.
+Qed.
+
+Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> walls_are_cells P ->
+  steiner_triangulation P T ->
   match domain_claimed D with
   | PlcTriangulation => plc_triangulation P T
   | SteinerTriangulation => steiner_triangulation P T
   | ConformingDelaunay => conforming_delaunay P T
+  | Cdt => cdt P T
+  | SteinerCdt => steiner_cdt P T
   end.
 Proof.
-  intros E St. destruct (domain_claimed D) eqn:Cl.
+  intros E Wa St. pose proof claim_accepts as H. unfold check_claim in H.
+  destruct (domain_claimed D) eqn:Cl.
   - split; [assumption|]. rewrite E. now apply no_other_vertices.
   - assumption.
   - split; [assumption|]. now apply all_delaunay.
+  - destruct (known_corners D) eqn:K; [|discriminate]. split.
+    + split; [assumption|]. rewrite E. now apply no_other_vertices.
+    + apply (constrained P); try assumption. intros v. split.
+      * intros Iv. destruct St as (_ & _ & _ & Vs & _). now apply Vs.
+      * intros (t & It & Iv). rewrite E. now apply (no_other_vertices K t).
+  - split; [assumption|]. apply (constrained P); try assumption. intros v. rewrite in_concat. reflexivity.
 Qed.
 End Claim.
 
@@ -110,12 +141,19 @@ Theorem check_domain_sound D c : check_domain D c = Accepted ->
   | PlcTriangulation => plc_triangulation P T
   | SteinerTriangulation => steiner_triangulation P T
   | ConformingDelaunay => conforming_delaunay P T
+  | Cdt => cdt P T
+  | SteinerCdt => steiner_cdt P T
   end.
 Proof.
   intros A. unfold check_domain in A. destruct D; cbn [dimension_of] in *; cbv zeta in *.
   - accepted. pose proof (plane_mesh_accepted _ _ _ Heqr) as Mesh.
     pose proof (plane_part_accepted _ _ _ Heqr) as Pa.
-    apply (claim_sound oriented2 plane_computes c Mesh true _ Pa A); [reflexivity|].
+    apply (claim_sound oriented2 plane_computes c Mesh true _ Pa (le_S 1 1 (le_n 1)) A); [reflexivity| |].
+    { intros K q W. apply (segments_flagged _ _ _ Heqr q K) in W. destruct W as (a & b & I & C).
+      exists (fun q => conv [fst (a, b); snd (a, b)] q). split; [|split; [exact C|]].
+      - unfold cells. apply in_or_app. right. apply in_or_app. left.
+        apply (in_map (fun ab q => conv [fst ab; snd ab] q)). exact I.
+      - intros y Y. apply (segments_flagged _ _ _ Heqr y K). exists a, b. split; [exact I|exact Y]. }
     apply steiner_from_cells.
     + exact (kept_complex oriented2 plane_computes _ Mesh _ true _ _ Pa).
     + exact (vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa).
@@ -132,7 +170,32 @@ Proof.
       (mesh_of (whole_mesh c)) (mark_table (domain_part c)) f = Accepted).
     { intros k f E. apply (each_accepted _ _ Pg) in E. unfold in_polygon in E.
       destruct (check_polygon _ _ _ _ f); [reflexivity|discriminate]. }
-    apply (claim_sound oriented3 space_computes c Mesh false _ Pa Cl); [reflexivity|].
+    assert (Flagged : kind c = Enclosed -> forall x, flagged_points (d := 3) (whole_mesh c) (domain_part c) x <->
+      exists f, In f (map (polygon_of 3 c) (polygons c)) /\ polygon_points f x).
+    { intros K x. split.
+      - intros (t & e & i & E & Hi & Fl & C).
+        destruct (flagged_is_shown oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa
+          t e i K E Hi Fl) as (w & Sh).
+        unfold shown_by_polygon in Sh. rewrite table_find in Sh.
+        destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate]. cbn [option_map] in Sh.
+        cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh.
+        apply andb_prop in Sh. destruct Sh as [Kt Sh].
+        destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
+        exists (polygon_of 3 c g). split; [apply in_map; now apply numbered_in with (fst w)|].
+        apply (polygon_covered _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly _ g G) x).
+        exists (snd w), s. split; [assumption|]. split; [assumption|].
+        apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i (corners e)))); [|assumption].
+        intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
+        now apply (same_members_spec _ _ Sh).
+      - intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
+        destruct I as (k & E).
+        exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g (Poly k g E) x K H). }
+    apply (claim_sound oriented3 space_computes c Mesh false _ Pa (le_S 1 2 (le_S 1 1 (le_n 1))) Cl);
+      [reflexivity| |].
+    { intros K q W. apply (Flagged K) in W. destruct W as (f & I & C). exists (polygon_points f).
+      split; [|split; [exact C|]].
+      - unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. left. now apply in_map.
+      - intros y Y. apply (Flagged K). eauto. }
     apply steiner_from_cells.
     + exact (kept_complex oriented3 space_computes _ Mesh _ false _ _ Pa).
     + exact (vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa).
@@ -145,24 +208,6 @@ Proof.
     + intros q. unfold region, domain_of_certificate. cbn [what_it_fills].
       destruct (kind c) eqn:K.
       * apply (kept_enclosed oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa);
-          [reflexivity|]. intros x. unfold walls_of. cbn [domain_polygons]. split.
-        -- intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
-           destruct I as (k & E).
-           exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g
-             (Poly k g E) x eq_refl H).
-        -- intros (t & e & i & E & Hi & Fl & C).
-           destruct (flagged_is_shown oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa
-             t e i eq_refl E Hi Fl) as (w & Sh).
-           unfold shown_by_polygon in Sh. rewrite table_find in Sh.
-           destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate]. cbn [option_map] in Sh.
-           cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh.
-           apply andb_prop in Sh. destruct Sh as [Kt Sh].
-           destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
-           exists (polygon_of 3 c g). split; [apply in_map; now apply numbered_in with (fst w)|].
-           apply (polygon_covered _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly _ g G) x).
-           exists (snd w), s. split; [assumption|]. split; [assumption|].
-           apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i (corners e)))); [|assumption].
-           intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
-           now apply (same_members_spec _ _ Sh).
+          [reflexivity|]. intros x. symmetry. apply Flagged. reflexivity.
       * exact (kept_hull oriented3 space_computes _ Mesh _ false _ _ Pa q eq_refl).
 Qed.

@@ -250,11 +250,11 @@ Qed.
 (** ** From a simplex that is not inner one gets out *)
 
 Variable holes : list (point d).
-Hypothesis holes_in : forall h, In h holes -> exists t, In t tets /\ marked t = false /\
-  inside (geo t) h.
+Hypothesis holes_in : forall h, In h holes -> ~ walls h /\ exists t, In t tets /\ marked t = false /\
+  inside_closed (geo t) h.
 Variable rank : A -> nat.
 Hypothesis way_out : forall t, In t tets -> marked t = false ->
-  (exists h, In h holes /\ inside (geo t) h) \/
+  (exists h, In h holes /\ inside_closed (geo t) h) \/
   (exists i, (i <= d)%nat /\ outer t i /\ ~ wall t i) \/
   (exists i u j, adj t i u j /\ ~ wall t i /\ (rank u < rank t)%nat).
 
@@ -398,7 +398,8 @@ Proof.
   assert (Bc : inside_closed (geo t) (barycentre (geo t))) by (intros i Hi; left; now apply B).
   pose proof (inside_off t _ Ht B) as Off.
   destruct (way_out t Ht Mt) as [(h & Hh & I)|[(i & Hi & O & N)|(i & u & j & Ad & N & L)]].
-  - right. exists h. split; [assumption|]. apply connected_clear. now apply (clear_into t).
+  - right. exists h. split; [assumption|]. apply connected_clear, clear_back.
+    apply (clear_into t); auto. now apply holes_in.
   - left. intros r.
     pose proof (centre_off t i Ht Hi N) as Foff.
     destruct (beyond_unbounded t i (facet_centre (geo t) i) Ht Hi O) with (r := r) as (y & C & Y).
@@ -469,7 +470,7 @@ Proof.
     destruct (walls_dec q) as [W|Off]; [now left|right].
     split; [now apply inner_not_unbounded|].
     intros h Hh C. destruct (stays_connected q h C I) as (t & Ht & Mt & It).
-    destruct (holes_in h Hh) as (u & Hu & Mu & Iu).
-    rewrite (inside_once tets geo agreeing different u t h Hu Ht Iu It) in Mu. congruence.
+    destruct (holes_in h Hh) as (Offh & u & Hu & Mu & Iu).
+    rewrite (marked_alike h Offh u t Hu Ht Iu It) in Mu. congruence.
 Qed.
 End Enclosed.

@@ -128,7 +128,7 @@ Proof. rewrite table_find. now destruct (numbered l k). Qed.
 Lemma part_parts : weights_of (claimed c) = false /\
   each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c) (roles p) = Accepted /\
   each (check_segment m planar kind roles_of marks_of) 1 (segments p) = Accepted /\
-  each (check_hole pr m marks_of) 1 (holes p) = Accepted /\
+  each (check_hole pr m marks_of (combine (simplices c) (marks p))) 1 (holes p) = Accepted /\
   each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
     (simplices c) (marks p) = Accepted.
 Proof.
@@ -403,9 +403,39 @@ Proof.
   - cbn [consistent] in C. rewrite Fw in C. exists t. rewrite Kt. auto.
 Qed.
 
+Lemma all_sides_spec f h X : all_sides pr f (S (dimension pr)) X h = true ->
+  forall i, (i <= d)%nat -> f (side pr i X (hole_point h) (hole_w h)) = true.
+Proof.
+  rewrite dim_d.
+  assert (G : forall n, all_sides pr f n X h = true -> forall i, (i < n)%nat ->
+    f (side pr i X (hole_point h) (hole_w h)) = true).
+  { induction n as [|n IH]; intros Q i Hi; [lia|]. cbn [all_sides] in Q. apply andb_prop in Q.
+    destruct Q as [Q Q']. destruct (Nat.eq_dec i n) as [->|N]; [exact Q|apply IH; auto; lia]. }
+  intros Q i Hi. apply (G _ Q). lia.
+Qed.
+Lemma all_sides_intro f h X : (forall i, (i <= d)%nat ->
+    f (side pr i X (hole_point h) (hole_w h)) = true) -> all_sides pr f (S (dimension pr)) X h = true.
+Proof.
+  rewrite dim_d. intros H. assert (G : forall n, (n <= S d)%nat -> all_sides pr f n X h = true).
+  { induction n as [|n IH]; intros L; [reflexivity|]. cbn [all_sides]. rewrite H by lia.
+    rewrite IH by lia. reflexivity. }
+  apply G. lia.
+Qed.
+Lemma off_facets_spec e X h : off_facets pr e (S (dimension pr)) X h = true -> forall i w, (i <= d)%nat ->
+  flag e i = Some w -> side pr i X (hole_point h) (hole_w h) = 0%Z -> closed_in pr X h = false.
+Proof.
+  rewrite dim_d.
+  assert (G : forall n, off_facets pr e n X h = true -> forall i w, (i < n)%nat ->
+    flag e i = Some w -> side pr i X (hole_point h) (hole_w h) = 0%Z -> closed_in pr X h = false).
+  { induction n as [|n IH]; intros Q i w Hi F Z0; [lia|]. cbn [off_facets] in Q. apply andb_prop in Q.
+    destruct Q as [Q Q']. destruct (Nat.eq_dec i n) as [->|N]; [|apply (IH Q' i w); auto; lia].
+    rewrite F, Z0 in Q. cbn [Z.eqb andb] in Q. now apply negb_true_iff in Q. }
+  intros Q i w Hi. apply (G _ Q i w). lia.
+Qed.
 Lemma hole_checked n h : numbered (holes p) n = Some h ->
   kept_at marks_of (hole_simplex h) = false /\ In (hole_simplex h) tets /\
-  inside (geo (hole_simplex h)) (seed_point d c (hole_point h) (hole_w h)).
+  inside_closed (geo (hole_simplex h)) (seed_point d c (hole_point h) (hole_w h)) /\
+  ~ walls_in (seed_point d c (hole_point h) (hole_w h)).
 Proof.
   intros E. destruct part_parts as (_ & _ & _ & H & _). apply (each_accepted _ _ H) in E.
   unfold check_hole in E. accepted. repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]).
@@ -413,18 +443,41 @@ Proof.
   unfold shaped in H2. apply Nat.eqb_eq in H2. rewrite dim_d in H2.
   rewrite (find_simplex (c := c)) in H0.
   destruct (numbered (simplices c) (hole_simplex h)) as [e|] eqn:Es; [|discriminate].
-  split; [assumption|]. split; [apply in_tets; eauto|].
+  assert (Ht : In (hole_simplex h) tets) by (apply in_tets; eauto).
+  split; [assumption|]. split; [assumption|].
   destruct (find_all (points_of m) (corners e)) as [X|] eqn:Fa; [|discriminate].
-  apply (find_all_sites (d := d)) in Fa. destruct Fa as [-> _]. rewrite dim_d in H0.
-  assert (G : forall n, strictly_in pr n (map (site_at d c) (corners e)) h = true -> forall i, (i < n)%nat ->
-    (0 < side pr i (map (site_at d c) (corners e)) (hole_point h) (hole_w h))%Z).
-  { induction n0 as [|n0 IH]; intros Q i Hi; [lia|]. cbn [strictly_in] in Q. apply andb_prop in Q.
-    destruct Q as [Q Q']. apply Z.ltb_lt in Q.
-    destruct (Nat.eq_dec i n0) as [->|N]; [exact Q|apply IH; auto; lia]. }
-  intros i Hi. specialize (G _ H0 i ltac:(lia)). apply IZR_lt in G.
-  destruct (side_bary Or Co c accepts geo frames (hole_simplex h) e i (hole_point h) (hole_w h) Es Hi H2 H1)
-    as (q & Q & S).
-  unfold seed_point. unfold sites_of in S. nra.
+  apply (find_all_sites (d := d)) in Fa. destruct Fa as [-> _].
+  set (q := seed_point d c (hole_point h) (hole_w h)).
+  assert (Side : forall t e' i, entry t e' -> (i <= d)%nat -> exists a, 0 < a /\
+    IZR (side pr i (map (site_at d c) (corners e')) (hole_point h) (hole_w h)) = a * bary (geo t) i q).
+  { intros t e' i E' Hi.
+    exact (side_bary Or Co c accepts geo frames t e' i (hole_point h) (hole_w h) E' Hi H2 H1). }
+  apply orb_prop in H0. destruct H0 as [H0|H0].
+  - assert (Is : inside (geo (hole_simplex h)) q).
+    { intros i Hi. pose proof (all_sides_spec _ _ _ H0 i Hi) as S. apply Z.ltb_lt, IZR_lt in S.
+      destruct (Side _ e i Es Hi) as (a & A & Eq). nra. }
+    split; [intros i Hi; left; now apply Is|]. intros (t & i & It & Hi & _ & Z0 & C).
+    pose proof (inside_once tets geo agreeing different (hole_simplex h) t q Ht It Is C) as Eq.
+    specialize (Is i Hi). rewrite Eq in Is. lra.
+  - apply andb_prop in H0. destruct H0 as [Cl Off]. split.
+    + intros i Hi. pose proof (all_sides_spec _ _ _ Cl i Hi) as S. apply Z.leb_le, IZR_le in S.
+      destruct (Side _ e i Es Hi) as (a & A & Eq). nra.
+    + intros (t & i & It & Hi & W & Z0 & C). apply in_tets in It. destruct It as (e' & E').
+      destruct (mark_of t e' E') as (k & K & _).
+      assert (I : In (e', k) (combine (simplices c) (marks p))).
+      { unfold numbered in E', K. apply nth_error_In with (pred (Pos.to_nat t)). revert E' K.
+        generalize (pred (Pos.to_nat t)) as j. generalize (simplices c) as l1. generalize (marks p) as l2.
+        clear. intros l2 l1. revert l2.
+        induction l1 as [|x l1 IH]; intros [|y l2] [|j]; cbn; try congruence. apply IH. }
+      rewrite forallb_forall in Off. specialize (Off _ I). unfold off_walls in Off. cbn [fst snd] in Off.
+      destruct (find_all (points_of m) (corners e')) as [X|] eqn:Fx; [|discriminate].
+      apply (find_all_sites (d := d)) in Fx. destruct Fx as [-> _].
+      apply (wall_at_flag t k i K) in W. destruct W as (w & F).
+      assert (S0 : side pr i (map (site_at d c) (corners e')) (hole_point h) (hole_w h) = 0%Z).
+      { destruct (Side t e' i E' Hi) as (a & _ & Eq). rewrite Z0, Rmult_0_r in Eq. now apply eq_IZR in Eq. }
+      pose proof (off_facets_spec k _ h Off i w Hi F S0) as N. unfold closed_in in N.
+      rewrite all_sides_intro in N; [discriminate|]. intros l Hl. apply Z.leb_le, le_IZR.
+      destruct (Side t e' l E' Hl) as (a & A & ->). specialize (C l Hl). nra.
 Qed.
 
 Definition rank_of (t : positive) : nat :=
@@ -439,8 +492,8 @@ Proof.
     kept_closed_off (part_holes d c p)) with (rank := rank_of).
   - split; [intros [W|I]; [now apply walls_kept|assumption]|now right].
   - intros x Hx. apply in_map_iff in Hx. destruct Hx as (h & <- & I). apply in_numbered in I.
-    destruct I as (n & N). destruct (hole_checked n h N) as (K & It & Is).
-    exists (hole_simplex h). auto.
+    destruct I as (n & N). destruct (hole_checked n h N) as (K & It & Is & Off).
+    split; [assumption|]. exists (hole_simplex h). auto.
   - intros t Ht Kf. apply in_tets in Ht. destruct Ht as (e & E).
     destruct (mark_of t e E) as (k & K & Kt & Ck). unfold check_mark in Ck. rewrite is_enclosed in Ck.
     accepted. unfold DomainChecker.gets_out in Heqb. rewrite <- Kt, Kf in Heqb. cbn [orb] in Heqb.
@@ -448,7 +501,7 @@ Proof.
     { intros i O. rewrite (wall_at_flag t k i K). intros (w & W). now rewrite W in O. }
     destruct (way_out k) as [h|i|i].
     + rewrite find_id in Heqb. destruct (numbered (holes p) h) as [x|] eqn:X; [|discriminate].
-      apply Pos.eqb_eq in Heqb. destruct (hole_checked h x X) as (_ & _ & Is). rewrite Heqb in Is.
+      apply Pos.eqb_eq in Heqb. destruct (hole_checked h x X) as (_ & _ & Is & _). rewrite Heqb in Is.
       left. exists (seed_point d c (hole_point x) (hole_w x)). split; [|assumption].
       apply (in_map (fun h => seed_point d c (hole_point h) (hole_w h))). now apply numbered_in with h.
     + apply andb_prop in Heqb. destruct Heqb as [O W].

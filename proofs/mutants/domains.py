@@ -150,6 +150,13 @@ def domains(mutant, put, square_points, square_mesh):
     flipped = plane_domain("conforming-delaunay", "enclosed", [(0, 0), (6, 0), (7, 2), (0, 2)],
                            [(0, 1, 2), (0, 2, 3)], 2, {0, 1, 2, 3}, [(0, 1), (1, 2), (2, 3), (0, 3)])
     yield "facet-locally-delaunay--of-a-domain", flipped, "rejected: facet-locally-delaunay"
+    yield "sound--cdt-of-a-domain", notched("steiner-cdt"), "verified: steiner-cdt, 9 points, 9 triangles"
+    long = [(0, 0), (8, 0), (9, 2), (0, 2), (4, 9)]
+    for name, inner, answer in ("wall", [(0, 2)], "verified: cdt"), \
+            ("no-wall", [], "rejected: facet-locally-delaunay, simplex 1"):
+        yield "facet-locally-delaunay--where-there-is-%s" % name, plane_domain(
+            "cdt", "enclosed", long, [(0, 1, 2), (0, 2, 3), (3, 2, 4)], 3, {0, 1, 2, 3, 4},
+            [(0, 1), (1, 2), (2, 4), (3, 4), (0, 3)] + inner), answer
     hull = plane_domain("steiner-triangulation", "hull", square_points, square_mesh, 4, {0, 1, 2, 3}, [])
     middle = next(k for k, row in enumerate(hull["mesh"]["points"]) if row[4] == 4)
     number = {row[4]: k + 1 for k, row in enumerate(hull["mesh"]["points"])}
@@ -165,7 +172,8 @@ def domains(mutant, put, square_points, square_mesh):
     around["part"]["segments"][0] = around["part"]["segments"][0][:1] + \
         around["part"]["segments"][4][1:] + [[around["part"]["segments"][0][1][0], 1, 0]]
     yield "segment-linked--not-straight", around, "rejected: segment-linked, segment 1"
-    yield mutant(sound, put("part", "holes", 0, 1, [8, 12]), "hole-inside, hole 1")
+    yield mutant(sound, put("part", "holes", 0, 1, [8, 13]), "hole-inside, hole 1")
+    yield mutant(sound, put("part", "holes", 0, 1, [8, 8]), "hole-inside, hole 1", "hole-inside--on-a-wall")
     open_wall = copy.deepcopy(dented)
     i = next(i for i, f in enumerate(open_wall["part"]["marks"][0][1]) if f != "-")
     open_wall["part"]["marks"][0][1][i] = "-"

@@ -60,7 +60,7 @@ let place =
 let claims = List.map (fun claim -> (claim_name claim, claim)) [ Triangulation; Delaunay; WeightedDelaunay ]
 
 let domain_claims = List.map (fun claim -> (domain_claim_name claim, claim))
-    [ PlcTriangulation; SteinerTriangulation; ConformingDelaunay ]
+    [ PlcTriangulation; SteinerTriangulation; ConformingDelaunay; Cdt; SteinerCdt ]
 let kinds = [ "enclosed", Enclosed; "hull", Hull ]
 
 (* CLAIM and D of the first line. *)
