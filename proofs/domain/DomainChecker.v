@@ -142,19 +142,23 @@ Fixpoint off_facets (e : mark) (i : nat) (X : list site) (h : hole_entry) : bool
             | None => true
             end && off_facets e i' X h
   end.
-Definition off_walls (h : hole_entry) (se : simplex_entry * mark) : bool :=
-  match find_all (points_of m) (corners (fst se)) with
-  | None => false
-  | Some X => off_facets (snd se) (S (dimension pr)) X h
+Fixpoint off_walls (h : hole_entry) (l : list simplex_entry) (l' : list mark) : bool :=
+  match l, l' with
+  | s :: r, e :: r' =>
+      match find_all (points_of m) (corners s) with
+      | None => false
+      | Some X => off_facets e (S (dimension pr)) X h && off_walls h r r'
+      end
+  | _, _ => true
   end.
-Definition check_hole (all : list (simplex_entry * mark)) (k : positive) (h : hole_entry) : result :=
+Definition check_hole (l : list simplex_entry) (l' : list mark) (k : positive) (h : hole_entry) : result :=
   require hole_inside by
     negb (kept_at (hole_simplex h)) && shaped pr (hole_point h) && (0 <? hole_w h) &&
     match Table.find (hole_simplex h) (simplices_of m) with
     | None => false
     | Some e => match find_all (points_of m) (corners e) with
                 | None => false
-                | Some X => strictly_in X h || (closed_in X h && forallb (off_walls h) all)
+                | Some X => strictly_in X h || (closed_in X h && off_walls h l l')
                 end
     end at AtHole k; Accepted.
 
@@ -213,7 +217,7 @@ Definition check_part (pr : predicates) (planar : bool) (kind : domain_kind) (c 
   require claim_of_mesh by negb (weights_of (claimed c)) at Nowhere;
   each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c) (roles p) ;;
   each (check_segment m planar kind roles_of marks_of) 1 (segments p) ;;
-  each (check_hole pr m marks_of (combine (simplices c) (marks p))) 1 (holes p) ;;
+  each (check_hole pr m marks_of (simplices c) (marks p)) 1 (holes p) ;;
   each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
     (simplices c) (marks p).
 

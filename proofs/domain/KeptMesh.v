@@ -128,7 +128,7 @@ Proof. rewrite table_find. now destruct (numbered l k). Qed.
 Lemma part_parts : weights_of (claimed c) = false /\
   each_pair role_shown AtPoint (check_role pr m kind roles_of marks_of) 1 (points c) (roles p) = Accepted /\
   each (check_segment m planar kind roles_of marks_of) 1 (segments p) = Accepted /\
-  each (check_hole pr m marks_of (combine (simplices c) (marks p))) 1 (holes p) = Accepted /\
+  each (check_hole pr m marks_of (simplices c) (marks p)) 1 (holes p) = Accepted /\
   each_pair mark_consistent AtSimplex (check_mark kind holes_of marks_of shown) 1
     (simplices c) (marks p) = Accepted.
 Proof.
@@ -432,6 +432,17 @@ Proof.
     rewrite F, Z0 in Q. cbn [Z.eqb andb] in Q. now apply negb_true_iff in Q. }
   intros Q i w Hi. apply (G _ Q i w). lia.
 Qed.
+Lemma off_walls_spec h l l' t s e : off_walls pr m h l l' = true -> numbered l t = Some s ->
+  numbered l' t = Some e -> exists X, find_all (points_of m) (corners s) = Some X /\
+    off_facets pr e (S (dimension pr)) X h = true.
+Proof.
+  unfold numbered. generalize (pred (Pos.to_nat t)) as j. clear. revert l'.
+  induction l as [|x l IH]; intros [|y l'] [|j] O N N'; try discriminate; cbn [off_walls] in O;
+    destruct (find_all (points_of m) (corners x)) as [X|] eqn:F; try discriminate;
+    apply andb_prop in O; destruct O as [O1 O2].
+  - injection N as <-. injection N' as <-. eauto.
+  - eapply IH; eassumption.
+Qed.
 Lemma hole_checked n h : numbered (holes p) n = Some h ->
   kept_at marks_of (hole_simplex h) = false /\ In (hole_simplex h) tets /\
   inside_closed (geo (hole_simplex h)) (seed_point d c (hole_point h) (hole_w h)) /\
@@ -464,18 +475,12 @@ Proof.
       destruct (Side _ e i Es Hi) as (a & A & Eq). nra.
     + intros (t & i & It & Hi & W & Z0 & C). apply in_tets in It. destruct It as (e' & E').
       destruct (mark_of t e' E') as (k & K & _).
-      assert (I : In (e', k) (combine (simplices c) (marks p))).
-      { unfold numbered in E', K. apply nth_error_In with (pred (Pos.to_nat t)). revert E' K.
-        generalize (pred (Pos.to_nat t)) as j. generalize (simplices c) as l1. generalize (marks p) as l2.
-        clear. intros l2 l1. revert l2.
-        induction l1 as [|x l1 IH]; intros [|y l2] [|j]; cbn; try congruence. apply IH. }
-      rewrite forallb_forall in Off. specialize (Off _ I). unfold off_walls in Off. cbn [fst snd] in Off.
-      destruct (find_all (points_of m) (corners e')) as [X|] eqn:Fx; [|discriminate].
+      destruct (off_walls_spec h _ _ _ _ _ Off E' K) as (X & Fx & Of).
       apply (find_all_sites (d := d)) in Fx. destruct Fx as [-> _].
       apply (wall_at_flag t k i K) in W. destruct W as (w & F).
       assert (S0 : side pr i (map (site_at d c) (corners e')) (hole_point h) (hole_w h) = 0%Z).
       { destruct (Side t e' i E' Hi) as (a & _ & Eq). rewrite Z0, Rmult_0_r in Eq. now apply eq_IZR in Eq. }
-      pose proof (off_facets_spec k _ h Off i w Hi F S0) as N. unfold closed_in in N.
+      pose proof (off_facets_spec k _ h Of i w Hi F S0) as N. unfold closed_in in N.
       rewrite all_sides_intro in N; [discriminate|]. intros l Hl. apply Z.leb_le, le_IZR.
       destruct (Side t e' l E' Hl) as (a & A & ->). specialize (C l Hl). nra.
 Qed.
