@@ -1,19 +1,21 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v].  [check] and [refute] are the functions that the program
-    evaluates; how they decide ([checker/Checker.v], [refutation/Refutation.v]) need not be read.
+    Every notion is one of [Definitions.v] or, of domains, of [Domains.v].  [check], [refute] and [check_domain]
+    are the functions that the program evaluates; how they decide ([checker/Checker.v],
+    [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.
     The theorems of the book stand in [BookTheorems.v].
 
     What a line of the program does not say:
     - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
       they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not proved;
     - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
-    - that the program does what [check] and [refute] do: this rests on Coq's kernel and extraction,
+    - that a domain is a piecewise linear complex, or is the one in your file;
+    - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Settling Refutation Definitions.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound Completeness
+From Circumspect Require Import Checker Settling Refutation DomainChecker Definitions Domains.
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -55,6 +57,21 @@ Theorem verified_rule D c w : refute D c = true ->
   broken (refuted c) (lifted (refuted c) w) (refuted_points D c) (refuted_simplices D c)
     (rule_of (because c)).
 Proof. apply RefutationSound.refute_breach. Qed.
+
+(** An accepted certificate about a domain: its kept simplices are what it claims of the domain that
+    its vertices, segments, polygons and hole points describe. (Whether this domain is a piecewise
+    linear complex, Definition 4.3, is not said.) *)
+Theorem verified_domain D c : check_domain D c = Accepted ->
+  let P := domain_of_certificate (dimension_of D) c in
+  let T := mesh_of_domain (dimension_of D) c in
+  match domain_claimed c with
+  | PlcTriangulation => plc_triangulation P T
+  | SteinerTriangulation => steiner_triangulation P T
+  | ConformingDelaunay => conforming_delaunay P T
+  | Cdt => cdt P T
+  | SteinerCdt => steiner_cdt P T
+  end.
+Proof. apply DomainSound.check_domain_sound. Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
     of the points is that of the certificate, which is lexicographic ([points-increasing]). *)

@@ -37,7 +37,7 @@ ARROWS = {
     "oracle/judge/fast": ["reference/kernel/exact"],
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
-    "oracle/certificate": ["oracle/judge/points"],
+    "oracle/certificate": ["oracle/judge/domain"],
     "oracle/report": ["oracle/judge/points", "oracle/formats"],
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "fuzz/process", "oracle/report", "inputs"],

@@ -1,10 +1,104 @@
 #include "command/check/certificate_output.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include <fmt/format.h>
 
 #include "oracle/certificate/document.hpp"
+#include "oracle/certificate/domain_certificate.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/planar_cdt.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/kernel/complex/facets.hpp"
 
 namespace circumspect::cli {
+namespace {
+
+// Those of `all` that are not among `some`; nothing if some of these are not among all.
+std::optional<std::vector<Simplex>> others(std::vector<Simplex> all, std::vector<Simplex> some) {
+  for (Simplex& simplex : all) std::sort(simplex.begin(), simplex.end());
+  for (Simplex& simplex : some) std::sort(simplex.begin(), simplex.end());
+  std::sort(all.begin(), all.end());
+  std::sort(some.begin(), some.end());
+  if (!std::includes(all.begin(), all.end(), some.begin(), some.end())) return std::nullopt;
+  std::vector<Simplex> rest;
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  return rest;
+}
+
+// In the plane the edges of the triangles are the segments of a domain, of which these are triangles.
+std::optional<std::vector<Simplex>> fill_in_plane(const PointSet& points,
+                                                  const std::vector<Simplex>& triangles) {
+  std::set<Simplex> edges;
+  for (const FacetUse& use : facet_uses(triangles)) edges.insert(use.facet);
+  const PiecewiseLinearComplex complex{
+      points, {edges.begin(), edges.end()}, {}, {}, DomainKind::kHull};
+  return others(constrained::planar_cdt(complex).simplices, triangles);
+}
+
+// Another affine image of the points for every `number` but 0: a triangulation of it is one of them.
+std::vector<Point> image(const PointSet& points, int number) {
+  std::vector<Point> images = points.points();
+  for (Point& point : images) {
+    point[0] += point[1] * number / 7 + point[2] * (number % 3) / 5;
+    point[1] = point[1] * (number + 9) / 9 + point[2] * (number % 4) / 11;
+  }
+  return images;
+}
+
+// In space the facets of the tetrahedra are the polygons of a domain, of which these are tetrahedra. A CDT of
+// it does; where there is none, there may be one of an affine image.
+std::optional<std::vector<Simplex>> fill_in_space(const PointSet& points,
+                                                  const std::vector<Simplex>& tetrahedra) {
+  PiecewiseLinearInput facets;
+  facets.kind = DomainKind::kHull;
+  for_each_facet(facet_uses(tetrahedra), [&](std::span<const FacetUse> group) {
+    facets.polygons.push_back({{group.front().facet}, {}});
+  });
+  constexpr int kImages = 12;
+  for (int number = 0; number < kImages; ++number) {
+    facets.points = image(points, number);
+    const auto cdt = constrained::gift_wrapping_cdt(assemble(facets));
+    if (!cdt) continue;
+    auto rest = others(cdt->simplices, tetrahedra);
+    if (rest) return rest;
+  }
+  return std::nullopt;
+}
+
+bool fills_its_hull(const PointSet& points, const std::vector<Simplex>& simplices, Claim claim) {
+  return check::judge_points(claim, {points, simplices}).holds();
+}
+
+std::optional<std::vector<Simplex>> fill(const PointSet& points,
+                                         const std::vector<Simplex>& simplices) {
+  if (fills_its_hull(points, simplices, Claim::kTriangulation)) return std::vector<Simplex>{};
+  return points.ambient_dimension() == 2 ? fill_in_plane(points, simplices)
+                                         : fill_in_space(points, simplices);
+}
+
+std::vector<Simplex> delaunay_simplices(const PointSet& points) {
+  return delaunay::bowyer_watson(points).simplices();
+}
+
+// The canonical triangulation, if it has the simplices; where points are cospherical, what fills the hull
+// of constraints that are Delaunay is a Delaunay triangulation too.
+std::optional<std::vector<Simplex>> fill_delaunay(const PointSet& points,
+                                                  const std::vector<Simplex>& simplices) {
+  if (fills_its_hull(points, simplices, Claim::kDelaunay)) return std::vector<Simplex>{};
+  auto rest = others(delaunay_simplices(points), simplices);
+  if (rest) return rest;
+  rest = fill(points, simplices);
+  if (!rest) return std::nullopt;
+  std::vector<Simplex> all = simplices;
+  all.insert(all.end(), rest->begin(), rest->end());
+  if (!fills_its_hull(points, all, Claim::kDelaunay)) return std::nullopt;
+  return rest;
+}
+
+}  // namespace
 
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output) {
@@ -16,6 +110,31 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
   }
   const std::string fault =
       write_file(path, [&](std::ostream& out) { certificate::write(out, mesh, *document); });
+  if (fault.empty()) return true;
+  output.error(ExitCode::kUsage, "certificate", path, fault);
+  return false;
+}
+
+bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
+                              const ExactMesh& mesh, const Domain& domain, const Verdict& verdict,
+                              Output& output) {
+  if (!verdict.holds()) {
+    output.error(ExitCode::kUsage, "mesh", mesh_name,
+                 fmt::format("{}: expected a claim that holds of the mesh and its domain, found {} "
+                             "broken; there are no refutations of claims about domains",
+                             mesh_name, identifier(verdict.tallies().begin()->first)));
+    return false;
+  }
+  const auto document = certificate::domain_certificate_of(
+      mesh, domain, verdict.claim(),
+      {.fill = fill, .fill_delaunay = fill_delaunay, .triangulate = delaunay_simplices});
+  if (!document) {
+    output.error(ExitCode::kUsage, "mesh", mesh_name,
+                 fmt::format("{}: {}", mesh_name, document.error()));
+    return false;
+  }
+  const std::string fault =
+      write_file(path, [&](std::ostream& out) { certificate::write(out, *document); });
   if (fault.empty()) return true;
   output.error(ExitCode::kUsage, "certificate", path, fault);
   return false;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "command/output/output.hpp"
+#include "oracle/model/domain.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
@@ -13,5 +14,10 @@ namespace circumspect::cli {
 // be written, says so on stderr and in the exit code. True if it was written.
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output);
+
+// The same for a claim about a domain. There is none if the claim does not hold.
+bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
+                              const ExactMesh& mesh, const Domain& domain, const Verdict& verdict,
+                              Output& output);
 
 }  // namespace circumspect::cli

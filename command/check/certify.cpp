@@ -7,6 +7,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/judge_loaded.hpp"
+#include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/threads_option.hpp"
@@ -24,8 +25,8 @@ struct CertifyOptions {
   std::string mesh;
   std::string certificate;
   std::optional<Claim> asked;
-  std::optional<std::string> domain;       // understood, so that the answer says why there is none
-  std::optional<std::string> domain_kind;  // likewise
+  std::optional<std::string> domain;
+  std::optional<DomainKind> domain_kind;
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
@@ -33,46 +34,63 @@ struct CertifyOptions {
   Claim claim() const { return asked.value_or(Claim::kDelaunay); }
 };
 
-void certify(const CertifyOptions& options, Output& output) {
-  const unsigned threads = thread_count(options.threads);
-  auto loaded = load_mesh(options.mesh, options.input, threads);
-  if (!loaded) {
-    output.error(ExitCode::kInputFault, "mesh", options.mesh, loaded.error());
-    return;
-  }
-  const auto verdict =
-      judge_loaded(options.claim(), *loaded, options.input.duplicates, {.threads = threads});
-  if (!verdict) {
-    output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
-    return;
-  }
-  for (const std::string& note : loaded->notes) output.note(note);
-  const Mesh& mesh = loaded->mesh;
-  if (!write_certificate(options.certificate, options.mesh, exact(mesh), *verdict, output)) return;
-  output.exit_with(verdict->holds() ? ExitCode::kHolds : ExitCode::kFails);
-  output.text(report::verdict_line(*verdict, mesh, options.mesh) + "\n");
+void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& mesh,
+            const Domain* domain, Output& output) {
+  output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
+  output.text(report::verdict_line(verdict, mesh, options.mesh, domain) + "\n");
   if (output.wants_json()) {
-    report::Json result = report::verdict(*verdict, mesh, options.mesh, check::By::kLemma);
+    report::Json result = report::verdict(verdict, mesh, options.mesh, check::By::kLemma, domain);
     result["certificate"] = options.certificate;
     output.json(std::move(result));
   }
 }
 
-// What was asked for that certificates are not about; empty if nothing was.
+void certify(const CertifyOptions& options, Output& output) {
+  const unsigned threads = thread_count(options.threads);
+  std::optional<LoadedDomain> domain;
+  if (options.domain) {
+    auto read = load_domain(*options.domain, options.input, options.domain_kind);
+    if (!read) {
+      output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
+      return;
+    }
+    domain = std::move(*read);
+    for (const std::string& note : domain->file.notes) output.note(note);
+  }
+  auto loaded = domain ? load_mesh(options.mesh, options.input, threads,
+                                   domain->domain.complex.ambient_dimension())
+                       : load_mesh(options.mesh, options.input, threads);
+  if (!loaded) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, loaded.error());
+    return;
+  }
+  const Domain* about = domain ? &domain->domain : nullptr;
+  const auto verdict =
+      judge_loaded(options.claim(), *loaded, options.input.duplicates, {.threads = threads}, about);
+  if (!verdict) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
+    return;
+  }
+  for (const std::string& note : loaded->notes) output.note(note);
+  const ExactMesh mesh = exact(loaded->mesh);
+  const bool written =
+      about == nullptr
+          ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
+          : write_domain_certificate(options.certificate, options.mesh, mesh, *about, *verdict,
+                                     output);
+  if (written) report(options, *verdict, loaded->mesh, about, output);
+}
+
+// What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  const std::string about =
-      ": certificates are about the claims triangulation, delaunay and weighted-delaunay, of a "
-      "mesh "
-      "without a domain; circumspect check judges the others";
-  if (options.domain || options.domain_kind) {
-    return fmt::format("expected no {} for certify, found one{}",
-                       options.domain ? "--domain" : "--domain-kind", about);
-  }
   if (is_about_a_domain(options.claim())) {
-    return fmt::format("expected a claim without a domain, found {}{}", name(options.claim()),
-                       about);
+    if (options.domain) return "";
+    return fmt::format("expected --domain FILE for the claim {}, found none",
+                       name(options.claim()));
   }
-  return "";
+  if (!options.domain && !options.domain_kind) return "";
+  return fmt::format("expected a claim about a domain beside {}, found {}",
+                     options.domain ? "--domain" : "--domain-kind", name(options.claim()));
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -88,9 +106,11 @@ ExitCode run(CertifyOptions& options) {
   }
   std::vector<std::string> read = files_of_mesh(options.mesh);
   if (options.input.points) read.push_back(*options.input.points);
+  if (options.domain) read.push_back(*options.domain);
   const std::string fault = overwriting_fault({{"the certificate", options.certificate}}, read);
   if (!fault.empty()) return usage_error(fault);
   options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
+  options.input.faces = options.domain.has_value();
   Output output(spoken);
   certify(options, output);
   return output.finish();
@@ -106,7 +126,8 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       "Example:\n"
       "  circumspect certify points.1.ele -o points.cert\n"
       "  circumspect-verified points.cert        # trusts nothing that stands above\n\n"
-      "If the claim holds, a certificate is written, and otherwise a refutation.\n"
+      "If the claim holds, a certificate is written, and otherwise a refutation; of domains\n"
+      "there are no refutations.\n"
       "proofs/CERTIFICATE.md describes both and says what follows from them.\n\n"
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span the\n"
       "plane or space, 3 the input is at fault, 5 internal error.");
@@ -117,12 +138,14 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
                    "nothing else")
       ->option_text("FILE")
       ->required();
-  // The other claims are understood, so that the answer says why there is no certificate of them.
   add_claim_option(*command, options->asked,
                    "The claim to judge (default: delaunay); weights are read as by check")
-      ->option_text("triangulation|delaunay|weighted-delaunay");
-  command->add_option("--domain", options->domain)->group("");
-  command->add_option("--domain-kind", options->domain_kind)->group("");
+      ->option_text("CLAIM");
+  command
+      ->add_option("--domain", options->domain,
+                   "The domain that the mesh is held against, if the claim is about one")
+      ->option_text("FILE");
+  add_domain_kind_option(*command, options->domain_kind);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   add_threads_option(*command, options->threads);

@@ -55,23 +55,57 @@ TEST_CASE("certify: to standard output, which then holds nothing else") {
   CHECK(run({"certify", meshes.good, "-o", "-", "--format", "json"}).exit_code == 2);
 }
 
-TEST_CASE("certify: about a domain there are no certificates, and the answer says so") {
+// A square of two triangles, and one without its corner.
+constexpr const char* kOutline =
+    "4 2 0 0\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n0\n";
+constexpr const char* kChevron = "4 2\n5 0 0\n6 4 1\n7 0 2\n8 1 1\n";
+constexpr const char* kChevronOutline =
+    "4 2 0 0\n5 0 0\n6 4 1\n7 0 2\n8 1 1\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n0\n";
+
+TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
+  CertifiedMeshes meshes;
+  const std::string square = meshes.folder.write("square.poly", kOutline);
+  const Run holds = run({"certify", meshes.good, "-o", meshes.cert, "--domain", square, "--claim",
+                         "conforming-delaunay"});
+  CHECK(holds.exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-certificate 1 conforming-delaunay 2 enclosed\n"));
+  CHECK(has(contents(meshes.cert), "\nmarks 2\n"));
+  const std::string chevron = meshes.write("chevron", kChevron, "2 3\n1 5 6 8\n2 6 7 8\n");
+  const std::string outline = meshes.folder.write("chevron.poly", kChevronOutline);
+  CHECK(run({"certify", chevron, "-o", meshes.cert, "--domain", outline, "--claim",
+             "plc-triangulation"})
+            .exit_code == 0);
+  CHECK(has(contents(meshes.cert), "\nmarks 3\n"));
+  CHECK(run({"certify", meshes.good, "-o", meshes.cert, "--domain", square, "--domain-kind", "hull",
+             "--claim", "steiner-triangulation"})
+            .exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-certificate 1 steiner-triangulation 2 hull\n"));
+}
+
+TEST_CASE("certify: what has no certificate with a domain, and the answer says so") {
   const CertifiedMeshes meshes;
+  const std::string square = meshes.folder.write("square.poly", kOutline);
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& found) {
     const Run result = run(arguments);
     CHECK(result.exit_code == 2);
     CHECK(is_error_line(result.err));
-    CHECK(begins_with(result.err, "circumspect: expected " + found +
-                                      ": certificates are about the claims triangulation, delaunay "
-                                      "and weighted-delaunay, of a mesh without a domain"));
+    CHECK(has(result.err, found));
     CHECK(!meshes.has_cert());
   };
-  refused({"certify", meshes.good, "-o", meshes.cert, "--domain", "x.poly"},
-          "no --domain for certify, found one");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--domain", square},
+          "expected a claim about a domain beside --domain, found delaunay");
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
-          "no --domain-kind for certify, found one");
-  refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt"},
-          "a claim without a domain, found cdt");
+          "expected a claim about a domain beside --domain-kind, found delaunay");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt", "--domain", square,
+           "--domain-kind", "hull"},
+          "there is no certificate of this mesh: ");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "plc-triangulation"},
+          "expected --domain FILE for the claim plc-triangulation, found none");
+  refused({"certify", meshes.bad, "-o", meshes.cert, "--claim", "plc-triangulation", "--domain",
+           square},
+          "expected a claim that holds of the mesh and its domain, found");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},
           "no --domain beside --certificate, found one");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--claim", "cdt"},

@@ -325,8 +325,9 @@ std::string usage_fault(const CheckOptions& options) {
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
   if (options.certificate && (about_domain || options.domain)) {
     return fmt::format(
-        "expected no {} beside --certificate, found one: certificates are about the claims "
-        "triangulation, delaunay and weighted-delaunay, of a mesh without a domain",
+        "expected no {} beside --certificate, found one: circumspect certify writes the "
+        "certificates "
+        "of meshes with a domain",
         options.domain ? "--domain" : "claim about a domain");
   }
   if (about_domain && !options.domain) {

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <vector>
 
+#include "oracle/certificate/lines.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -60,6 +61,10 @@ struct Certificate {
 // vertices. Requires: the claim holds of the mesh; its points have dimension 2 or 3, and that is the
 // dimension of their affine hull.
 Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints points);
+
+// From the scale to the sample point; proofs/CERTIFICATE.md lays it out. The mesh says by which index its
+// user knows a point.
+void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate);
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate);

@@ -69,10 +69,7 @@ void write_hull(Lines& lines, const Certificate& certificate) {
 
 }  // namespace
 
-void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate) {
-  Lines lines(out);
-  write_first_line(lines, "circumspect-certificate 1", certificate.claim,
-                   certificate.points.dimension, certificate.standing);
+void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certificate) {
   write_scale(lines, certificate.points);
   write_points(lines, mesh, certificate);
   write_simplices(lines, certificate);
@@ -80,6 +77,13 @@ void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certific
   lines << "sample" << 1;
   write_point(lines, certificate.sample);
   lines.end_line();
+}
+
+void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate) {
+  Lines lines(out);
+  write_first_line(lines, "circumspect-certificate 1", certificate.claim,
+                   certificate.points.dimension, certificate.standing);
+  write_mesh(lines, mesh, certificate);
   lines << "end";
   lines.end_line();
 }

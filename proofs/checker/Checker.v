@@ -16,11 +16,15 @@ Open Scope Z_scope.
 Inductive condition :=
   | scale | points_increasing | point_used | vertex_known | simplex_positive | facet_matched
   | back_pointer | hull_pointer | ridge_matched | ridge_back_pointer | hull_locally_convex
-  | sample_inside | sample_outside | sample_inside_hull | facet_locally_delaunay.
+  | sample_inside | sample_outside | sample_inside_hull | facet_locally_delaunay
+  (* of domains only: domain/DomainChecker.v *)
+  | claim_of_mesh | role_shown | segment_linked | hole_inside | mark_consistent | wall_shown
+  | way_out_shown | polygon_flat | polygon_tiled | vertices_of_domain.
 
 Inductive place :=
   | Nowhere | AtPoint (k : positive) | AtSimplex (t : positive) | AtFacet (t : positive) (i : nat)
-  | AtHull (h : positive) | AtRidge (h : positive) (a : nat).
+  | AtHull (h : positive) | AtRidge (h : positive) (a : nat)
+  | AtSegment (k : positive) | AtHole (k : positive) | AtPolygon (k : positive).
 
 Inductive result := Accepted | Rejected (c : condition) (p : place).
 

@@ -6,7 +6,7 @@ program=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")"
 again=$(mktemp -d)
 trap 'rm -rf "$again"' EXIT
-python3 make.py "$again"
+python3 -B make.py "$again"
 for file in "$again"/*.cert *.cert; do
   case "$(basename "$file")" in large--*) continue ;; esac
   cmp -s "$again/$(basename "$file")" "$(basename "$file")" || {

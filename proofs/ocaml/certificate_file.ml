@@ -38,8 +38,8 @@ let wall c expected () =
     let t = number c expected in
     Neighbour (t, index c expected)
 
-(* The certificate, and the labels of its points. *)
-let read c claimed =
+(* The certificate up to its sample point, and the labels of its points. *)
+let body c claimed =
   let numerator, denominator = scale c in
   let expected = "the coordinates of a point, its simplex, its vertex there and a label" in
   let integer () = Text.read_integer c.source expected in
@@ -68,6 +68,10 @@ let read c claimed =
   let sample, rest = site c expected false rest in
   let sample_denominator, rest = take c Reading.integer 1 expected rest in
   no_more c expected rest;
-  ending c;
   ({ claimed; numerator; denominator; points; simplices; hull; sample_simplex = List.hd simplex;
      sample; sample_denominator = List.hd sample_denominator }, List.rev !labels)
+
+let read c claimed =
+  let read = body c claimed in
+  ending c;
+  read

@@ -38,6 +38,11 @@ let condition = function
   | Sample_inside -> "sample-inside" | Sample_outside -> "sample-outside"
   | Sample_inside_hull -> "sample-inside-hull"
   | Facet_locally_delaunay -> "facet-locally-delaunay"
+  | Claim_of_mesh -> "claim-of-mesh" | Role_shown -> "role-shown"
+  | Segment_linked -> "segment-linked" | Hole_inside -> "hole-inside"
+  | Mark_consistent -> "mark-consistent" | Wall_shown -> "wall-shown"
+  | Way_out_shown -> "way-out-shown" | Polygon_flat -> "polygon-flat"
+  | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
 
 let place =
   let n = string_of_int in
@@ -47,21 +52,27 @@ let place =
   | AtSimplex t -> ", simplex " ^ n t
   | AtFacet (t, i) -> Printf.sprintf ", simplex %s, facet %d" (n t) (Reading.of_natural i)
   | AtHull h -> ", hull facet " ^ n h
+  | AtSegment k -> ", segment " ^ n k
+  | AtHole k -> ", hole " ^ n k
+  | AtPolygon k -> ", polygon " ^ n k
   | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) (Reading.of_natural a)
 
 let claims = List.map (fun claim -> (claim_name claim, claim)) [ Triangulation; Delaunay; WeightedDelaunay ]
 
+let domain_claims = List.map (fun claim -> (domain_claim_name claim, claim))
+    [ PlcTriangulation; SteinerTriangulation; ConformingDelaunay; Cdt; SteinerCdt ]
+let kinds = [ "enclosed", Enclosed; "hull", Hull ]
+
 (* CLAIM and D of the first line. *)
-let context source claim dimension =
+let context source claims claim dimension =
   let claimed = match List.assoc_opt claim claims with
     | Some claimed -> claimed
-    | None ->
-      Text.fail source "triangulation, delaunay or weighted-delaunay" (Text.quote claim) in
+    | None -> Text.fail source (String.concat " or " (List.map fst claims)) (Text.quote claim) in
   let space, d = match dimension with
     | "2" -> (Plane, 2)
     | "3" -> (Space, 3)
     | _ -> Text.fail source "the dimension, 2 or 3" (Text.quote dimension) in
-  ({ Reading.source; d; weighted = claimed = WeightedDelaunay;
+  ({ Reading.source; d; weighted = claim = claim_name WeightedDelaunay;
      labels = Hashtbl.create 1024 },
    claimed, space)
 
@@ -98,6 +109,33 @@ let certificate (c : Reading.context) space claimed standing =
       | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
   { mesh; verdict }
 
+(* The mesh is that of the kept simplices. *)
+let domain (c : Reading.context) space claimed kind =
+  let certificate, labels = Domain_file.read c claimed kind in
+  let whole = certificate.whole_mesh and part = certificate.domain_part in
+  let rec kept_of found simplices marks = match simplices, marks with
+    | (e : simplex_entry) :: simplices, (mark : mark) :: marks ->
+      kept_of (if mark.kept then List.map Option.some e.corners :: found else found) simplices marks
+    | _, _ -> List.rev found in
+  let simplices = kept_of [] whole.simplices part.marks in
+  let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
+               labels = Array.of_list labels; ordered = false;
+               sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
+               simplices } in
+  let verdict () = match check_domain space certificate with
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted ->
+      let vertices = List.length (List.filter (function Corner _ -> true | Steiner _ -> false) part.roles) in
+      let some n one several = if n = 0 then "" else ", " ^ counted n one several in
+      (Printf.sprintf "verified: %s, %s; domain: %s, %s%s%s%s" (domain_claim_name claimed)
+         (counts c.d (List.length whole.points) (List.length simplices))
+         (fst (List.find (fun (_, k) -> k = kind) kinds))
+         (counted vertices "vertex" "vertices")
+         (some (List.length part.segments) "segment" "segments")
+         (some (List.length certificate.polygons) "polygon" "polygons")
+         (some (List.length part.holes) "hole" "holes"), 0) in
+  { mesh; verdict }
+
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
   let mesh = { Users_mesh.unit = (refutation.unit_numerator, refutation.unit_denominator); d = c.d;
@@ -112,17 +150,20 @@ let refutation (c : Reading.context) space claimed rule =
   { mesh; verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical]' or 'circumspect-refutation 2 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull]' or 'circumspect-refutation 2 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
-    let c, claimed, space = context source claim dimension in
+    let c, claimed, space = context source claims claim dimension in
     certificate c space claimed None
   | [ "circumspect-certificate"; "1"; claim; dimension; standing ]
     when List.mem_assoc standing standings ->
-    let c, claimed, space = context source claim dimension in
+    let c, claimed, space = context source claims claim dimension in
     certificate c space claimed (Some standing)
+  | [ "circumspect-certificate"; "1"; claim; dimension; kind ] when List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain c space claimed (List.assoc kind kinds)
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
-    let c, claimed, space = context source claim dimension in
+    let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 

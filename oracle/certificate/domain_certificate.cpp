@@ -1,0 +1,230 @@
+#include "oracle/certificate/domain_certificate.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "oracle/certificate/domain_part.hpp"
+#include "oracle/judge/domain/polygon_tiling.hpp"
+#include "reference/kernel/complex/facets.hpp"
+
+namespace circumspect::certificate {
+namespace {
+
+using check::MeshedDomain;
+using check::VertexPlaces;
+using check::WallPiece;
+
+constexpr std::string_view kNoCertificate = "there is no certificate of this mesh: ";
+
+// The mesh, and what fills its hull besides.
+std::optional<ExactMesh> filled(const ExactMesh& mesh, const HullFillers::Filler& fill) {
+  const auto pockets = fill(mesh.points, mesh.simplices);
+  if (!pockets) return std::nullopt;
+  ExactMesh whole{mesh.points, mesh.simplices, mesh.labels, mesh.first_index};
+  whole.simplices.insert(whole.simplices.end(), pockets->begin(), pockets->end());
+  return whole;
+}
+
+Point without(const Point& point, std::size_t axis) {
+  Point rest = point;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(axis));
+  return rest;
+}
+
+// The plane of three of the points.
+void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCertificate& polygon) {
+  const auto difference = [&](std::size_t i, std::size_t axis) {
+    return Integer(points.coordinate(triangle[i], axis) - points.coordinate(triangle[0], axis));
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t next = (axis + 1) % 3;
+    const std::size_t last = (axis + 2) % 3;
+    polygon.normal[axis] =
+        difference(1, next) * difference(2, last) - difference(1, last) * difference(2, next);
+  }
+  polygon.axis = 0;
+  while (polygon.normal[polygon.axis] == 0) ++polygon.axis;
+  polygon.offset = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    polygon.offset += polygon.normal[axis] * points.coordinate(triangle[0], axis);
+  }
+}
+
+// The polygon number `cell`, which these facets of the mesh tile.
+tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDomain& in,
+                                                                  const Certificate& mesh,
+                                                                  std::size_t cell,
+                                                                  const std::vector<Simplex>& tiles,
+                                                                  const HullFillers& fillers) {
+  const Polygon& given = in.complex.polygons[cell];
+  PolygonCertificate polygon{.mesh = {PointSet({}), {}}};
+  set_plane(mesh.points, tiles.front(), polygon);
+  std::map<Vertex, Vertex> below;
+  for (const Simplex& tile : tiles) {
+    for (const Vertex v : tile) below.emplace(v, 0);
+  }
+  std::vector<Point> points;
+  ScaledPoints flat_points{2, mesh.points.scale_numerator, mesh.points.scale_denominator};
+  for (auto& [v, number] : below) {
+    number = static_cast<Vertex>(points.size());
+    polygon.above.push_back(v);
+    points.push_back(without(in.mesh.points[v], polygon.axis));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis != polygon.axis) flat_points.coordinates.push_back(mesh.points.coordinate(v, axis));
+    }
+  }
+  const auto seen = [&](Simplex vertices) {
+    for (Vertex& v : vertices) v = below.at(v);
+    return vertices;
+  };
+  ExactMesh kept{PointSet(points), {}};
+  for (const Simplex& tile : tiles) kept.simplices.push_back(seen(tile));
+  auto whole = filled(kept, fillers.fill);
+  if (!whole) {
+    return tl::unexpected(
+        fmt::format("{}the hull of polygon {} cannot be filled", kNoCertificate, cell + 1));
+  }
+  polygon.mesh = std::move(*whole);
+  polygon.plane = certificate_of(polygon.mesh, Claim::kTriangulation, std::move(flat_points));
+  PartInput part{.mesh = polygon.plane, .kept = tiles.size(), .kind = DomainKind::kEnclosed};
+  for (const Vertex v : polygon.above) {
+    part.is_corner.push_back(in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex);
+  }
+  for (const Simplex& segment : given.segments) {
+    const auto found =
+        std::lower_bound(in.complex.segments.begin(), in.complex.segments.end(), segment);
+    const std::vector<Vertex> chain =
+        seen(in.chains.chain(static_cast<std::size_t>(found - in.complex.segments.begin())));
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      part.walls[sorted({chain[i], chain[i + 1]})] = {part.chains.size(), 0};
+    }
+    part.chains.push_back(chain);
+  }
+  for (const Point& seed : given.hole_seeds) {
+    polygon.seeds.push_back(scaled(mesh.points, seed));
+    HomogeneousPoint& flat = part.seeds.emplace_back(polygon.seeds.back());
+    flat.numerators.erase(flat.numerators.begin() + static_cast<std::ptrdiff_t>(polygon.axis));
+  }
+  auto found = domain_part(part);
+  if (!found)
+    return tl::unexpected(fmt::format("{}polygon {}: {}", kNoCertificate, cell + 1, found.error()));
+  polygon.part = std::move(*found);
+  return polygon;
+}
+
+// Where in the kept mesh the facets are.
+std::map<Simplex, std::pair<std::uint32_t, std::size_t>> places_of_facets(
+    const ExactMesh& mesh, const Certificate& certificate) {
+  std::map<Simplex, std::pair<std::uint32_t, std::size_t>> places;
+  const std::size_t size = certificate.points.dimension + 1;
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    const auto& vertices = certificate.simplices[s].vertices;
+    for (std::size_t place = 0; place < size; ++place) {
+      Simplex facet(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(size));
+      facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
+      places.emplace(sorted(facet), std::pair(static_cast<std::uint32_t>(s), place));
+    }
+  }
+  return places;
+}
+
+// The other vertices as combinations of those of the domain, where its hull is the domain.
+void weigh(const MeshedDomain& in, const HullFillers& fillers, const Certificate& mesh,
+           PartInput& part) {
+  std::vector<Simplex> simplices = fillers.triangulate(in.complex.points);
+  for (Simplex& simplex : simplices) {
+    for (Vertex& v : simplex) v = in.in_mesh(v);
+  }
+  part.weights.resize(in.mesh.points.size());
+  for (Vertex v = 0; in.mesh.points.names(v); ++v) {
+    const auto place = VertexPlaces::place(v);
+    if (!part.is_corner[place]) part.weights[place] = combination(mesh.points, simplices, v);
+  }
+}
+
+tl::expected<DomainCertificate, std::string> certificate_in(const MeshedDomain& in,
+                                                            const Domain& domain, Claim claim,
+                                                            const std::vector<WallPiece>& pieces,
+                                                            const HullFillers& fillers) {
+  const std::size_t dimension = in.complex.ambient_dimension();
+  auto points = scaled_to_integers(in.mesh.points);
+  if (!points) return tl::unexpected(points.error());
+  const bool is_delaunay = claim == Claim::kConformingDelaunay;
+  auto whole = filled(in.mesh, is_delaunay ? fillers.fill_delaunay : fillers.fill);
+  if (!whole) {
+    return tl::unexpected(
+        std::string(kNoCertificate) +
+        "what is between it and its convex hull cannot be filled without more vertices");
+  }
+  DomainCertificate made{.claim = claim, .kind = domain.complex.kind, .whole = std::move(*whole)};
+  made.mesh = certificate_of(made.whole, is_delaunay ? Claim::kDelaunay : Claim::kTriangulation,
+                             std::move(*points));
+  PartInput part{.mesh = made.mesh, .kept = in.mesh.simplices.size(), .kind = made.kind};
+  for (Vertex v = 0; in.mesh.points.names(v); ++v) {
+    part.is_corner.push_back(in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex);
+  }
+  for (std::size_t s = 0; s < in.chains.size(); ++s) part.chains.push_back(in.chains.chain(s));
+  if (made.kind == DomainKind::kHull) {
+    weigh(in, fillers, made.mesh, part);
+  } else {
+    for (const Point& seed : seeds_of_holes(in))
+      part.seeds.push_back(scaled(made.mesh.points, seed));
+  }
+  std::vector<std::vector<Simplex>> tiles(in.complex.polygons.size());
+  for (const WallPiece& piece : pieces) {
+    const std::size_t number = dimension == 2 ? 0 : tiles[piece.cell].size();
+    if (dimension == 3) tiles[piece.cell].push_back(piece.facet);
+    if (made.kind == DomainKind::kEnclosed) part.walls[piece.facet] = {piece.cell, number};
+  }
+  auto found = domain_part(part);
+  if (!found) return tl::unexpected(std::string(kNoCertificate) + found.error());
+  made.part = std::move(*found);
+  if (dimension == 2) return made;
+  const auto places = places_of_facets(in.mesh, made.mesh);
+  for (std::size_t cell = 0; cell < tiles.size(); ++cell) {
+    auto polygon = polygon_certificate(in, made.mesh, cell, tiles[cell], fillers);
+    if (!polygon) return tl::unexpected(polygon.error());
+    for (const Simplex& tile : tiles[cell]) {
+      const auto place = places.find(tile);
+      if (place == places.end())
+        return tl::unexpected(std::string(kNoCertificate) + "something dangles");
+      polygon->tiles.push_back(place->second);
+    }
+    made.polygons.push_back(std::move(*polygon));
+  }
+  return made;
+}
+
+}  // namespace
+
+tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMesh& mesh,
+                                                                   const Domain& domain,
+                                                                   Claim claim,
+                                                                   const HullFillers& fillers) {
+  const PiecewiseLinearComplex& complex = domain.complex;
+  const std::size_t dimension = complex.ambient_dimension();
+  if ((dimension != 2 && dimension != 3) ||
+      complex.points.dimension() != static_cast<int>(dimension) || mesh.simplices.empty()) {
+    return tl::unexpected(std::string(kNoCertificate) +
+                          "the domain does not span the plane or space");
+  }
+  if (complex.kind == DomainKind::kHull && (claim == Claim::kCdt || claim == Claim::kSteinerCdt)) {
+    return tl::unexpected(
+        std::string(kNoCertificate) +
+        "that it is constrained Delaunay is certified of domains that are enclosed");
+  }
+  VertexPlaces places = check::match_vertices(mesh, complex);
+  check::locate_steiner_points(mesh, complex, places);
+  const check::SegmentChains chains(mesh, complex, places);
+  const Regions regions(complex);
+  const std::vector<FacetUse> uses = facet_uses(mesh.simplices);
+  check::VertexSearch search(mesh, places.used);
+  const MeshedDomain in{mesh, complex, regions, uses, nullptr, places, chains, search};
+  Verdict verdict(claim, 1);
+  const auto pieces = check::wall_pieces(in, verdict);
+  if (!pieces) return tl::unexpected(std::string(kNoCertificate) + "its walls are not tiled");
+  return certificate_in(in, domain, claim, *pieces, fillers);
+}
+
+}  // namespace circumspect::certificate

@@ -1,0 +1,103 @@
+// What proves that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull,
+// and how segments, polygons and holes lie in it. proofs/CERTIFICATE.md says what it has to fulfil.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "oracle/certificate/certificate.hpp"
+#include "oracle/model/domain.hpp"
+
+namespace circumspect::certificate {
+
+// A vertex of the domain and of this simplex; or another, as a combination of vertices of the domain.
+struct Role {
+  std::optional<std::uint32_t> corner_of = {};
+  std::vector<std::pair<Integer, Vertex>> weights = {};
+};
+
+// A step along a segment: to the vertex, by an edge of the simplex, which in the plane is its facet.
+struct Step {
+  Vertex reached;
+  std::uint32_t simplex;
+  std::size_t place;
+};
+
+struct SegmentSteps {
+  Vertex from;
+  std::vector<Step> steps = {};
+};
+
+struct Hole {
+  HomogeneousPoint seed;
+  std::uint32_t simplex;
+};
+
+// Part of which wall a facet is, and which piece of it; both count from 0.
+using Flag = std::optional<std::pair<std::size_t, std::size_t>>;
+
+struct Mark {
+  std::array<Flag, 4> flags = {};
+  // Of a simplex that is not kept: in which hole it is, or through which facet one leaves it, and in how
+  // many steps.
+  std::optional<std::size_t> hole = {};
+  std::size_t place = 0;
+  std::size_t rank = 0;  // 0: it is kept
+};
+
+// What there is to say of a domain beside the mesh of its hull.
+struct DomainPart {
+  std::vector<Role> roles = {};  // one a vertex
+  std::vector<SegmentSteps> segments = {};
+  std::vector<Hole> holes = {};
+  std::vector<Mark> marks = {};  // one a simplex
+};
+
+// A polygon, seen along an axis as a domain in the plane.
+struct PolygonCertificate {
+  std::array<Integer, 3> normal = {};
+  Integer offset = {};
+  std::size_t axis = 0;
+  ExactMesh mesh;
+  Certificate plane = {};
+  DomainPart part = {};
+  std::vector<Vertex> above = {};  // by its vertices, those of the mesh in space
+  std::vector<std::pair<std::uint32_t, std::size_t>> tiles = {};  // of its kept triangles: facets
+  std::vector<HomogeneousPoint> seeds = {};
+};
+
+struct DomainCertificate {
+  Claim claim = Claim::kSteinerTriangulation;
+  DomainKind kind = DomainKind::kEnclosed;
+  ExactMesh whole;  // the kept simplices first
+  Certificate mesh = {};
+  DomainPart part = {};
+  std::vector<PolygonCertificate> polygons = {};
+};
+
+// What a domain certificate needs and does not construct: it need not be trusted.
+struct HullFillers {
+  // d-simplices of points of the set that fill its convex hull together with the given ones, face to face;
+  // nothing if none are found.
+  using Filler = std::function<std::optional<std::vector<Simplex>>(const PointSet&,
+                                                                   const std::vector<Simplex>&)>;
+  Filler fill;
+  Filler fill_delaunay;  // likewise, and all of them Delaunay
+  std::function<std::vector<Simplex>(const PointSet&)> triangulate;
+};
+
+// Requires: the claim, which is about a domain, holds of the mesh. Error: why there is none, for people.
+tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMesh& mesh,
+                                                                   const Domain& domain,
+                                                                   Claim claim,
+                                                                   const HullFillers& fillers);
+
+// As proofs/CERTIFICATE.md lays it out.
+void write(std::ostream& out, const DomainCertificate& certificate);
+
+}  // namespace circumspect::certificate

@@ -1,0 +1,229 @@
+(** * Domains: everything that the theorems about domains speak of
+
+    The words of Definitions.v go on here: first what a certificate about a domain says beside that of
+    its mesh, as records; then the book's Sections 2.10 and 4.5.1, for R^d; then what the files are
+    about.  Nothing here is proved, and nothing here computes a verdict. *)
+From Coq Require Import String Reals List ZArith.
+From Circumspect Require Import Definitions.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** Certificates about domains, as they stand in a file
+
+    A domain is given by vertices, segments, polygons (in space) and hole points.  A certificate about
+    it begins with one for a mesh of a whole convex hull, that of the domain or a greater one.  Some of
+    its simplices are kept: these are the mesh that the certificate is about. *)
+
+Inductive domain_claim :=
+  PlcTriangulation | SteinerTriangulation | ConformingDelaunay | Cdt | SteinerCdt.
+(** What the domain fills: what its walls enclose, or the convex hull of its vertices. *)
+Inductive domain_kind := Enclosed | Hull.
+
+(** What a point of the mesh is: a vertex of the domain, and of the kept simplex T; or another, of
+    which the kind [Hull] wants to know that it is a combination of the vertices. *)
+Inductive role := Corner (t : positive) | Steiner (w : list (Z * positive)).
+(** A step along a segment: to the point, by an edge of the simplex T (in the plane, its facet I). *)
+Record link := Link { reached : positive; link_simplex : positive; link_facet : nat }.
+Record segment_entry := SegmentEntry { from : positive; links : list link }.
+(** How one gets out of a simplex that is not kept: it holds hole H; through facet I, which is on the
+    hull; through facet I into a simplex of smaller rank. *)
+Inductive way := InHole (h : positive) | OutOfHull (i : nat) | Across (i : nat).
+(** Is the simplex kept; which of its facets are walls: part of segment K, or piece U of polygon K. *)
+Record mark := Mark {
+  kept : bool; flags : list (option (positive * positive)); way_out : way; rank : positive }.
+(** The point [hole_point] / [hole_w], in simplex T. *)
+Record hole_entry := HoleEntry { hole_point : site; hole_w : Z; hole_simplex : positive }.
+Record part := Part {
+  roles : list role;               (* one a point *)
+  segments : list segment_entry;
+  holes : list hole_entry;
+  marks : list mark                (* one a simplex *)
+}.
+(** A polygon in space: the plane where <normal, p> = offset, and seen along an axis a domain in the
+    plane, with its own certificate; which point of the mesh is above which of its points; where in the
+    mesh its kept triangles are; and its hole points, of which that domain has the projections. *)
+Record polygon_entry := PolygonEntry {
+  normal : list Z; offset : Z; axis : nat;
+  plane_mesh : certificate; plane_part : part;
+  above : list positive;
+  tiles : list (positive * nat);
+  seeds : list (site * Z)
+}.
+Record domain_certificate := DomainCertificate {
+  domain_claimed : domain_claim;
+  kind : domain_kind;
+  whole_mesh : certificate;
+  domain_part : part;
+  polygons : list polygon_entry    (* none in the plane *)
+}.
+
+Definition domain_claim_name (c : domain_claim) : string :=
+  match c with
+  | PlcTriangulation => "plc-triangulation"
+  | SteinerTriangulation => "steiner-triangulation"
+  | ConformingDelaunay => "conforming-delaunay"
+  | Cdt => "cdt"
+  | SteinerCdt => "steiner-cdt"
+  end%string.
+
+Section Book.
+Context {d : nat}.
+
+(** ** What walls enclose *)
+
+(** The point that divides the segment from [x] to [y] in the ratio s : 1 - s. *)
+Definition between (x y : point d) (s : R) : point d := plus (scale (1 - s) x) (scale s y).
+
+Section Enclosed.
+(** All this happens in a plane, or in all of R^d: [flat] are its points. *)
+Variable flat : point d -> Prop.
+Variable walls : point d -> Prop.
+Variable hole_points : list (point d).
+(** From [x] one gets to [y] along segments that meet no wall. *)
+Definition clear (x y : point d) : Prop := forall s, 0 <= s <= 1 -> ~ walls (between x y s).
+Inductive connected (x : point d) : point d -> Prop :=
+  | here : connected x x
+  | further y z : connected x y -> flat z -> clear y z -> connected x z.
+(** Points as far away as one likes are connected with [x]. *)
+Definition unbounded (x : point d) : Prop := forall r, exists y, connected x y /\ r < norm2 y.
+(** The walls and the bounded components of what they leave over, but for those with a hole point. *)
+Definition enclosed (q : point d) : Prop := flat q /\
+  (walls q \/ ~ unbounded q /\ forall h, In h hole_points -> ~ connected q h).
+End Enclosed.
+
+(** ** Domains *)
+
+(** The points of one of the segments. *)
+Definition on_segments (E : list (point d * point d)) (q : point d) : Prop :=
+  exists a b, In (a, b) E /\ conv [a; b] q.
+
+(** A polygon: the part of a hyperplane (a plane, if d is 3) that its segments enclose: its outline,
+    the outlines of its holes, its slits. *)
+Record polygon := Polygon {
+  plane_normal : point d; plane_offset : R;
+  rim : list (point d * point d);
+  gaps : list (point d)
+}.
+Definition polygon_points (f : polygon) : point d -> Prop :=
+  enclosed (fun q => inner (plane_normal f) q = plane_offset f) (on_segments (rim f)) (gaps f).
+
+(** In the plane the segments are the walls of a domain, else its polygons. *)
+Record domain := Domain {
+  what_it_fills : domain_kind;
+  domain_vertices : list (point d);
+  domain_segments : list (point d * point d);
+  domain_polygons : list polygon;
+  domain_holes : list (point d)
+}.
+Definition walls_of (P : domain) (q : point d) : Prop :=
+  match d with
+  | 2%nat => on_segments (domain_segments P) q
+  | _ => exists f, In f (domain_polygons P) /\ polygon_points f q
+  end.
+(** The polyhedra (in the plane, the polygons), as one cell: linear cells need not be connected. *)
+Definition region (P : domain) : point d -> Prop :=
+  match what_it_fills P with
+  | Enclosed => enclosed (fun _ => True) (walls_of P) (domain_holes P)
+  | Hull => conv (domain_vertices P)
+  end.
+(** The linear cells, as the sets of their points. *)
+Definition cells (P : domain) : list (point d -> Prop) :=
+  map (fun v q => q = v) (domain_vertices P) ++
+  map (fun ab q => conv [fst ab; snd ab] q) (domain_segments P) ++
+  map polygon_points (domain_polygons P) ++ [region P].
+(** |P| *)
+Definition underlying (P : domain) (q : point d) : Prop := exists X, In X (cells P) /\ X q.
+
+(** ** Triangulations of domains
+
+    [T] lists the d-simplices of the complex; there are no others that are not faces of these: nothing
+    dangles. *)
+Definition union_of_simplices (T : list (simplex d)) (X : point d -> Prop) : Prop :=
+  exists F, (forall s, In s F -> faces_of T s) /\ forall q, X q <-> exists s, In s F /\ conv s q.
+
+(** Definition 4.5. *)
+Definition steiner_triangulation (P : domain) (T : list (simplex d)) : Prop :=
+  (forall t, In t T -> NoDup t /\ length t = S d) /\
+  ForallOrdPairs (fun s t => ~ same s t) T /\
+  simplicial_complex (faces_of T) /\
+  (forall v, In v (domain_vertices P) -> exists t, In t T /\ In v t) /\
+  (forall X, In X (cells P) -> union_of_simplices T X) /\
+  (forall q, underlying P q <-> exists t, In t T /\ conv t q).
+
+(** Definition 4.4: it has no vertices but those of the domain. *)
+Definition plc_triangulation (P : domain) (T : list (simplex d)) : Prop :=
+  steiner_triangulation P T /\ forall t v, In t T -> In v t -> In v (domain_vertices P).
+
+(** Definition 4.5: all its simplices are Delaunay, with respect to its vertices. *)
+Definition conforming_delaunay (P : domain) (T : list (simplex d)) : Prop :=
+  steiner_triangulation P T /\ forall t, In t T -> delaunay (concat T) t.
+
+(** ** Constrained Delaunay *)
+
+(** Definition 2.11: a simplex respects a domain if it is in |P|, and what it has in common with each
+    cell is a union of its faces. *)
+Definition union_of_faces (X : point d -> Prop) (s : simplex d) : Prop :=
+  exists F, (forall f, In f F -> incl f s) /\ forall q, X q <-> exists f, In f F /\ conv f q.
+Definition respects (P : domain) (s : simplex d) : Prop :=
+  (forall q, conv s q -> underlying P q) /\
+  (forall X, In X (cells P) -> union_of_faces (fun q => X q /\ conv s q) s).
+
+(** Definition 2.13. *)
+Definition visible (P : domain) (x y : point d) : Prop := respects P [x; y].
+
+(** Definition 4.6, for the vertices [V]: those of the domain or, with Steiner points, of the mesh. *)
+Definition constrained_delaunay (V : list (point d)) (P : domain) (s : simplex d) : Prop :=
+  incl s V /\ respects P s /\
+  exists c r2, circumball s c r2 /\ forall v x, In v V -> strictly_inside s x -> visible P x v ->
+    ~ dist2 c v < r2.
+
+(** Definition 4.7, where nothing dangles; and a Steiner CDT. *)
+Definition cdt (P : domain) (T : list (simplex d)) : Prop :=
+  plc_triangulation P T /\ forall t, In t T -> constrained_delaunay (domain_vertices P) P t.
+Definition steiner_cdt (P : domain) (T : list (simplex d)) : Prop :=
+  steiner_triangulation P T /\ forall t, In t T -> constrained_delaunay (concat T) P t.
+End Book.
+Arguments polygon d : clear implicits.
+Arguments domain d : clear implicits.
+
+(** ** What the files are about, in the caller's coordinates *)
+
+Section Part.
+Variables (d : nat) (c : certificate) (p : part).
+Notation spot := (spot d c).
+
+Definition part_vertices : list (point d) :=
+  flat_map (fun pr => match snd pr with Corner _ => [place_of (unit_of c) (position (fst pr))]
+                                      | Steiner _ => [] end) (combine (points c) (roles p)).
+Definition segment_ends (s : segment_entry) : point d * point d :=
+  (spot (from s), spot (last (map reached (links s)) (from s))).
+Definition part_segments : list (point d * point d) := map segment_ends (segments p).
+Definition seed_point (x : site) (w : Z) : point d := place_of (unit_of c / IZR w) x.
+Definition part_holes : list (point d) :=
+  map (fun h => seed_point (hole_point h) (hole_w h)) (holes p).
+(** The kept simplices. *)
+Definition part_simplices : list (simplex d) :=
+  flat_map (fun em => if kept (snd em) then [map spot (corners (fst em))] else [])
+    (combine (simplices c) (marks p)).
+End Part.
+
+Section Domain.
+Variables (d : nat) (c : domain_certificate).
+Notation mesh := (whole_mesh c).
+
+(** The segments of a polygon: those of its certificate, between the points of the mesh above. *)
+Definition polygon_of (f : polygon_entry) : polygon d :=
+  let up (k : positive) := match numbered (above f) k with Some j => spot d mesh j | None => origin end in
+  {| plane_normal := integer_point d (normal f);
+     plane_offset := unit_of mesh * IZR (offset f);
+     rim := map (fun s => (up (from s), up (last (map reached (links s)) (from s))))
+              (segments (plane_part f));
+     gaps := map (fun s => seed_point d mesh (fst s) (snd s)) (seeds f) |}.
+Definition domain_of_certificate : domain d :=
+  {| what_it_fills := kind c;
+     domain_vertices := part_vertices d mesh (domain_part c);
+     domain_segments := part_segments d mesh (domain_part c);
+     domain_polygons := map polygon_of (polygons c);
+     domain_holes := part_holes d mesh (domain_part c) |}.
+Definition mesh_of_domain : list (simplex d) := part_simplices d mesh (domain_part c).
+End Domain.

@@ -1,0 +1,215 @@
+(** * The Constrained Delaunay Lemma, for the kept simplices  (Book: Lemma 4.10, (iii) => (i))
+
+    If across each facet that is in no wall the neighbour's apex is not in the circumball, then no vertex
+    that can be seen from inside a simplex is ([Sight.v]); and each simplex respects the domain, for its
+    cells are unions of simplices. *)
+From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Circumspect Require Import DomainChecker Numbering.
+From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap DelaunayLemma.
+From Circumspect Require Import Adjacency Enclosed Combinations Sight.
+From Circumspect Require Import Orientation Integers Incidence Accepted CertifiedMesh Soundness.
+From Circumspect Require Import KeptMesh KeptCells Definitions Domains.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** Simplices respect what is a union of simplices *)
+
+Lemma union_respected {d} (T : list (simplex d)) X t : simplicial_complex (faces_of T) ->
+  union_of_simplices T X -> faces_of T t -> union_of_faces (fun q => X q /\ conv t q) t.
+Proof.
+  intros (_ & _ & M) (L & HL & E) Ht.
+  assert (K : exists F, (forall f, In f F -> incl f t) /\
+    forall q, (exists s, In s L /\ conv s q) /\ conv t q <-> exists f, In f F /\ conv f q).
+  { clear E. induction L as [|s L IH].
+    - exists []. split; [intros f []|]. intros q. split; [intros [(s & [] & _) _]|intros (f & [] & _)].
+    - destruct IH as (F & IF & E); [intros; apply HL; now right|].
+      destruct (M s t (HL s (or_introl eq_refl)) Ht) as (f & Is & It & C). exists (f :: F). split.
+      + intros g [<-|Hg]; auto.
+      + intros q. split.
+        * intros [(r & [<-|Hr] & Cr) Ct]; [exists f; split; [now left|auto]|].
+          destruct (proj1 (E q)) as (g & Hg & Cg); [split; eauto|]. exists g. split; [now right|assumption].
+        * intros (g & [<-|Hg] & Cg).
+          -- split; [|now apply (conv_incl f)]. exists s. split; [now left|now apply (conv_incl f)].
+          -- destruct (proj2 (E q)) as [(r & Hr & Cr) Ct]; [eauto|]. split; [|assumption].
+             exists r. split; [now right|assumption]. }
+  destruct K as (F & IF & K). exists F. split; [assumption|]. intros q. rewrite <- K, E. tauto.
+Qed.
+Lemma simplices_respect {d} (P : domain d) T t : steiner_triangulation P T -> In t T -> respects P t.
+Proof.
+  intros (Nd & _ & Cx & _ & Un & Eq) It. split.
+  - intros q C. apply Eq. eauto.
+  - intros X IX. apply (union_respected T); auto. destruct (Nd t It) as [N L].
+    split; [assumption|]. split; [intros ->; discriminate|]. exists t. split; [assumption|apply incl_refl].
+Qed.
+
+Lemma strictly_inside_frame {d} (t : frame d) q : strictly_inside (vertices t) q -> inside t q.
+Proof.
+  intros [C N]. apply conv_vertices in C. pose proof (conv_carrier t q C) as K.
+  pose proof (N _ (carrier_incl t q) K) as I. intros i Hi.
+  assert (V : In (vertex t i) (Faces.carrier t q)) by (apply I, in_vertices; eauto).
+  apply in_carrier in V. destruct V as (k & Hk & L & E). apply vertex_inj in E; auto. now subst.
+Qed.
+
+Section Constrained.
+Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
+Hypothesis Or : oriented orient.
+Hypothesis Co : computes orient pr.
+Hypothesis positive_d : (1 <= d)%nat.
+Variable D : domain_certificate.
+Notation c := (whole_mesh D).
+Notation p := (domain_part D).
+Hypothesis accepts : check_in pr c = Accepted.
+Variables (planar : bool) (shown : list positive -> nat -> positive * positive -> bool).
+Hypothesis part_accepts : check_part pr planar (kind D) c p shown = Accepted.
+Hypothesis local_accepts : check_local pr D = Accepted.
+Notation r := (unit_of c).
+Notation spot := (spot d c).
+Notation entry t e := (numbered (simplices c) t = Some e).
+Notation marks_of := (Table.of_list Datatypes.id (marks p)).
+Notation T := (part_simplices d c p).
+Let dim_d : dimension pr = d := computes_dimension _ _ Co.
+
+Lemma local_parts : kind D = Enclosed /\ each_pair mark_consistent AtSimplex
+  (check_local_simplex pr (mesh_of c)) 1 (simplices c) (marks p) = Accepted.
+Proof.
+  pose proof local_accepts as H. unfold check_local in H. accepted.
+  split; [now destruct (kind D)|assumption].
+Qed.
+
+Section Geometry.
+Variable geo : positive -> frame d.
+Hypothesis frames : forall t e, entry t e -> lists (map spot (corners e)) (geo t).
+Let is_enclosed := proj1 local_parts.
+Let mesh := certificate_matched Or Co c accepts geo frames.
+Let supporting_all := certificate_supporting Or Co c accepts geo frames.
+Let vertices_all := vertices_in Co c accepts geo frames.
+Let once := certificate_covered_once Or Co c accepts geo frames.
+Let agreeing : forall t u, In t (tets c) -> In u (tets c) -> agree (geo t) (geo u) :=
+  fun t u => mesh_face_to_face mesh vertices_all supporting_all Pos.eq_dec once t u.
+Let different : forall t u, In t (tets c) -> In u (tets c) ->
+  same (vertices (geo t)) (vertices (geo u)) -> t = u :=
+  fun t u => mesh_simplices_different mesh vertices_all supporting_all Pos.eq_dec once t u.
+
+Definition kept_tets : list positive := filter (kept_at marks_of) (tets c).
+Lemma in_kept_tets t : In t kept_tets <-> In t (tets c) /\ kept_at marks_of t = true.
+Proof. apply filter_In. Qed.
+Let agreeing' : forall t u, In t kept_tets -> In u kept_tets -> agree (geo t) (geo u).
+Proof. intros t u Ht Hu. apply in_kept_tets in Ht, Hu. now apply agreeing. Qed.
+Let different' : forall t u, In t kept_tets -> In u kept_tets ->
+  same (vertices (geo t)) (vertices (geo u)) -> t = u.
+Proof. intros t u Ht Hu. apply in_kept_tets in Ht, Hu. now apply different. Qed.
+
+Lemma kept_outer_wall t i : In t kept_tets -> (i <= d)%nat -> outer kept_tets geo t i -> wall_at p t i.
+Proof.
+  intros Ht Hi O. apply in_kept_tets in Ht. destruct Ht as [Ht K].
+  unfold wall_at. destruct (flagged_at marks_of t i) eqn:F; [reflexivity|exfalso].
+  assert (N : ~ wall_at p t i) by (unfold wall_at; congruence).
+  destruct (adjacent_dec (tets c) geo t i Ht) as [(u & j & A)|O'].
+  - pose proof (same_across Or Co positive_d c accepts p planar (kind D) shown part_accepts geo frames
+      is_enclosed t i u j A N) as S.
+    destruct A as (_ & Hu & Op). apply (O u j). split; [now apply in_kept_tets|]. split; [|assumption].
+    apply in_kept_tets. split; [assumption|congruence].
+  - apply N. now apply (kept_closed_off Or Co positive_d c accepts p planar (kind D) shown part_accepts
+      geo frames is_enclosed).
+Qed.
+
+Lemma heights k e : numbered (points c) k = Some e ->
+  norm2 (spot k) = @height_of d r (site_at d c k).
+Proof.
+  intros E. rewrite (spot_site d c k e E). unfold height_of, site_at, site_of. rewrite E.
+  destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _). rewrite W. cbn [weight]. ring.
+Qed.
+
+Lemma kept_local t i u j : In t kept_tets -> adjacent kept_tets geo t i u j -> ~ wall_at p t i ->
+  locally_above norm2 (geo t) (geo u) j.
+Proof.
+  assert (G : forall t i u j, adjacent kept_tets geo t i u j -> ~ wall_at p t i -> (t < u)%positive ->
+    locally_above norm2 (geo t) (geo u) j).
+  { clear t i u j. intros t i u j (Ht & Hu & O) N Lt. apply in_kept_tets in Ht, Hu.
+    destruct Ht as [Ht Kt], Hu as [Hu Ku]. pose proof O as (Hi & Hj & _).
+    assert (A : adj c t i u j).
+    { apply (adjacent_adj Or Co positive_d c accepts geo frames). split; [assumption|]. now split. }
+    destruct A as (e & E & W).
+    destruct (mark_of c p planar (kind D) shown part_accepts t e E) as (k & Ek & Kk & _).
+    pose proof (proj2 local_parts) as L. apply each_pair_accepted in L. destruct L as [_ L].
+    specialize (L t e k E Ek). unfold check_local_simplex in L. rewrite <- Kk, Kt in L.
+    destruct (find_all (points_of (mesh_of c)) (corners e)) as [X|] eqn:FX; [|discriminate].
+    apply (find_all_sites (d := d)) in FX. destruct FX as [-> _].
+    apply (each_index_accepted _ _ L) in W. cbn [check_local_facet] in W.
+    rewrite (wall_at_flag p t k i Ek) in N. destruct (flag k i) as [w|]; [destruct N; eauto|].
+    apply Pos.ltb_lt in Lt. rewrite Lt in W. rewrite (find_simplex (c := c)) in W.
+    apply in_tets in Hu. destruct Hu as (e' & E'). rewrite E' in W.
+    destruct (corner_vertex Co c geo frames u e' j E' Hj) as (v & Ev & Vv). rewrite Ev in W. accepted.
+    apply (find_point_site (d := d)) in Heqo. destruct Heqo as [<- (x & Ex)].
+    unfold locally_delaunay in *. apply Z.leb_le, IZR_le in Heqb.
+    unfold locally_above. rewrite Vv, (spot_site d c v x Ex).
+    pose proof (heights v x Ex) as Hv. rewrite (spot_site d c v x Ex) in Hv.
+    destruct (depth_witness Or Co c accepts geo frames norm2 heights t e (site_at d c v) E
+      (site_shaped dim_d accepts v) Hv) as (q & Q & S).
+    unfold sites_of in S. nra. }
+  intros Ht A N. destruct (Pos.lt_total t u) as [Lt|[->|Gt]]; [now apply (G t i u j)| |].
+  - destruct A as (_ & _ & Hi & Hj & _ & _ & Neg). rewrite bary_vertex in Neg by assumption.
+    destruct (Nat.eq_dec i j); lra.
+  - pose proof A as (_ & _ & O). apply (locally_above_symmetric norm2 (geo t) i (geo u) j O).
+    apply (G u j t i); [now apply adjacent_sym| |assumption]. intros W. apply N.
+    apply (wall_in_both Or Co positive_d c accepts p planar (kind D) shown part_accepts geo frames
+      is_enclosed u j t i); [|assumption].
+    apply adjacent_sym. destruct A as (Ht' & Hu & _). apply in_kept_tets in Ht', Hu. now split.
+Qed.
+
+(** What is visible is seen: the segment leaves neither the kept simplices nor meets a wall. *)
+Lemma visible_sees (P : domain d) t x v : steiner_triangulation P T ->
+  (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y -> walls_in c p geo y) ->
+  In t kept_tets -> inside (geo t) x -> visible P x v ->
+  sees kept_tets geo (wall_at p) x v.
+Proof.
+  intros (_ & _ & _ & _ & _ & Eq) Wa Ht I [Sub Resp] s Hs.
+  assert (C : conv [x; v] (mix x v s)) by (apply conv_two; exists s; split; [lra|reflexivity]).
+  apply in_kept_tets in Ht. destruct Ht as [Ht _]. split.
+  - apply Sub, Eq in C. destruct C as (u & Hu & Q).
+    apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Hu.
+    destruct Hu as (a & e & E & K & ->). exists a. split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|].
+    rewrite <- (entry_vertices c geo frames a e E) in Q. now apply conv_vertices.
+  - intros a i Ha Hi W O. apply in_kept_tets in Ha. destruct Ha as [Ha _].
+    destruct (Wa (mix x v s)) as (X & IX & Xs & XW); [exists a, i; auto|].
+    assert (Off : forall y, inside (geo t) y -> ~ X y).
+    { intros y Iy Xy. apply XW in Xy. destruct Xy as (b & k & Hb & Hk & _ & Z & Cl).
+      assert (t = b) as <- by now apply (inside_once (tets c) geo agreeing different t b y).
+      specialize (Iy k Hk). lra. }
+    destruct (Resp X IX) as (F & HF & E). destruct (proj1 (E (mix x v s)) (conj Xs C)) as (f & If & Cf).
+    assert (Fx : forall y, conv f y -> X y) by (intros y Cy; apply E; eauto).
+    destruct (Faces.in_points x f) as [Ix|N].
+    + apply (Off x I), Fx. now apply conv_point.
+    + assert (Iv : incl f [v]).
+      { intros y Hy. destruct (HF f If y Hy) as [<-|[<-|[]]]; [contradiction|now left]. }
+      assert (Ev : mix x v s = v) by (apply conv_singleton; now apply (conv_incl f)).
+      assert (x = v) as <-.
+      { apply affine_separate. intros h A. pose proof (affine_mix h x v s A) as M. rewrite Ev in M. nra. }
+      rewrite Ev in Cf. now apply (Off x I), Fx.
+Qed.
+
+Theorem kept_constrained (P : domain d) (V : list (point d)) : steiner_triangulation P T ->
+  (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y -> walls_in c p geo y) ->
+  (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  forall t, In t T -> constrained_delaunay V P t.
+Proof.
+  intros St Wa HV t It. split; [|split].
+  - intros v Iv. apply HV. eauto.
+  - now apply (simplices_respect P T).
+  - pose proof It as It'. apply (in_kept c p planar (kind D) shown part_accepts geo frames) in It'.
+    destruct It' as (u & e & E & K & ->). rewrite <- (entry_vertices c geo frames u e E).
+    destruct (circumball_frame (geo u)) as (o & r2 & C & _). exists o, r2. split; [assumption|].
+    intros v x Iv Xi Vis L. apply strictly_inside_frame in Xi.
+    apply (in_ball_below_witness _ _ _ _ C) in L. apply (Rlt_not_le _ _ L).
+    assert (Hu : In u kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
+    apply (visible_vertex_above kept_tets geo positive_d agreeing' different' (wall_at p) kept_outer_wall
+      norm2 kept_local u x v Hu Xi).
+    + apply HV in Iv. destruct Iv as (s & Is & Iv).
+      apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Is.
+      destruct Is as (b & e' & E' & K' & ->). rewrite <- (entry_vertices c geo frames b e' E') in Iv.
+      apply in_vertices in Iv. destruct Iv as (i & Hi & ->). exists b, i.
+      split; [apply in_kept_tets; split; [apply in_tets; eauto|assumption]|auto].
+    + now apply (visible_sees P u).
+Qed.
+End Geometry.
+End Constrained.

@@ -1,0 +1,331 @@
+(** * Domains in the plane, and polygons in space
+
+    In the plane the walls are the segments, and the kept triangles fill what they enclose.  A polygon in
+    space is that of a domain in the plane, seen along an axis: its pieces are the facets of the mesh
+    that are above its kept triangles. *)
+From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Circumspect Require Import DomainChecker Numbering.
+From Circumspect Require Import Vectors Affine Frame Faces Combinations Shadow.
+From Circumspect Require Import Orientation Integers Accepted.
+From Circumspect Require Import KeptMesh KeptCells Definitions Domains.
+Import ListNotations.
+Open Scope R_scope.
+
+Notation mark_table p := (Table.of_list Datatypes.id (marks p)).
+
+(** ** The plane *)
+
+Section Plane.
+Variables (kind : domain_kind) (c : certificate) (p : part).
+Hypothesis accepts : check_in_plane kind c p = Accepted.
+Notation T := (part_simplices 2 c p).
+Notation spot := (spot 2 c).
+
+Lemma plane_mesh_accepted : check_in plane_predicates c = Accepted.
+Proof. pose proof accepts as H. unfold check_in_plane in H. now accepted. Qed.
+Lemma plane_part_accepted :
+  check_part plane_predicates true kind c p (shown_by_segment c p) = Accepted.
+Proof. pose proof accepts as H. unfold check_in_plane in H. now accepted. Qed.
+Let mesh_ok := plane_mesh_accepted.
+Let part_ok := plane_part_accepted.
+Let two : (1 <= 2)%nat := le_S 1 1 (le_n 1).
+
+Lemma segments_flagged q : kind = Enclosed ->
+  on_segments (part_segments 2 c p) q <-> flagged_points (d := 2) c p q.
+Proof.
+  intros K. split.
+  - intros (a & b & I & C). apply in_map_iff in I. destruct I as (s & E & I).
+    destruct (segment_edges plane_computes c mesh_ok p true kind _ part_ok s I) as (F & H & X).
+    rewrite E in X. cbn [fst snd] in X. apply X in C. destruct C as (x & Ix & C).
+    destruct (H x Ix) as (y & z & t & i & -> & Ed).
+    apply (edge_spec plane_computes c mesh_ok p true kind _ part_ok) in Ed.
+    destruct Ed as (e & Ee & _ & _ & _ & _ & Fl). destruct (Fl eq_refl K) as (Hi & Fa & M).
+    exists t, e, i. repeat (split; [assumption|]). apply (conv_incl (map spot [y; z])); [|assumption].
+    intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). apply in_map. now apply M.
+  - intros (t & e & i & E & Hi & Fl & C).
+    destruct (flagged_is_shown oriented2 plane_computes two c mesh_ok p true kind _ part_ok t e i K E Hi Fl)
+      as (w & Sh).
+    unfold shown_by_segment in Sh. cbv zeta in Sh. rewrite find_id in Sh.
+    destruct (numbered (segments p) (fst w)) as [s|] eqn:Es; [|discriminate].
+    destruct (Table.find (from s) (points_of (mesh_of c))) as [a|] eqn:Fa; [|discriminate].
+    destruct (Table.find (last (map reached (links s)) (from s)) (points_of (mesh_of c))) as [b|] eqn:Fb;
+      [|discriminate].
+    destruct (point_known plane_computes c mesh_ok _ _ Fa) as (Sa & Ha & _).
+    destruct (point_known plane_computes c mesh_ok _ _ Fb) as (Sb & Hb & _).
+    exists (spot (from s)), (spot (last (map reached (links s)) (from s))). split.
+    + change (In (segment_ends 2 c s) (part_segments 2 c p)). apply in_map. now apply numbered_in with (fst w).
+    + apply (conv_conv (map spot (Checker.remove i (corners e)))); [|assumption].
+      intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik).
+      rewrite forallb_forall in Sh. specialize (Sh k Ik).
+      destruct (Table.find k (points_of (mesh_of c))) as [x|] eqn:Fx; [|discriminate].
+      destruct (point_known plane_computes c mesh_ok _ _ Fx) as (Sx & Hx & _).
+      rewrite Sa, Sb, Sx. apply conv_two. exists (ratio a b x).
+      now apply on_segment_between.
+Qed.
+
+Theorem plane_enclosed q : kind = Enclosed ->
+  enclosed (fun _ => True) (on_segments (part_segments 2 c p)) (part_holes 2 c p) q <->
+  exists t, In t T /\ conv t q.
+Proof.
+  intros K. apply (kept_enclosed oriented2 plane_computes two c mesh_ok p true kind _ part_ok); [assumption|].
+  intros x. now apply segments_flagged.
+Qed.
+End Plane.
+
+(** ** Polygons *)
+
+Lemma over_spec f q w p : over f q w p = true -> length (normal f) = 3%nat -> (axis f < 3)%nat ->
+  forall r, inner (integer_point 3 (normal f)) (scale r (integer_point 3 p)) = r * IZR w * IZR (offset f) /\
+    shadow (axis f) (scale r (integer_point 3 p)) = scale r (integer_point 2 q) /\ length p = 3%nat.
+Proof.
+  unfold over. intros H Ln Ax r. apply andb_prop in H. destruct H as [H S]. apply andb_prop in H.
+  destruct H as [E L]. apply Nat.eqb_eq in L. apply same_integers_spec in S. apply Z.eqb_eq in E.
+  destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate Ln.
+  destruct p as [|x [|y [|z [|? ?]]]]; try discriminate L. split; [|split; [|reflexivity]].
+  - apply (f_equal IZR) in E. cbn [inner_product] in E.
+    rewrite ?plus_IZR, ?mult_IZR in E. rewrite inner_scale_r, inner_3.
+    change (r * (IZR a * IZR x + IZR b * IZR y + IZR e * IZR z) = r * IZR w * IZR (offset f)).
+    rewrite Rmult_assoc, <- E. ring.
+  - subst q. destruct (axis f) as [|[|[|k]]]; [| | |lia]; apply point2_ext; reflexivity.
+Qed.
+
+Section Polygon.
+Variables (kind : domain_kind) (c : certificate) (p : part).
+Hypothesis accepts : check_in space_predicates c = Accepted.
+Variable shown : list positive -> nat -> positive * positive -> bool.
+Hypothesis part_accepts : check_part space_predicates false kind c p shown = Accepted.
+Variable D : domain_certificate.
+Hypothesis of_D : whole_mesh D = c.
+Variable f : polygon_entry.
+Hypothesis polygon_accepts : check_polygon kind c (mesh_of c) (mark_table p) f = Accepted.
+
+Notation spot := (spot 3 c).
+Notation p2 := (plane_mesh f).
+Notation part2 := (plane_part f).
+Notation spot2 := (Definitions.spot 2 p2).
+Notation n := (integer_point 3 (normal f)).
+Notation o := (unit_of c * IZR (offset f)).
+Notation sh := (shadow (axis f)).
+Let three : (1 <= 3)%nat := le_S 1 2 (le_S 1 1 (le_n 1)).
+
+Lemma polygon_parts : numerator p2 = numerator c /\ denominator p2 = denominator c /\
+  length (normal f) = 3%nat /\ (axis f < 3)%nat /\ nth (axis f) (normal f) 0%Z <> 0%Z /\
+  check_in_plane Enclosed p2 part2 = Accepted /\
+  each_pair polygon_flat AtPoint (check_above (mesh_of c) f) 1 (points p2) (above f) = Accepted /\
+  each_pair polygon_flat AtHole (check_seed f) 1 (holes part2) (seeds f) = Accepted /\
+  each_pair polygon_tiled AtSimplex
+    (check_tile kind (mesh_of c) (mark_table p) (Table.of_list Datatypes.id (above f))) 1
+    (combine (simplices p2) (marks part2)) (tiles f) = Accepted.
+Proof.
+  pose proof polygon_accepts as H. unfold check_polygon in H. cbv zeta in H. accepted.
+  repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]).
+  apply Z.eqb_eq in Heqb, H3. apply Nat.eqb_eq in H2. apply Nat.ltb_lt in H1.
+  apply negb_true_iff, Z.eqb_neq in H0. auto 12.
+Qed.
+Lemma plane_ok : check_in_plane Enclosed p2 part2 = Accepted.
+Proof. apply polygon_parts. Qed.
+Lemma same_unit : unit_of p2 = unit_of c.
+Proof. destruct polygon_parts as (N & E & _). unfold unit_of. now rewrite N, E. Qed.
+Lemma polygon_seen : axis_of (axis f) n <> 0.
+Proof.
+  destruct polygon_parts as (_ & _ & L & A & N & _).
+  destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate L.
+  intros Z. apply N. destruct (axis f) as [|[|[|k]]]; [| | |lia]; apply eq_IZR; exact Z.
+Qed.
+
+(** The point of the mesh above a point of the plane. *)
+Lemma above_spec k e : numbered (points p2) k = Some e -> exists j, numbered (above f) k = Some j /\
+  flat n o (spot j) /\ sh (spot j) = spot2 k.
+Proof.
+  intros E. destruct polygon_parts as (_ & _ & Ln & Ax & _ & _ & H & _). apply each_pair_accepted in H.
+  destruct H as [L H]. destruct (numbered_beside _ _ _ _ L E) as (j & J). exists j.
+  split; [assumption|]. specialize (H k e j E J). unfold check_above in H. accepted.
+  destruct (Table.find j (points_of (mesh_of c))) as [q|] eqn:Q; [|discriminate].
+  destruct (point_known space_computes c accepts j q Q) as (S & _ & _).
+  destruct (over_spec f _ _ _ Heqb Ln Ax (unit_of c)) as (F & Sh & _).
+  rewrite S. unfold flat, place_of. split; [rewrite F; ring|].
+  rewrite Sh, (spot_numbered 2 p2 k e E), same_unit. reflexivity.
+Qed.
+Definition up (k : positive) : point 3 :=
+  match numbered (above f) k with Some j => spot j | None => origin end.
+Lemma up_spec k q : Table.find k (points_of (mesh_of p2)) = Some q -> flat n o (up k) /\ sh (up k) = spot2 k.
+Proof.
+  intros Q. rewrite (find_point (c := p2)) in Q. destruct (numbered (points p2) k) as [e|] eqn:E; [|discriminate].
+  destruct (above_spec k e E) as (j & J & F). unfold up. now rewrite J.
+Qed.
+
+Lemma rim_shadow q : flat n o q ->
+  on_segments (rim (polygon_of 3 D f)) q <-> on_segments (part_segments 2 p2 part2) (sh q).
+Proof.
+  intros Q. unfold polygon_of. rewrite of_D. cbn [rim]. fold up.
+  assert (G : forall s, In s (segments part2) -> forall x,
+    conv [up (from s); up (last (map reached (links s)) (from s))] x <->
+    flat n o x /\ conv [fst (segment_ends 2 p2 s); snd (segment_ends 2 p2 s)] (sh x)).
+  { intros s Is x. apply in_numbered in Is. destruct Is as (k & Ks).
+    destruct (segment_checked p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) k s Ks)
+      as (a & b & Fa & Fb & _).
+    destruct (up_spec _ _ Fa) as [Fla Sa]. destruct (up_spec _ _ Fb) as [Flb Sb].
+    rewrite (conv_shadow (axis f) n o polygon_seen).
+    - cbn [map]. rewrite Sa, Sb. reflexivity.
+    - intros y [<-|[<-|[]]]; assumption. }
+  split.
+  - intros (a & b & I & C). apply in_map_iff in I. destruct I as (s & E & Is). injection E as <- <-.
+    apply (G s Is) in C. destruct C as [_ C]. eexists _, _. split; [|exact C].
+    unfold part_segments. rewrite <- surjective_pairing. now apply in_map.
+  - intros (a & b & I & C). apply in_map_iff in I. destruct I as (s & E & Is).
+    exists (up (from s)), (up (last (map reached (links s)) (from s))). split.
+    + apply in_map_iff. exists s. split; [reflexivity|assumption].
+    + apply (G s Is). rewrite E. auto.
+Qed.
+Lemma seed_spec k h s : numbered (holes part2) k = Some h -> numbered (seeds f) k = Some s ->
+  flat n o (seed_point 3 c (fst s) (snd s)) /\
+  sh (seed_point 3 c (fst s) (snd s)) = seed_point 2 p2 (hole_point h) (hole_w h).
+Proof.
+  intros Hk Sk. destruct polygon_parts as (_ & _ & Ln & Ax & _ & Pl & _ & H & _). apply each_pair_accepted in H.
+  destruct H as [_ H]. specialize (H k h s Hk Sk). unfold check_seed in H. accepted.
+  apply andb_prop in Heqb. destruct Heqb as [W Ov]. apply Z.eqb_eq in W.
+  assert (Pw : (0 < hole_w h)%Z).
+  { pose proof (part_parts p2 part2 true Enclosed _ (plane_part_accepted _ _ _ Pl)) as (_ & _ & _ & X & _).
+    apply (each_accepted _ _ X) in Hk. unfold check_hole in Hk. accepted.
+    repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]). now apply Z.ltb_lt. }
+  rewrite W in Pw. apply IZR_lt in Pw.
+  destruct (over_spec f _ _ _ Ov Ln Ax (unit_of c / IZR (snd s))) as (F & Sh & _).
+  unfold seed_point, flat, place_of. split; [rewrite F; field; lra|]. now rewrite Sh, same_unit, W.
+Qed.
+
+(** The pieces. *)
+Lemma named_spec u s : numbered (simplices p2) u = Some s ->
+  let k := named_above (Table.of_list Datatypes.id (above f)) (corners s) in
+  (forall x, In x (map spot k) -> flat n o x) /\ map sh (map spot k) = map spot2 (corners s).
+Proof.
+  intros E.
+  destruct (simplex_accepted (d := 2) (pr := plane_predicates) eq_refl
+    (plane_mesh_accepted _ _ _ plane_ok) u s E) as (Known & _).
+  unfold named_above. revert Known. generalize (corners s) as l. clear E.
+  assert (G : forall l, (forall k, In k l -> exists e, numbered (points p2) k = Some e) ->
+    exists k, find_all (Table.of_list Datatypes.id (above f)) l = Some k /\
+      (forall x, In x (map spot k) -> flat n o x) /\ map sh (map spot k) = map spot2 l).
+  { induction l as [|x l IH]; intros Known.
+    - exists []. split; [reflexivity|]. split; [intros x []|reflexivity].
+    - destruct IH as (k & Fa & Fl & M); [intros; apply Known; now right|].
+      destruct (Known x (or_introl eq_refl)) as (e & E).
+      destruct (above_spec x e E) as (j & J & Fj & Sj). exists (j :: k).
+      cbn [find_all]. rewrite find_id, J, Fa. split; [reflexivity|]. split.
+      + intros y [<-|I]; auto.
+      + cbn [map]. now rewrite Sj, M. }
+  intros l Known. destruct (G l Known) as (k & -> & Fl & M). auto.
+Qed.
+Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
+  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
+    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
+      In x (Checker.remove i (corners e)).
+Proof.
+  intros E K. destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & _ & H). apply each_pair_accepted in H.
+  destruct H as [L H].
+  destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) u s E) as (k & Ek & Kt & _).
+  assert (Eb : numbered (combine (simplices p2) (marks part2)) u = Some (s, k)).
+  { unfold numbered in *. now apply nth_error_combine. }
+  destruct (numbered_beside _ _ _ _ L Eb) as (ti & Ti). specialize (H u _ ti Eb Ti).
+  unfold check_tile in H. accepted. cbn [fst snd] in Heqb. rewrite <- Kt, K in Heqb. cbn [negb orb] in Heqb.
+  apply andb_prop in Heqb. destruct Heqb as [Hk M]. apply andb_prop in Hk. destruct Hk as [Hk Fl].
+  rewrite (find_simplex (c := c)) in M.
+  destruct (numbered (simplices c) (fst ti)) as [e|] eqn:Ee; [|discriminate].
+  apply andb_prop in M. destruct M as [Fa M]. exists (fst ti), (snd ti), e.
+  split; [assumption|]. split; [assumption|]. split; [|split].
+  - apply (CertifiedMesh.wall_index space_computes c accepts (fst ti) e); [assumption|].
+    unfold has_facet in Fa. destruct (nth_error (walls e) (snd ti)); discriminate.
+  - intros ->. exact Fl.
+  - now apply same_members_spec.
+Qed.
+
+Theorem polygon_covered q : polygon_points (polygon_of 3 D f) q <->
+  exists u s, numbered (simplices p2) u = Some s /\ kept_at (mark_table part2) u = true /\
+    conv (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))) q.
+Proof.
+  assert (Plane : forall x, flat n o x -> polygon_points (polygon_of 3 D f) x <->
+    exists t, In t (part_simplices 2 p2 part2) /\ conv t (sh x)).
+  { intros x X. rewrite <- (plane_enclosed Enclosed p2 part2 plane_ok (sh x) eq_refl).
+    unfold polygon_points.
+    apply (enclosed_shadow (axis f) (plane_normal (polygon_of 3 D f)) (plane_offset (polygon_of 3 D f)));
+      unfold polygon_of; rewrite ?of_D; cbn [plane_normal plane_offset gaps].
+    - exact polygon_seen.
+    - intros y Y. pose proof (rim_shadow y Y) as R. unfold polygon_of in R. now rewrite of_D in R.
+    - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
+      destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (s & <- & Is).
+      apply in_numbered in Is. destruct Is as (k & Sk). symmetry in L.
+      destruct (numbered_beside _ _ _ _ L Sk) as (h & Hk). destruct (seed_spec k h s Hk Sk) as [F S].
+      split; [exact F|]. rewrite S. unfold part_holes.
+      apply (in_map (fun h => seed_point 2 p2 (hole_point h) (hole_w h))). now apply numbered_in with k.
+    - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
+      destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (h & <- & Ih).
+      apply in_numbered in Ih. destruct Ih as (k & Hk).
+      destruct (numbered_beside _ _ _ _ L Hk) as (s & Sk). destruct (seed_spec k h s Hk Sk) as [F S].
+      exists (seed_point 3 c (fst s) (snd s)). split; [|exact S].
+      apply (in_map (fun s => seed_point 3 c (fst s) (snd s))). now apply numbered_in with k.
+    - exact X. }
+  assert (Flat : forall x, polygon_points (polygon_of 3 D f) x -> flat n o x).
+  { intros x (F & _). unfold polygon_of in F. rewrite of_D in F. exact F. }
+  split.
+  - intros H. pose proof (Flat q H) as X. apply (Plane q X) in H. destruct H as (t & It & C).
+    apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
+      (plane_part_accepted _ _ _ plane_ok)) in It.
+    destruct It as (u & s & E & K & ->). exists u, s. split; [assumption|]. split; [assumption|].
+    destruct (named_spec u s E) as [Fl M].
+    apply (conv_shadow (axis f) n o polygon_seen _ q Fl). rewrite M. auto.
+  - intros (u & s & E & K & C). destruct (named_spec u s E) as [Fl M].
+    apply (conv_shadow (axis f) n o polygon_seen _ q Fl) in C. destruct C as [X C]. apply (Plane q X).
+    rewrite M in C. exists (map spot2 (corners s)). split; [|assumption].
+    apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
+      (plane_part_accepted _ _ _ plane_ok)). eauto.
+Qed.
+
+Theorem polygon_union : union_of_simplices (part_simplices 3 c p) (polygon_points (polygon_of 3 D f)).
+Proof.
+  set (g (s : simplex_entry) :=
+    map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))).
+  set (F := flat_map (fun em : simplex_entry * mark => if kept (snd em) then [g (fst em)] else [])
+    (combine (simplices p2) (marks part2))).
+  assert (InF : forall x, In x F <-> exists u s, numbered (simplices p2) u = Some s /\
+    kept_at (mark_table part2) u = true /\ x = g s).
+  { intros x. unfold F. rewrite in_flat_map. split.
+    - intros ((s & k) & I & X). cbn [fst snd] in X. destruct (kept k) eqn:K; [|destruct X].
+      destruct X as [<-|[]]. apply In_nth_error in I. destruct I as (i & I).
+      apply nth_error_combine in I. destruct I as [Is Ik]. exists (Pos.of_succ_nat i), s.
+      unfold numbered, kept_at. rewrite find_id. unfold numbered. rewrite !SuccNat2Pos.id_succ. cbn [pred].
+      now rewrite Is, Ik.
+    - intros (u & s & E & K & ->).
+      destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) u s E) as (k & Ek & Kt & _).
+      exists (s, k). split.
+      + unfold numbered in E, Ek. apply nth_error_In with (pred (Pos.to_nat u)). now apply nth_error_combine.
+      + cbn [fst snd]. rewrite <- Kt, K. now left. }
+  exists F. split.
+  - intros x Ix. apply InF in Ix. destruct Ix as (u & s & E & K & ->).
+    destruct (tile_spec u s E K) as (t & i & e & Ee & Kt & Hi & _ & M).
+    destruct (named_spec u s E) as [_ Sh]. fold (g s) in Sh.
+    destruct (kept_complex oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok)
+      part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok)) as (Nd & _).
+    destruct (Nd (map spot2 (corners s))) as [N2 L2].
+    { apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
+      (plane_part_accepted _ _ _ plane_ok)). eauto. }
+    split; [|split].
+    + apply (NoDup_map_inv sh). now rewrite Sh.
+    + intros Z. rewrite Z in Sh. rewrite <- Sh in L2. discriminate.
+    + exists (map spot (corners e)). split.
+      * apply (kept_members oriented3 space_computes c accepts p false kind _ part_accepts). eauto.
+      * intros y Iy. apply in_map_iff in Iy. destruct Iy as (k & <- & Ik). apply in_map.
+        apply M, in_remove in Ik. destruct Ik as (j & _ & Ej). now apply nth_error_In with j.
+  - intros q. rewrite polygon_covered. split.
+    + intros (u & s & E & K & C). exists (g s). split; [apply InF; eauto|assumption].
+    + intros (x & Ix & C). apply InF in Ix. destruct Ix as (u & s & E & K & ->). eauto.
+Qed.
+Lemma polygon_flagged q : kind = Enclosed -> polygon_points (polygon_of 3 D f) q ->
+  flagged_points (d := 3) c p q.
+Proof.
+  intros K H. apply polygon_covered in H. destruct H as (u & s & E & Ku & C).
+  destruct (tile_spec u s E Ku) as (t & i & e & Ee & Kt & Hi & Fl & M). exists t, e, i.
+  split; [assumption|]. split; [assumption|]. split; [now apply Fl|].
+  apply (conv_incl (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s)))); [|assumption].
+  intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik). apply in_map. now apply M.
+Qed.
+End Polygon.
