@@ -19,7 +19,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo docs proofs check test test-style test-proofs test-release test-sanitize build-release \
+.PHONY: build demo docs page proofs check test test-style test-proofs test-release test-sanitize build-release \
         build-sanitize soak soak-sanitize soak-fuzz tsan \
         bench format clean deps deps-demo deps-docs deps-proofs deps-test deps-bench
 
@@ -50,6 +50,12 @@ docs: deps-docs
 	@python3 tidy/links.py
 	@mkdocs --quiet build --strict
 	@echo "built $(CURDIR)/build/site/index.html"
+
+# What `check --html` puts its data into, bundled anew after a change in oracle/picture/page.
+page: deps-test
+	@oracle/picture/page/modules.sh build/page
+	@NODE_PATH=$(CURDIR)/build/page/node_modules node oracle/picture/page/bundle.mjs oracle/picture/page/page.built.html
+	@echo "built oracle/picture/page/page.built.html"
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs
