@@ -159,6 +159,8 @@ function cuts(drawing) {
   const n = unit(cross(sub(b, a), sub(c, a)));
   for (const simplex of picture.near) {
     const corners = section(drawing.all(simplex), n, dot(n, a));
+    // A face of the simplex in the polygon is no cut.
+    if (simplex.length !== 4 || corners.every((p) => drawing.all(simplex).includes(p))) continue;
     corners.forEach((p, i) => drawing.line(p, corners[(i + 1) % corners.length], 'cut',
       'where simplices of the mesh pass through the polygon'));
   }
@@ -176,14 +178,19 @@ function noBall(drawing) {
 function bareSide(drawing, v) {
   const { face, dimension } = drawing.picture;
   const value = v.values['orientation of the bare side'];
-  if (!face || !value) return;
+  if (!face || face.length < dimension) return;
   const corners = drawing.all(face);
   const normal = dimension === 2
     ? unit([corners[0][1] - corners[1][1], corners[1][0] - corners[0][0], 0])
     : unit(cross(sub(corners[1], corners[0]), sub(corners[2], corners[0])));
   const m = middle(corners);
-  const reach = 0.5 * length(sub(corners[0], m));
-  drawing.line(m, add(m, times(normal, reach * Number(value.exact))), 'hole',
+  const reach = 0.8 * length(sub(corners[0], m));
+  const own = drawing.picture.simplices[0];
+  // The book's orientation of a tetrahedron is positive if its last corner is where the others turn clockwise.
+  let side = value ? Number(value.exact) * (dimension === 3 ? -1 : 1) : 0;
+  if (!value && own?.every((i) => i !== null)) side = dot(normal, sub(middle(drawing.all(own)), m)) > 0 ? -1 : 1;
+  if (side === 0) return;
+  drawing.line(m, add(m, times(normal, reach * side)), 'hole',
     'this side of it is covered by nothing', { arrow: true });
 }
 
@@ -292,9 +299,10 @@ const RULES = {
   'domain.segment-missing': () =>
     'The segment of the domain is to consist of edges of the mesh, and at least part of it does not. ' +
     'Simplices of the mesh pass across it.',
-  'domain.polygon-not-tiled': (d) => {
+  'domain.polygon-not-tiled': (d, v) => {
     cuts(d);
-    return 'The hatched polygon of the domain is to consist of triangles of the mesh, and does not.';
+    const at = v.face ? ` Where the mesh is to have a triangle beside ${noun(v.face)} ${list(v.face)}, it has none.` : '';
+    return `The green polygon of the domain is to consist of triangles of the mesh, and does not.${at}`;
   },
   'domain.images-meet': () => 'Cells of the domain that are apart have faces of the mesh in common.',
   'domain.uncovered': (d, v) => {

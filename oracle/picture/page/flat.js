@@ -21,7 +21,7 @@ export const STYLE = {
   ball: { line: 1.5, fill: 0.12 },
   missing: { line: 1.5, fill: 0, dashed: true },
   hole: { line: 2, fill: 0.22 },
-  common: { line: 2, fill: 0.55, front: true },
+  common: { line: 2, fill: 0.3, front: true },
   domain: { line: 4, fill: 0.2, dot: 4 },
   nearest: { line: 2, dot: 6, front: true },
   wall: { line: 1, fill: 0.05 },

@@ -79,12 +79,12 @@ export function commonPart(a, b) {
 
 // Where a plane cuts a tetrahedron: the corners of the section, in order.
 export function section(corners, n, d) {
-  const cuts = [];
+  const height = corners.map((corner) => dot(n, corner) - d);
+  const isIn = height.map((h) => Math.abs(h) < 1e-6);
+  const cuts = corners.filter((_, i) => isIn[i]);
   for (const [i, j] of edges(corners.map((_, k) => k))) {
-    const hi = dot(n, corners[i]) - d;
-    const hj = dot(n, corners[j]) - d;
-    if ((hi < 0 && hj > 0) || (hi > 0 && hj < 0)) {
-      cuts.push(between(corners[i], corners[j], hi / (hi - hj)));
+    if (!isIn[i] && !isIn[j] && height[i] * height[j] < 0) {
+      cuts.push(between(corners[i], corners[j], height[i] / (height[i] - height[j])));
     }
   }
   if (cuts.length < 3) return [];
