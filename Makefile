@@ -51,11 +51,13 @@ docs: deps-docs
 	@mkdocs --quiet build --strict
 	@echo "built $(CURDIR)/build/site/index.html"
 
-# What `check --html` puts its data into, bundled anew after a change in oracle/picture/page.
+# What `--html` puts its data into, bundled anew after a change in oracle/picture/page, and the images of docs/.
 page: deps-test
-	@oracle/picture/page/modules.sh build/page
-	@NODE_PATH=$(CURDIR)/build/page/node_modules node oracle/picture/page/bundle.mjs oracle/picture/page/page.built.html
-	@echo "built oracle/picture/page/page.built.html"
+	@oracle/picture/page/modules.sh build/release/page
+	@NODE_PATH=build/release/page/node_modules node oracle/picture/page/bundle.mjs oracle/picture/page/page.built.html
+	@$(MAKE) --no-print-directory build
+	@oracle/picture/page/images.sh $(COMMAND) docs/images
+	@echo "built oracle/picture/page/page.built.html and docs/images"
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs

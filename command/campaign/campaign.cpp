@@ -12,6 +12,7 @@
 
 #include "command/campaign/campaign_inputs.hpp"
 #include "command/campaign/campaign_options.hpp"
+#include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_report.hpp"
 #include "command/campaign/campaign_stop.hpp"
 #include "command/options/whole_number.hpp"
@@ -35,6 +36,7 @@ struct CampaignOptions {
   std::string folder = "campaign";
   std::string corpus;
   std::string junit;
+  std::string html;
   OutputOptions output;
 };
 
@@ -130,6 +132,12 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
         options.junit, [&](std::ostream& stream) { stream << campaign_junit(result, program); });
     if (!failure.empty()) output.error(ExitCode::kUsage, "report", options.junit, failure);
   }
+  if (!options.html.empty()) {
+    const picture::Page page = campaign_page(result, plan, program);
+    const std::string failure =
+        write_file(options.html, [&](std::ostream& stream) { page.write(stream); });
+    if (!failure.empty()) output.error(ExitCode::kUsage, "html", options.html, failure);
+  }
   output.text(campaign_text(result));
   output.text(campaign_verdict(result, program) + "\n");
   if (output.wants_json()) output.json(campaign_json(result, plan, program));
@@ -139,6 +147,7 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
 std::string overwriting_fault_of(const CampaignOptions& options, const campaign::Plan& plan) {
   std::vector<Written> written = {{"the journal", plan.output + "/journal.tsv"}};
   if (!options.junit.empty()) written.push_back({"the report", options.junit});
+  if (!options.html.empty()) written.push_back({"the page", options.html});
   std::vector<std::string> read = plan.subject.command;
   const std::string findings = plan.output + "/findings";
   for (const campaign::Replayed& replayed : plan.replayed) {
@@ -152,6 +161,10 @@ std::string overwriting_fault_of(const CampaignOptions& options, const campaign:
   if (!options.junit.empty() && lies_in(options.junit, findings)) {
     return fmt::format("expected another name for the report, found {}, among the findings",
                        options.junit);
+  }
+  if (!options.html.empty() && lies_in(options.html, findings)) {
+    return fmt::format("expected another name for the page, found {}, among the findings",
+                       options.html);
   }
   return overwriting_fault(written, read);
 }
@@ -271,6 +284,12 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
                    "campaign)")
       ->option_text("FOLDER");
   command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
+  command
+      ->add_option(
+          "--html", options->html,
+          "Also write a page that shows each finding as a picture; it opens in any browser "
+          "and loads nothing")
+      ->option_text("FILE");
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -85,13 +85,33 @@ void Page::add(const Verdict& verdict, const Mesh& mesh, const std::string& mesh
   if (title_.empty()) title_ = line;
 }
 
+void Page::begin_with_campaign(Json campaign, const std::string& line) {
+  campaign_ = std::move(campaign);
+  campaign_["line"] = line;
+  title_ = line;
+  text_ = line + "\n" + text_;
+}
+
+void Page::add_finding(Json finding, const Verdict* verdict, const Mesh* mesh,
+                       const std::string& mesh_name, const Domain* domain) {
+  if (verdict == nullptr) {
+    results_.push_back(Json::object());
+    text_ += on_one_line(finding.value("text", "")) + "\n";
+  } else {
+    add(*verdict, *mesh, mesh_name,
+        report::verdict(*verdict, *mesh, mesh_name, check::By::kLemma, domain), domain);
+  }
+  results_.back()["finding"] = std::move(finding);
+}
+
 void Page::write(std::ostream& out) const {
   // The first words of a verdict name it; a title need not be longer.
   const std::string title = title_.size() > 200 ? title_.substr(0, 200) + "…" : title_;
   const std::pair<std::string_view, std::string> fields[] = {
       {"{{title}}", as_html(on_one_line(title))},
       {"{{text}}", as_html(text_)},
-      {"{{data}}", in_script({{"circumspect", 1}, {"results", results_}})}};
+      {"{{data}}",
+       in_script({{"circumspect", 1}, {"campaign", campaign_}, {"results", results_}})}};
   std::string_view rest = page_source();
   for (const auto& [field, value] : fields) {
     const std::size_t at = rest.find(field);

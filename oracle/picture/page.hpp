@@ -25,11 +25,20 @@ class Page {
            report::Json report, const Domain* domain = nullptr,
            const std::vector<std::string>& notes = {});
 
+  // What a campaign found, in a table above all else: what campaign_json (command/campaign) says of it.
+  void begin_with_campaign(report::Json campaign, const std::string& line);
+  // A finding: `finding` has its signature, count and text, the small input as `minimal`, and `reproduce`, a
+  // script. `verdict` was found on the mesh of that input; null where no rule is broken.
+  void add_finding(report::Json finding, const Verdict* verdict = nullptr,
+                   const Mesh* mesh = nullptr, const std::string& mesh_name = {},
+                   const Domain* domain = nullptr);
+
   // Texts are escaped, so that no name of a file, whatever it holds, is read as markup.
   void write(std::ostream& out) const;
 
  private:
   report::Json results_ = report::Json::array();
+  report::Json campaign_ = {};
   std::string text_;  // for browsers without JavaScript
   std::string title_;
   std::size_t cards_ = 0;

@@ -3,11 +3,11 @@
 //   node bundle.mjs OUTPUT
 import { createRequire } from 'node:module';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const modules = process.env.NODE_PATH;
+const modules = resolve(process.env.NODE_PATH);
 const esbuild = createRequire(join(modules, 'none.js'))('esbuild');
 const read = (name) => readFileSync(join(here, name), 'utf8');
 

@@ -70,7 +70,7 @@ export class Drawing {
       const drawn = simplex.every((one) => one !== null);
       const indices = simplex.filter((one) => one !== null);
       this.simplex(indices, ['first', 'second', 'third'][Math.min(i, 2)],
-        `${noun(v.simplices[i])} ${i < 3 ? list(v.simplices[i]) : 'and others'}`,
+        `${noun(v.simplices[i])} ${list(v.simplices[i])}${i === 2 && bad.length > 3 ? ' and others' : ''}`,
         drawn && !NO_FACES.includes(v.rule));
     });
     if (picture.face) {
@@ -97,6 +97,7 @@ export class Drawing {
   simplexOutline(simplex, role, words) {
     const corners = this.all(simplex);
     const cell = { centre: middle(corners) };
+    if (this.picture.dimension === 2) this.polygon(corners, role, words, { cell });
     for (const [a, b] of edges(corners)) this.line(a, b, role, words, { cell });
   }
 
@@ -194,6 +195,14 @@ function bareSide(drawing, v) {
     'this side of it is covered by nothing', { arrow: true });
 }
 
+// Where no eye sees the points of a witness apart along its thin direction, the factor that makes them
+// seen apart; else 1.
+export function largestStretch(picture) {
+  if (!picture.thin) return 1;
+  const high = Math.max(...picture.thin.heights.slice(0, picture.core).map(Math.abs));
+  return high > 0 && high < 0.1 ? Math.min(0.6 / high, 1e300) : 1;
+}
+
 // How far inside a ball a vertex is: a share of the squared radius.
 export function relativeDepth(v) {
   const squared = v.values['squared radius'];
@@ -235,8 +244,9 @@ const RULES = {
     `${v.simplices[0].length} vertices are listed, and ${list(v.vertices)} is the index of no point. ` +
     'Only the corners that exist are drawn.',
   'simplex.wrong-dimension': (d, v) =>
-    `The simplex ${list(v.simplices[0])} has ${v.simplices[0].length} vertices, which is not what the ` +
-    'other simplices of a mesh of these points need.',
+    `The simplex ${list(v.simplices[0])} has ${v.simplices[0].length} vertices` +
+    (v.values['vertices expected'] ? `, and each simplex of these points is to have ${v.values['vertices expected'].exact}.` :
+      ', which is not what its place needs.'),
   'simplex.repeated-vertex': (d, v) =>
     `Vertex ${list(v.vertices)} is listed twice in ${list(v.simplices[0])}, so nothing is left but a face.`,
   'simplex.degenerate': (d, v) => {
@@ -266,7 +276,8 @@ const RULES = {
   'triangulation.unused-point': (d, v) =>
     `Point ${list(v.vertices)} is a corner of no simplex.`,
   'triangulation.hull-not-closed': (d, v) =>
-    `The boundary is torn or pinched: not exactly two of its facets meet in ${noun(v.face)} ${list(v.face)}.`,
+    `The boundary is torn or pinched: ${v.simplices.length} of its facets meet in ` +
+    `${v.face.length ? `${noun(v.face)} ${list(v.face)}` : 'the empty face'}, where two are to.`,
   'triangulation.hull-not-convex': (d, v) => {
     const q = d.picture.vertices[0];
     const face = d.picture.face;

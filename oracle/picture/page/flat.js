@@ -26,7 +26,7 @@ export const STYLE = {
   nearest: { line: 2, dot: 6, front: true },
   wall: { line: 1, fill: 0.05 },
   other: { line: 1.5 },
-  near: { line: 0.7, fill: 0 },
+  near: { line: 0.7, fill: 0.06 },
   boundary: { line: 0.7, fill: 0.05 },
   cut: { line: 1.5, front: true },
   ray: { line: 1.5, front: true },
@@ -34,6 +34,21 @@ export const STYLE = {
 };
 
 export const isLarge = (item, dimension) => item.radius > LARGE[dimension === 2 ? 2 : 3];
+
+// Meridians and parallels of a ball about the origin.
+export function rings(radius) {
+  const circle = (centre, u, v) => Array.from({ length: 64 }, (_, i) => {
+    const t = (2 * Math.PI * i) / 64;
+    return centre.map((c, k) => c + Math.cos(t) * u[k] + Math.sin(t) * v[k]);
+  });
+  const found = [];
+  for (let i = 0; i < 6; ++i) {
+    const [along, across] = [radius * Math.cos((Math.PI * i) / 6), radius * Math.sin((Math.PI * i) / 6)];
+    found.push(circle([0, 0, 0], [along, across, 0], [0, 0, radius]));
+    if (i > 0) found.push(circle([0, 0, along], [across, 0, 0], [0, across, 0]));
+  }
+  return found;
+}
 
 // The surface of a large ball near the picture: rings of points about the point `near` of it.
 export function patch(item, reach = 2.4, rings = 8, sectors = 48) {
@@ -152,6 +167,11 @@ export function svgOf(drawing, camera, { explode = 0, cut = Infinity } = {}) {
       text = `<ellipse class="${item.role}" rx="${round(rx * half)}" ry="${round(ry * half)}" ` +
         `transform="translate(${round(x)} ${round(y)}) rotate(${round((-angle * 180) / Math.PI)})" ` +
         `fill-opacity="${style.fill}" stroke-width="${style.line}"${dash}/>`;
+      if (drawing.picture.dimension === 3 && drawing.stretch === 1) {
+        const lines = rings(item.radius).map((ring) => ring.map((p) => see(add(p, at[0])).slice(0, 2).map(round).join(',')));
+        text += lines.map((line) => `<polygon class="${item.role}" points="${line.join(' ')}" fill="none" ` +
+          'fill-opacity="0" stroke-width="0.5" stroke-opacity="0.5"/>').join('');
+      }
     }
     const layer = style.front || item.kind === 'dot' ? 2 : item.kind === 'ball' ? 0 : 1;
     pieces.push({ layer, depth, text });

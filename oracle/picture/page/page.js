@@ -85,8 +85,8 @@ function loupe(v) {
     `through it stretches the direction of the radius ${(0.3 / Number(depth)).toPrecision(3)} times, an affine map.`));
 }
 
-function copyButton(text) {
-  return button('Copy as JSON', async (node) => {
+function copyButton(words, text) {
+  return button(words, async (node) => {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
@@ -98,7 +98,7 @@ function copyButton(text) {
       area.remove();
     }
     node.textContent = 'Copied';
-    setTimeout(() => { node.textContent = 'Copy as JSON'; }, 1500);
+    setTimeout(() => { node.textContent = words; }, 1500);
   });
 }
 
@@ -115,7 +115,7 @@ function card(v, picture, id, title) {
     parts.push(loupe(v));
   }
   parts.push(element('details', { open: '' }, element('summary', {}, 'Exact values'), exactTable(v, title)),
-    copyButton(JSON.stringify(v, null, 2)));
+    copyButton('Copy as JSON', JSON.stringify(v, null, 2)));
   return element('article', { id, class: 'card', tabindex: '-1', 'aria-label': `${title}, ${v.rule}` }, heading,
     ...parts.filter(Boolean));
 }
@@ -134,22 +134,47 @@ function facts(report) {
   return table(report.mesh, 'Facts', ['what', 'value'], rows.map(([what, value]) => [what, String(value)]));
 }
 
+// The families of a campaign, and how often each outcome was met.
+function campaign({ line, command, families }) {
+  const outcomes = [...new Set(Object.values(families).flatMap((counts) => Object.keys(counts)))];
+  const kind = line.split(':')[0];
+  return element('section', { 'aria-label': 'Campaign' }, element('h2', {}, 'Campaign'),
+    element('p', { class: `verdict ${kind}` }, line),
+    element('p', { class: 'note' }, `The program: ${command.join(' ')}`),
+    table('Campaign', 'How often each outcome was met', ['family', ...outcomes],
+      Object.entries(families).map(([family, counts]) => [family, ...outcomes.map((one) => String(counts[one] ?? ''))])));
+}
+
+// What was found, and what shows it again.
+function finding({ signature, count, text, minimal, reproduce }) {
+  const parts = [element('h2', {}, `Finding: ${signature}`),
+    element('p', { class: 'verdict fails' }, text),
+    element('p', {}, `Met ${count} ${count === 1 ? 'time' : 'times'}. This repeats it: `, element('code', {}, reproduce), ' ',
+      copyButton('Copy', reproduce))];
+  if (minimal) {
+    parts.push(element('details', { open: '' }, element('summary', {}, 'The small input'), element('pre', { tabindex: '0', 'aria-label': 'The small input' }, minimal),
+      copyButton('Copy the input', minimal)));
+  }
+  return parts;
+}
+
 function section(result, first) {
   const { report } = result;
-  const parts = [element('h2', {}, report.mesh),
+  if (!report) return element('section', { 'aria-label': result.finding.signature }, ...finding(result.finding));
+  const parts = [...(result.finding ? finding(result.finding) : []), element('h2', {}, report.mesh),
     element('p', { class: `verdict ${report.verdict}` }, result.line)];
   for (const note of result.notes ?? []) parts.push(element('p', { class: 'note' }, note));
   if (result.cards_note) parts.push(element('p', { class: 'note' }, result.cards_note));
   report.violations.forEach((v, i) => parts.push(
     card(v, result.pictures[i], `violation-${first + i}`, `Violation ${first + i}`)));
   parts.push(element('details', {}, element('summary', {}, 'Facts'), facts(report)));
-  return element('section', { 'aria-label': report.mesh }, ...parts);
+  return element('section', { 'aria-label': result.finding?.signature ?? report.mesh }, ...parts);
 }
 
 function rules() {
   const broken = new Map();
   for (const { report } of data.results) {
-    for (const v of report.violations) broken.set(v.rule, v.meaning);
+    for (const v of report?.violations ?? []) broken.set(v.rule, v.meaning);
   }
   if (broken.size === 0) return undefined;
   return element('section', { 'aria-label': 'Rules' }, element('h2', {}, 'Rules'),
@@ -180,7 +205,7 @@ function compose() {
   let first = 1;
   const sections = data.results.map((result) => {
     const node = section(result, first);
-    first += result.report.violations.length;
+    first += result.report?.violations.length ?? 0;
     return node;
   });
   const dark = matchMedia('(prefers-color-scheme: dark)').matches;
@@ -189,7 +214,7 @@ function compose() {
     bar.prepend(button('Previous violation', () => step(-1)), button('Next violation', () => step(1)));
     bar.append(element('span', { class: 'note' }, 'Keys: n next, p previous violation'));
   }
-  main.replaceChildren(bar, ...[...sections, rules()].filter(Boolean));
+  main.replaceChildren(bar, ...[data.campaign && campaign(data.campaign), ...sections, rules()].filter(Boolean));
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches('input, textarea')) return;
     if (event.key === 'n') step(1);

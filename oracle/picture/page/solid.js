@@ -8,27 +8,14 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { HEIGHT, STYLE, WIDTH, isLarge, moved, patch, placedLabels } from './flat.js';
+import { HEIGHT, STYLE, WIDTH, isLarge, moved, patch, placedLabels, rings } from './flat.js';
 import { sub } from './vectors.js';
 
 const vector = (p) => new Vector3(...p);
 
-// Meridians and parallels of a ball about the origin, or the rings of the patch of a large one, as pairs of ends.
-function gridLines(item, large) {
-  const rings = large ? patch(item).filter((_, i) => i % 2 === 0) : [];
-  const circle = (centre, u, v) => Array.from({ length: 64 }, (_, i) => {
-    const t = (2 * Math.PI * i) / 64;
-    return centre.map((c, k) => c + Math.cos(t) * u[k] + Math.sin(t) * v[k]);
-  });
-  for (let i = 0; i < 6 && !large; ++i) {
-    const a = (Math.PI * i) / 6;
-    const r = item.radius;
-    rings.push(circle([0, 0, 0], [r * Math.cos(a), r * Math.sin(a), 0], [0, 0, r]));
-    const [h, w] = [r * Math.cos(a), r * Math.sin(a)];
-    rings.push(circle([0, 0, h], [w, 0, 0], [0, w, 0]));
-  }
-  return rings.flatMap((ring) => ring.flatMap((p, i) => [p, ring[(i + 1) % ring.length]]));
-}
+// The rings of a ball about the origin, or of the patch of a large one, as pairs of ends.
+const gridLines = (item, large) => (large ? patch(item).filter((_, i) => i % 2 === 0) : rings(item.radius))
+  .flatMap((ring) => ring.flatMap((p, i) => [p, ring[(i + 1) % ring.length]]));
 
 export class Solid {
   // Throws where there is no WebGL.

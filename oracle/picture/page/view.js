@@ -1,6 +1,6 @@
 // One picture that can be turned, magnified, exploded, cut and stretched, by mouse, touch or keys.
 import { Camera } from './camera.js';
-import { Drawing } from './drawing.js';
+import { Drawing, largestStretch } from './drawing.js';
 import { svgOf } from './flat.js';
 import { button, element, slider, svg } from './elements.js';
 
@@ -14,13 +14,6 @@ const KEYS = {
   '-': (camera) => camera.magnify(0.8),
   0: (camera) => camera.reset(),
 };
-
-// How far apart along the thin direction the points are, and by which factor they can be seen apart.
-function largestStretch(picture) {
-  if (!picture.thin) return 1;
-  const high = Math.max(...picture.thin.heights.slice(0, picture.core).map(Math.abs));
-  return high > 0 && high < 0.1 ? Math.min(0.6 / high, 1e300) : 1;
-}
 
 export class View {
   // `stage` lends the one WebGL renderer: stage.enter(view) calls view.become(solid) if there is one.
