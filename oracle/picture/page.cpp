@@ -52,6 +52,13 @@ std::string in_script(const Json& document) {
   return escaped;
 }
 
+// Whole lines, and no more of them than a person reads.
+std::string beginning(const std::string& text) {
+  constexpr std::size_t kLongest = 100'000;
+  if (text.size() <= kLongest) return text;
+  return text.substr(0, text.rfind('\n', kLongest) + 1) + "…\n";
+}
+
 }  // namespace
 
 void Page::add(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, Json report,
@@ -65,6 +72,13 @@ void Page::add(const Verdict& verdict, const Mesh& mesh, const std::string& mesh
   Json& listed = report["violations"];
   if (listed.size() > shown) {
     listed.erase(listed.begin() + static_cast<std::ptrdiff_t>(shown), listed.end());
+  }
+  if (report.contains("steiner_vertices")) {
+    Json& first = report["steiner_vertices"]["first"];
+    if (first.size() > kMostCards) {
+      first.erase(first.begin() + static_cast<std::ptrdiff_t>(kMostCards), first.end());
+      report["steiner_vertices"]["truncated"] = true;
+    }
   }
   report["mesh"] = on_one_line(mesh_name);
   const std::string line = report::verdict_line(verdict, mesh, mesh_name, domain);
@@ -81,7 +95,7 @@ void Page::add(const Verdict& verdict, const Mesh& mesh, const std::string& mesh
   result["report"] = std::move(report);
   result["pictures"] = pictures(verdict, mesh, domain, shown);
   results_.push_back(std::move(result));
-  text_ += on_lines(report::explanation(verdict, mesh, domain)) + line + "\n";
+  text_ += beginning(on_lines(report::explanation(verdict, mesh, domain))) + line + "\n";
   if (title_.empty()) title_ = line;
 }
 

@@ -92,6 +92,11 @@ TEST_CASE("page: of very many violations the first have cards, which the page sa
                                     " violations have a card here; a page has at most 100, and "
                                     "--format json gives the others.");
   CHECK(page.size() < 5'000'000);
+  Verdict many(Claim::kTriangulation, 0);
+  for (Vertex v = 0; v < 600; ++v) {
+    for (int again = 0; again < 100; ++again) many.add(Rule::kUnusedPoint, {.vertices = {v}});
+  }
+  CHECK(page_of(mesh, many, "k.ele").size() < 2'000'000);
   const Verdict few = check::triangulation(mesh, {.max_violations = 2});
   CHECK(data_of(page_of(mesh, few, "k.ele"))["results"][0]["cards_note"] ==
         "2 of " + std::to_string(verdict.violations().size()) +
