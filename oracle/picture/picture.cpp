@@ -166,9 +166,8 @@ void Composer::choose_frame() {
       centre_[axis] = (low + high) / 2;
       scale_ = std::max<Rational>(scale_, (high - low) / 2);
     }
-    if (sign(scale_) > 0) break;
+    if (sign(scale_) > 0) return;
   }
-  if (sign(scale_) > 0) return;
   scale_ = 1;
 }
 

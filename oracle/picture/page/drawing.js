@@ -231,7 +231,8 @@ function visible(drawing, v) {
   const words = inBall(drawing, v).replace('A Delaunay mesh', 'A constrained Delaunay mesh')
     .replace(/inside such a (\w+)\.$/, 'that is seen from it inside such a $1.');
   if (q !== undefined && q !== null) drawing.rays(q, drawing.picture.simplices[0]);
-  return `${words} The lines of sight lead from the vertex to ${noun(v.simplices[0])} ${list(v.simplices[0])}.`;
+  return `${words} Lines of sight lead from the vertex to five points of ${noun(v.simplices[0])} ` +
+    `${list(v.simplices[0])}; that it is seen from some point is exact, whatever these five show.`;
 }
 
 function weighted(drawing, v) {
