@@ -19,7 +19,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo docs proofs check test test-style test-proofs test-release test-sanitize build-release \
+.PHONY: build demo docs page proofs check test test-style test-proofs test-release test-sanitize build-release \
         build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
         bench format clean deps deps-demo deps-docs deps-proofs deps-test deps-bench
 
@@ -50,6 +50,14 @@ docs: deps-docs
 	@python3 tidy/links.py
 	@mkdocs --quiet build --strict
 	@echo "built $(CURDIR)/build/site/index.html"
+
+# What `--html` puts its data into, bundled anew after a change in oracle/picture/page, and the images of docs/.
+page: deps-test
+	@oracle/picture/page/modules.sh build/release/page
+	@NODE_PATH=build/release/page/node_modules node oracle/picture/page/bundle.mjs oracle/picture/page/page.built.html
+	@$(MAKE) --no-print-directory build
+	@oracle/picture/page/images.sh $(COMMAND) docs/images
+	@echo "built oracle/picture/page/page.built.html and docs/images"
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs

@@ -16,7 +16,7 @@ COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages"])]
 COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
-           "oracle/report", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
+           "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "reference/kernel/exact": [],
     "reference/kernel/predicates": ["reference/kernel/exact"],
@@ -38,6 +38,7 @@ ARROWS = {
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
     "oracle/certificate": ["oracle/judge/domain"],
+    "oracle/picture": ["oracle/report"],
     "oracle/report": ["oracle/judge/points", "oracle/formats"],
     "fuzz/process": [],
     "fuzz/campaign": ["oracle/judge", "fuzz/process", "oracle/report", "inputs"],

@@ -12,6 +12,7 @@
 
 #include "command/campaign/campaign_inputs.hpp"
 #include "command/campaign/campaign_options.hpp"
+#include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_report.hpp"
 #include "command/campaign/campaign_stop.hpp"
 #include "command/options/whole_number.hpp"
@@ -37,6 +38,7 @@ struct CampaignOptions {
   std::string junit;
   std::string sarif;
   bool annotates = false;
+  std::string html;
   OutputOptions output;
 };
 
@@ -132,6 +134,12 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
   };
   write_report(options.junit, campaign_junit(result, program));
   write_report(options.sarif, report::document_text(campaign_sarif(result)));
+  if (!options.html.empty()) {
+    const picture::Page page = campaign_page(result, plan, program);
+    const std::string failure =
+        write_file(options.html, [&](std::ostream& stream) { page.write(stream); });
+    if (!failure.empty()) output.error(ExitCode::kUsage, "html", options.html, failure);
+  }
   output.text(campaign_text(result));
   if (options.annotates) output.text(campaign_annotations(result, program));
   output.text(campaign_verdict(result, program) + "\n");
@@ -144,6 +152,7 @@ std::string overwriting_fault_of(const CampaignOptions& options, const campaign:
   for (const std::string& report : {options.junit, options.sarif}) {
     if (!report.empty()) written.push_back({"the report", report});
   }
+  if (!options.html.empty()) written.push_back({"the page", options.html});
   std::vector<std::string> read = plan.subject.command;
   const std::string findings = campaign::findings_folder(plan.output);
   for (const campaign::Replayed& replayed : plan.replayed) {
@@ -158,6 +167,10 @@ std::string overwriting_fault_of(const CampaignOptions& options, const campaign:
     if (report.empty() || !lies_in(report, findings)) continue;
     return fmt::format("expected another name for the report, found {}, among the findings",
                        report);
+  }
+  if (!options.html.empty() && lies_in(options.html, findings)) {
+    return fmt::format("expected another name for the page, found {}, among the findings",
+                       options.html);
   }
   return overwriting_fault(written, read);
 }
@@ -282,6 +295,12 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->option_text("FILE");
   command->add_flag("--annotations", options->annotates,
                     "Also print a line for each finding that GitHub Actions shows as an error");
+  command
+      ->add_option(
+          "--html", options->html,
+          "Also write a page that shows each finding as a picture; it opens in any browser "
+          "and loads nothing")
+      ->option_text("FILE");
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -26,7 +26,7 @@ struct CertifyOptions {
   std::string certificate;
   std::optional<Claim> asked;
   std::optional<std::string> domain;
-  std::optional<DomainKind> domain_kind;
+  DomainOptions said;
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
@@ -49,7 +49,7 @@ void certify(const CertifyOptions& options, Output& output) {
   const unsigned threads = thread_count(options.threads);
   std::optional<LoadedDomain> domain;
   if (options.domain) {
-    auto read = load_domain(*options.domain, options.input, options.domain_kind);
+    auto read = load_domain(*options.domain, options.input, options.said);
     if (!read) {
       output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
       return;
@@ -84,13 +84,13 @@ void certify(const CertifyOptions& options, Output& output) {
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
   if (is_about_a_domain(options.claim())) {
-    if (options.domain) return "";
+    if (options.domain) return domain_options_fault(options.said);
     return fmt::format("expected --domain FILE for the claim {}, found none",
                        name(options.claim()));
   }
-  if (!options.domain && !options.domain_kind) return "";
+  if (!options.domain && !options.said.is_given()) return "";
   return fmt::format("expected a claim about a domain beside {}, found {}",
-                     options.domain ? "--domain" : "--domain-kind", name(options.claim()));
+                     options.domain ? "--domain" : "options of a domain", name(options.claim()));
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -145,7 +145,7 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       ->add_option("--domain", options->domain,
                    "The domain that the mesh is held against, if the claim is about one")
       ->option_text("FILE");
-  add_domain_kind_option(*command, options->domain_kind);
+  add_domain_options(*command, options->said);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
   add_threads_option(*command, options->threads);

@@ -19,6 +19,7 @@
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
+#include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/printable.hpp"
@@ -36,6 +37,8 @@ struct CheckOptions {
   DomainOptions said;  // of the domain
   std::optional<Distance> within;
   std::optional<std::string> certificate;
+  PictureOptions picture;
+  std::shared_ptr<Pictures> pictures;
   check::Options check;
   InputOptions input;
   OutputOptions output;
@@ -83,21 +86,24 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
     output.text(report::explanation(verdict, mesh, about));
     output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
   }
-  if (output.wants_json()) {
-    report::Json result = report::verdict(verdict, mesh, path, options.check.by, about);
-    if (domain != nullptr) {
-      result["domain"] = domain->name;
-      result["domain_kind"] = word(domain->domain.complex.kind);
-      const bool has_more_than_a_kind = options.said.fill == Fill::kEvenOdd ||
-                                        options.said.fill == Fill::kWinding ||
-                                        !options.said.regions.empty();
-      if (has_more_than_a_kind) result["domain_fills"] = domain->filled;
-      result["notes"] = domain->file.notes;
-      for (const std::string& note : notes) result["notes"].push_back(note);
-    }
-    if (options.certificate) result["certificate"] = *options.certificate;
-    output.json(std::move(result));
+  if (!output.wants_json() && !options.pictures->are_wanted()) return;
+  std::vector<std::string> all_notes = domain == nullptr ? notes : domain->file.notes;
+  if (domain != nullptr) all_notes.insert(all_notes.end(), notes.begin(), notes.end());
+  report::Json result = report::verdict(verdict, mesh, path, options.check.by, about);
+  if (domain != nullptr) {
+    result["domain"] = domain->name;
+    result["domain_kind"] = word(domain->domain.complex.kind);
+    const bool has_more_than_a_kind = options.said.fill == Fill::kEvenOdd ||
+                                      options.said.fill == Fill::kWinding ||
+                                      !options.said.regions.empty();
+    if (has_more_than_a_kind) result["domain_fills"] = domain->filled;
+    result["notes"] = all_notes;
   }
+  if (options.certificate) result["certificate"] = *options.certificate;
+  if (options.pictures->are_wanted()) {
+    options.pictures->add(verdict, mesh, path, result, about, all_notes, output);
+  }
+  if (output.wants_json()) output.json(std::move(result));
 }
 
 // How long judging by definition takes, about, on a machine of 2023: every pair of simplices is looked at,
@@ -364,10 +370,22 @@ std::string usage_fault(const CheckOptions& options) {
     return "expected a file for --certificate, found -; circumspect certify writes to standard "
            "output";
   }
-  if (!options.certificate) return "";
-  std::vector<std::string> read = files_of_mesh(options.meshes.front());
+  const std::string fault = picture_fault(options.picture, options.meshes.size());
+  if (!fault.empty()) return fault;
+  std::vector<Written> written = picture_files(options.picture);
+  if (options.certificate) written.push_back({"the certificate", *options.certificate});
+  if (written.empty()) return "";
+  std::vector<std::string> read;
+  for (const std::string& mesh : options.meshes) {
+    const std::vector<std::string> files = files_of_mesh(mesh);
+    read.insert(read.end(), files.begin(), files.end());
+  }
+  if (options.domain) {
+    const std::vector<std::string> files = files_of_domain(*options.domain);
+    read.insert(read.end(), files.begin(), files.end());
+  }
   if (options.input.points) read.push_back(*options.input.points);
-  return overwriting_fault({{"the certificate", *options.certificate}}, read);
+  return overwriting_fault(written, read);
 }
 
 ExitCode run(CheckOptions& options) {
@@ -379,11 +397,13 @@ ExitCode run(CheckOptions& options) {
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
   options.check.threads = thread_count(options.threads);
+  options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {
     check_against_domain(options, output);
   } else {
     for (const std::string& mesh : options.meshes) check_alone(mesh, options, output);
   }
+  options.pictures->finish(output);
   return output.finish();
 }
 
@@ -432,6 +452,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       ->add_option("--certificate", options->certificate,
                    "Also write a certificate or a refutation, as circumspect certify does")
       ->option_text("FILE");
+  add_picture_options(*command, options->picture);
   command->add_flag("--oriented", options->check.oriented,
                     "Also demand that all simplices list their vertices with the same orientation");
   command->add_flag("--neighbors", options->input.neighbors,

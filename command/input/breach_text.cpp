@@ -13,7 +13,7 @@ namespace {
 // Longer exact values are given by their decimals; JSON has them whole.
 constexpr std::size_t kLongestExact = 60;
 
-std::string labels(const std::vector<Vertex>& vertices, const formats::DomainFile& file) {
+std::string labels_in_file(const std::vector<Vertex>& vertices, const formats::DomainFile& file) {
   std::vector<Vertex> own;
   for (const Vertex v : vertices) own.push_back(file.label(v));
   return fmt::format("{}", fmt::join(own, " "));
@@ -36,7 +36,8 @@ std::size_t line_of_segment(const Simplex& segment, const formats::DomainFile& f
 
 std::string segment_text(const Simplex& segment, const formats::DomainFile& file) {
   const std::size_t line = line_of_segment(sorted(segment), file);
-  return "segment " + labels(segment, file) + (line == 0 ? "" : fmt::format(" (line {})", line));
+  return "segment " + labels_in_file(segment, file) +
+         (line == 0 ? "" : fmt::format(" (line {})", line));
 }
 
 // The first axis along which an offset is measured: see Breach.
@@ -69,7 +70,7 @@ std::string offset_text(const Rational& offset) {
 std::string off_plane_text(const Breach& breach, const formats::DomainFile& file) {
   const std::vector<Vertex> plane(breach.vertices.end() - 3, breach.vertices.end());
   return fmt::format("{} off the plane of vertices {} along {}", offset_text(*breach.offset),
-                     labels(plane, file), offset_axis(plane, file));
+                     labels_in_file(plane, file), offset_axis(plane, file));
 }
 
 }  // namespace
@@ -110,7 +111,7 @@ std::string breach_line(const Breach& breach, const formats::DomainFile& file) {
   if (own > 0) {
     const std::vector<Vertex> vertices(breach.vertices.begin(),
                                        breach.vertices.begin() + static_cast<std::ptrdiff_t>(own));
-    parts.push_back((own == 1 ? "vertex " : "vertices ") + labels(vertices, file));
+    parts.push_back((own == 1 ? "vertex " : "vertices ") + labels_in_file(vertices, file));
   }
   if (breach.point) parts.push_back("point " + point_text(*breach.point));
   if (is_off_plane) parts.push_back(off_plane_text(breach, file));

@@ -91,8 +91,8 @@ Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) 
 }  // namespace
 
 // Beyond ASCII only strings hold anything, so that what stands there may be escaped anywhere.
-std::string document_text(const Json& document) {
-  const std::string whole = document.dump(2, ' ', false, Json::error_handler_t::replace);
+std::string document_text(const Json& document, int indent) {
+  const std::string whole = document.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string text;
   for (std::string_view rest = whole; !rest.empty();) {
     const Character character = first_character(rest);

@@ -1,0 +1,79 @@
+#include "command/campaign/campaign_page.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include "command/campaign/campaign_report.hpp"
+#include "command/check/judge_loaded.hpp"
+#include "command/input/domain_input.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/model/printable.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+constexpr std::size_t kLongestInput = 20000;
+
+// The small input as it stands in its file, unless it is long.
+std::string small_input(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  if (text.str().size() > kLongestInput) return "";
+  return on_lines(text.str());
+}
+
+// Adds what reproduce.sh of the finding judges: the mesh in the folder, and the points or the domain beside it.
+// False if it cannot be read any more.
+bool add_judged(const report::Json& finding, const std::string& folder,
+                const campaign::Subject& subject, picture::Page& page) {
+  const std::string path = folder + "/output/" + subject.mesh_name;
+  const std::string extension = formats::extension(path);
+  InputOptions input;
+  input.duplicates = Duplicates::kMerge;
+  input.weighted = subject.claim == Claim::kWeightedDelaunay;
+  input.faces = subject.is_about_domains();
+  std::optional<LoadedDomain> domain;
+  if (subject.is_about_domains()) {
+    auto loaded = load_domain(folder + "/minimal.poly", input, subject.domain_kind);
+    if (!loaded) return false;
+    domain = std::move(*loaded);
+  } else if (extension == ".ele" || extension == ".qhull-i") {
+    input.points = folder + "/minimal.node";
+  }
+  const auto dimension =
+      domain ? std::optional(domain->domain.complex.ambient_dimension()) : std::nullopt;
+  auto mesh = load_mesh(path, input, 1, dimension);
+  if (!mesh) return false;
+  const Domain* about = domain ? &domain->domain : nullptr;
+  const auto verdict = judge_loaded(subject.claim, *mesh, input.duplicates, {}, about);
+  if (!verdict || verdict->holds()) return false;
+  page.add_finding(finding, &*verdict, &mesh->mesh, path, about);
+  return true;
+}
+
+}  // namespace
+
+picture::Page campaign_page(const campaign::Result& result, const campaign::Plan& plan,
+                            const std::string& program) {
+  picture::Page page;
+  report::Json all = campaign_json(result, plan, program);
+  const report::Json findings = std::move(all["findings"]);
+  all.erase("findings");
+  all["findings_count"] = findings.size();
+  page.begin_with_campaign(std::move(all), campaign_verdict(result, program));
+  const std::string own = plan.subject.is_about_domains() ? "/minimal.poly" : "/minimal.node";
+  for (const report::Json& details : findings) {
+    const std::string folder = details["folder"].get<std::string>();
+    const bool has_rule = details.contains("verdict");
+    report::Json finding = {{"signature", details["signature"]},
+                            {"count", details["count"]},
+                            {"text", details.value("text", "not made small yet")},
+                            {"minimal", small_input(folder + own)},
+                            {"reproduce", on_one_line(folder + "/reproduce.sh")}};
+    if (has_rule && add_judged(finding, folder, plan.subject, page)) continue;
+    page.add_finding(std::move(finding));
+  }
+  return page;
+}
+
+}  // namespace circumspect::cli

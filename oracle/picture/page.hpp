@@ -1,0 +1,47 @@
+// A page that shows verdicts: one HTML file that opens anywhere and loads nothing.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "oracle/judge/points/check.hpp"
+#include "oracle/model/domain.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+#include "oracle/report/json.hpp"
+
+namespace circumspect::picture {
+
+// As many violations have a card, with their pictures: pages stay small enough to be sent.
+inline constexpr std::size_t kMostCards = 100;
+
+class Page {
+ public:
+  // Adds a verdict below those that are there; the mesh and the domain are not needed afterwards. `report`:
+  // what report::verdict says of it, with whatever a command adds. Cards beyond kMostCards of the page are
+  // left out, which the page says.
+  void add(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
+           report::Json report, const Domain* domain = nullptr,
+           const std::vector<std::string>& notes = {});
+
+  // What a campaign found, in a table above all else: what campaign_json (command/campaign) says of it.
+  void begin_with_campaign(report::Json campaign, const std::string& line);
+  // A finding: `finding` has its signature, count and text, the small input as `minimal`, and `reproduce`, a
+  // script. `verdict` was found on the mesh of that input; null where no rule is broken.
+  void add_finding(report::Json finding, const Verdict* verdict = nullptr,
+                   const Mesh* mesh = nullptr, const std::string& mesh_name = {},
+                   const Domain* domain = nullptr);
+
+  // Texts are escaped, so that no name of a file, whatever it holds, is read as markup.
+  void write(std::ostream& out) const;
+
+ private:
+  report::Json results_ = report::Json::array();
+  report::Json campaign_ = {};
+  std::string text_;  // for browsers without JavaScript
+  std::string title_;
+  std::size_t cards_ = 0;
+};
+
+}  // namespace circumspect::picture

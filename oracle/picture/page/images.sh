@@ -1,0 +1,19 @@
+#!/bin/bash
+# Draws the images of README.md and docs/.
+#   images.sh COMMAND FOLDER
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+command=$(realpath "$1")
+mkdir -p "$2"
+folder=$(realpath "$2")
+page=$(mktemp)
+trap 'rm -f "$page"' EXIT
+cd "$here/../../.."
+
+# image NAME MESH [--exaggerate]: the first violation of a mesh of the corpus, which does not hold.
+image() {
+  "$command" check "corpus/$2" --quiet --html "$page" && return 1
+  node "$here/image.mjs" "$page" 1 "$folder/$1.svg" "${@:3}"
+}
+image vertex-in-ball reject/delaunay.facet-not-local.ele
+image covered-twice peers/tetgen/hunted-tetgen-covered-twice-3d.1.ele --exaggerate

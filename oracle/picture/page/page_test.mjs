@@ -1,0 +1,211 @@
+// Opens pages in Chromium as their readers do, and looks at what happens.
+//   node page_test.mjs COMMAND FOLDER           two pages, and what can be done with them
+//   node page_test.mjs COMMAND FOLDER --all     a page for every mesh of the corpus that breaks a rule
+// COMMAND is circumspect; pages and screenshots are left in FOLDER. The modules are in the folder that NODE_PATH names.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { drawnRules } from './drawing.js';
+
+const modules = resolve(process.env.NODE_PATH);
+const require = createRequire(join(modules, 'none.js'));
+const { chromium } = require('playwright-core');
+const axe = readFileSync(join(modules, 'axe-core', 'axe.min.js'), 'utf8');
+
+const [command, folder, mode] = process.argv.slice(2);
+const root = resolve(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
+const corpus = join(root, 'corpus');
+mkdirSync(folder, { recursive: true });
+
+// Writes a page; verdicts that fail are what is wanted.
+function written(name, words, where = root) {
+  const file = join(folder, `${name}.html`);
+  const found = execFileSync('bash', ['-c', '"$@" >/dev/null; echo $?', 'run', command, 'check', ...words,
+    '--html', file], { cwd: where, encoding: 'utf8' });
+  assert.ok(['0', '1'].includes(found.trim()), `circumspect check ${words.join(' ')} ended with ${found}`);
+  return file;
+}
+
+// A page that was opened; whatever a console says or a network is asked for is a fault.
+class Opened {
+  static async at(browser, file, options = {}) {
+    const opened = new Opened();
+    opened.faults = [];
+    opened.page = await browser.newPage({ viewport: { width: 1000, height: 900 }, ...options });
+    opened.page.on('pageerror', (error) => opened.faults.push(String(error.stack)));
+    opened.page.on('console', (message) => {
+      // How fast a software renderer is asked for its pixels is a matter of screenshots.
+      if (!message.text().includes('GPU stall due to ReadPixels')) opened.faults.push(message.text());
+    });
+    opened.page.on('dialog', (dialog) => {
+      opened.faults.push(`a dialog: ${dialog.message()}`);
+      dialog.dismiss();
+    });
+    const url = pathToFileURL(file).href;
+    opened.page.on('request', (request) => {
+      if (request.url().split('#')[0] !== url) opened.faults.push(`a request for ${request.url()}`);
+    });
+    await opened.page.goto(url);
+    await opened.page.waitForSelector('body[data-ready]');
+    return opened;
+  }
+
+  async accessible() {
+    await this.page.evaluate(axe);
+    const { violations } = await this.page.evaluate(() => window.axe.run());
+    assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).join(' | ').slice(0, 300)}`), []);
+  }
+
+  shot(name) { return this.page.screenshot({ path: join(folder, `${name}.png`) }); }
+
+  async done() {
+    assert.deepEqual(this.faults, []);
+    await this.page.close();
+  }
+}
+
+// The pixels of the first picture, to tell whether they change.
+const pixels = async (page) => (await page.locator('.view').first().screenshot()).toString('base64');
+
+async function changes(page, what, act) {
+  const before = await pixels(page);
+  await act();
+  assert.notEqual(await pixels(page), before, `${what} changes nothing`);
+}
+
+async function inSpace(browser) {
+  const opened = await Opened.at(browser, written('space', ['corpus/reject/delaunay.facet-not-local.ele']));
+  const { page } = opened;
+  assert.equal(await page.locator('.view canvas').count(), 1, 'there is no WebGL');
+  await opened.shot('space');
+  const view = page.locator('.view').first();
+  await changes(page, 'dragging', async () => {
+    const box = await view.boundingBox();
+    await page.mouse.move(box.x + 300, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 400, box.y + 260);
+    await page.mouse.up();
+  });
+  await changes(page, 'an arrow key', () => page.keyboard.press('ArrowLeft'));
+  await changes(page, 'plus', () => page.keyboard.press('+'));
+  const slide = (words, to) => page.getByLabel(words).first().evaluate((input, value) => {
+    input.value = value;
+    input.dispatchEvent(new Event('input'));
+  }, to);
+  await changes(page, 'exploding', () => slide('Explode', 1));
+  await changes(page, 'cutting away', () => slide('Cut away', 0.5));
+  await changes(page, 'leaving the labels out', () => page.getByRole('button', { name: 'Labels' }).first().click());
+  await page.getByRole('button', { name: 'Reset' }).first().click();
+  await opened.accessible();
+  await changes(page, 'the dark theme', () => page.getByRole('button', { name: 'Dark' }).click());
+  await opened.accessible();
+  await opened.shot('space-dark');
+  await page.setViewportSize({ width: 320, height: 640 });
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 320, `a screen of 320 pixels is scrolled sideways: ${width}`);
+  await opened.shot('space-narrow');
+  await opened.done();
+}
+
+// A mesh of the plane with a name that would do harm, and several violations.
+async function inThePlane(browser) {
+  const name = '<img src=x onerror=alert(1)><script>alert(2)<!--';
+  const stem = join(corpus, 'accept', 'triangulation-anisotropic-2d');
+  const hostile = resolve(folder, `${name}.ele`);
+  copyFileSync(`${stem}.ele`, hostile);
+  copyFileSync(`${stem}.node`, hostile.replace(/ele$/, 'node'));
+  const opened = await Opened.at(browser, written('plane', [hostile]));
+  const { page } = opened;
+  assert.equal((await page.locator('h2').first().textContent()).endsWith(`${name}.ele`), true);
+  assert.equal(await page.locator('main img, main script').count(), 0);
+  assert.equal(await page.locator('.view canvas').count(), 0);
+  await page.getByRole('button', { name: 'Next violation' }).click();
+  await page.keyboard.press('n');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'violation-2');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.className), 'view');
+  const before = await page.locator('#violation-2 .view svg').innerHTML();
+  await page.keyboard.press('ArrowRight');
+  assert.notEqual(await page.locator('#violation-2 .view svg').innerHTML(), before);
+  await page.locator('#violation-2 h3 a').click();
+  assert.match(page.url(), /#rule-delaunay\.facet-not-local$/);
+  await page.getByRole('button', { name: 'Copy as JSON' }).first().click();
+  await page.getByRole('button', { name: 'Copied' }).waitFor();
+  await opened.accessible();
+  await opened.shot('plane');
+  await opened.done();
+}
+
+// What the corpus says that is wrong on purpose: the words of `check` for each of its meshes.
+function rejected() {
+  const rows = (file) => readFileSync(join(corpus, file), 'utf8').trim().split('\n').map((line) => line.split('\t'));
+  const words = [];
+  for (const [mesh, claim] of rows('expected.tsv')) {
+    if (!mesh.startsWith('reject/')) continue;
+    const [name, ...options] = claim.split(' ');
+    words.push([`corpus/${mesh}`, '--claim', name, ...options]);
+  }
+  for (const [mesh, domain, claim] of rows('domains/expected.tsv')) {
+    if (!mesh.startsWith('reject/')) continue;
+    const [file, ...kinds] = domain.split(' ');
+    const [name, ...options] = claim.split(' ');
+    words.push([`corpus/domains/${mesh}`, '--domain', `corpus/domains/${file}`, '--claim', name, ...options,
+      ...kinds.filter((kind) => ['hull', 'enclosed'].includes(kind)).flatMap((kind) => ['--domain-kind', kind])]);
+  }
+  return words;
+}
+
+async function everything(browser) {
+  const seen = new Set();
+  for (const [i, words] of rejected().entries()) {
+    const file = written(`reject-${i}`, words);
+    assert.ok(statSync(file).size < 1e6, `${file} is large`);
+    const opened = await Opened.at(browser, file);
+    const rules = await opened.page.locator('.card h3 a').allTextContents();
+    const isNew = rules.some((rule) => !seen.has(rule));
+    for (const rule of rules) seen.add(rule);
+    const blank = await opened.page.locator('.caption:empty').count();
+    assert.equal(blank, 0, `${words.join(' ')}: a picture without words`);
+    const numbers = await opened.page.evaluate(() => document.querySelector('main').innerHTML.match(/NaN|undefined|Infinity/));
+    assert.equal(numbers, null, words.join(' '));
+    if (isNew) {
+      await opened.accessible();
+      await opened.page.locator('section').first().screenshot({ path: join(folder, `${rules[0]}.png`) });
+    }
+    await opened.done();
+  }
+  const never = drawnRules.filter((rule) => !seen.has(rule));
+  assert.deepEqual(never, [], 'rules without a picture');
+}
+
+// Browsers that have no WebGL draw all the same.
+async function withoutWebGl() {
+  const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--disable-3d-apis'] });
+  const file = join(folder, 'space.html');
+  const page = await browser.newPage();
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForSelector('body.no-webgl[data-ready]');
+  const image = page.locator('.view svg').first();
+  const before = await image.innerHTML();
+  await page.locator('.view').first().focus();
+  await page.keyboard.press('ArrowUp');
+  assert.notEqual(await image.innerHTML(), before);
+  assert.ok(await page.locator('.no-webgl-note').isVisible());
+  await browser.close();
+}
+
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
+try {
+  await inSpace(browser);
+  await inThePlane(browser);
+  if (mode === '--all') {
+    await everything(browser);
+    await withoutWebGl();
+  }
+} finally {
+  await browser.close();
+}

@@ -1,0 +1,34 @@
+// What is drawn of a witness, as JSON for the page: positions to look at, beside the exact values that the report
+// has. A picture decides nothing.
+//
+// Positions are taken relative to the middle of what the witness names and in units of half its size, exactly,
+// and rounded only then: 1e300 and 1e-300 have room in one picture, and neighbours one ulp apart stay apart
+// as far as the size of the witness allows.
+#pragma once
+
+#include <vector>
+
+#include "oracle/model/domain.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+#include "oracle/report/json.hpp"
+
+namespace circumspect::picture {
+
+// Pictures of the first violations that the verdict keeps, at most so many, in their order. Of what has no picture
+// (points of four dimensions, a witness that names no point) there is {"why_none": …}, one sentence. Else:
+//   dimension        of the points, 1 to 3; positions always have three numbers
+//   points, names    positions, and the user's index of each or "" ; the first `core` are the witness's own
+//   simplices        of the witness, lists of points by their place among these; null: an index of no point
+//   face, vertices, point, nearest       likewise, those that there are
+//   cell             of the domain: vertex, segment, or polygon with its segments and triangles
+//   near, boundary   simplices around the witness; facets of the boundary, of small meshes
+//   walls            segments and triangles of the domain in the neighbourhood
+//   ball             radius, normal (from the centre towards the first point), surface (where that line
+//                    leaves the ball), and the centre unless it is very far
+//   thin             a unit normal, and the height of each point along it, each rounded by itself
+//   left_out         a sentence, if something near is not drawn
+std::vector<report::Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
+                                   std::size_t most);
+
+}  // namespace circumspect::picture
