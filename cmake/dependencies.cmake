@@ -52,9 +52,17 @@ if(CIRCUMSPECT_BUILD_COMMAND)
   circumspect_find_package(CLI11 CLI11::CLI11)
 endif()
 
+if(CIRCUMSPECT_BUILD_TESTS OR CIRCUMSPECT_BUILD_PYTHON)
+  # Debian's Python has the Debian packages; another one that stands before it in PATH has not.
+  if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that the module is built for")
+  endif()
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+  circumspect_find_package(pybind11 pybind11::module)
+endif()
+
 if(CIRCUMSPECT_BUILD_TESTS)
   circumspect_find_package(doctest doctest::doctest)
-  find_package(Python3 REQUIRED COMPONENTS Interpreter)
   circumspect_find_library(tetgen tetgen.h tet DEBIAN libtet1.5-dev)
   circumspect_find_library(qhull libqhull_r/qhull_ra.h qhull_r DEBIAN libqhull-dev)
 endif()
