@@ -46,19 +46,22 @@ endfunction()
 
 set(check_layers)
 circumspect_layers_behind(circumspect_arrays check_layers)
-set(harness_layers)
-circumspect_layers_behind(circumspect_harness harness_layers)
-list(REMOVE_ITEM harness_layers ${check_layers})
 
 circumspect_add_archive(circumspect_check_archive check circumspect-check
   LAYERS ${check_layers}
   LINKS fmt::fmt TBB::tbb Threads::Threads
         "$<BUILD_INTERFACE:circumspect::gmp;circumspect::mpfr;circumspect::pugixml;circumspect::zlib>"
         "$<INSTALL_INTERFACE:gmpxx;gmp;mpfr;pugixml;z>")
-circumspect_add_archive(circumspect_archive harness circumspect-harness
-  LAYERS ${harness_layers}
-  LINKS circumspect_check_archive rapidcheck)
-add_dependencies(circumspect_archive circumspect_check_archive)  # whoever builds the one installs both
+if(TARGET circumspect_harness)
+  set(harness_layers)
+  circumspect_layers_behind(circumspect_harness harness_layers)
+  list(REMOVE_ITEM harness_layers ${check_layers})
+  circumspect_add_archive(circumspect_archive harness circumspect-harness
+    LAYERS ${harness_layers}
+    LINKS circumspect_check_archive rapidcheck)
+else()
+  add_custom_target(circumspect_archive)
+endif()
 
 # circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file MAP names.
 function(circumspect_show_only target map)
@@ -75,4 +78,5 @@ set_target_properties(circumspect_c_library PROPERTIES OUTPUT_NAME circumspect E
                                                        VERSION ${PROJECT_VERSION} SOVERSION 0)
 target_link_options(circumspect_c_library PRIVATE LINKER:--no-undefined)
 circumspect_show_only(circumspect_c_library "${PROJECT_SOURCE_DIR}/c/circumspect.map")
-add_dependencies(circumspect_archive circumspect_c_library)
+# Whoever builds one of them installs all.
+add_dependencies(circumspect_archive circumspect_check_archive circumspect_c_library)

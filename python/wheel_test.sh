@@ -19,6 +19,7 @@ mkdir "$work/sources"
 cp -r "$root/python" "$root/pyproject.toml" "$root/setup.py" "$root/README.md" "$root/LICENSE" "$root/CMakeLists.txt" \
   "$work/sources/"
 export CIRCUMSPECT_BUILD=$build
+unset PYTHONPATH  # what is installed is asked, and nothing else
 cd "$work/sources"
 quietly "$python" -m build --wheel --no-isolation --outdir "$work/wheels" .
 quietly "$python" -m venv --system-site-packages --without-pip "$work/clean"
