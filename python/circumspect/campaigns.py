@@ -78,7 +78,7 @@ class Subject:
             made = self.function(own, weights.copy()) if self.takes_weights else self.function(own)
         except self.refuses:
             return "refused", None
-        except Exception:  # whatever a mesher raises is a finding
+        except (Exception, SystemExit):  # whatever a mesher raises is a finding
             return "raised", traceback.format_exc(limit=-3)
         try:
             # A mesh object is judged by the points that were given, not by those it may have changed.
