@@ -76,7 +76,9 @@ target_include_directories(circumspect_c_library INTERFACE
   "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
 set_target_properties(circumspect_c_library PROPERTIES OUTPUT_NAME circumspect EXPORT_NAME c LINKER_LANGUAGE CXX
                                                        VERSION ${PROJECT_VERSION} SOVERSION 0)
-target_link_options(circumspect_c_library PRIVATE LINKER:--no-undefined)
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")  # the sanitizers' own are in the program
+  target_link_options(circumspect_c_library PRIVATE LINKER:--no-undefined)
+endif()
 circumspect_show_only(circumspect_c_library "${PROJECT_SOURCE_DIR}/c/circumspect.map")
 # Whoever builds one of them installs all.
 add_dependencies(circumspect_archive circumspect_check_archive circumspect_c_library)
