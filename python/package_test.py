@@ -278,7 +278,7 @@ def test_other_threads_change_the_array():
     try:
         for _ in range(30):
             try:
-                circumspect.check(points, simplices)
+                circumspect.check(points, simplices, copy=True)
             except ValueError as error:
                 assert "finite" in str(error)
     finally:
@@ -299,6 +299,8 @@ def test_large_arrays_are_read_only_while_they_are_judged():
         with meshes.Held(meshes.mesh_of(points, [[0, 1, 2]])):
             pass
         assert not points.flags.writeable
+    with meshes.Held(meshes.mesh_of(view, [[0, 1, 2]]), copy=True) as held:
+        assert not np.shares_memory(held.points.values, points) and points.flags.writeable
     points[0] = 1
     assert view.flags.writeable and not meshes.Held._counts
 

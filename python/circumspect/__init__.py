@@ -31,7 +31,7 @@ __all__ = [
 
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
-          by: str = "lemma", oriented: bool = False, name: str = "mesh") -> Verdict:
+          by: str = "lemma", oriented: bool = False, copy: bool = False, name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
     points: (n, d) floats, integers, or objects (Fraction, int, Decimal); or, without `simplices`, a mesh of
@@ -46,6 +46,8 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     domain: a Domain, a dictionary of its parts, or a surface of triangles.
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
+    copy: judge a copy of large arrays too. Otherwise these are read-only meanwhile; needed only where another thread
+        may write into one through a view that it made before.
 
     Raises ValueError (InputError, if the input is at fault) and TypeError, which say what was expected and found.
 
@@ -71,7 +73,7 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         raise ValueError("expected a domain beside within, found None")
     claim = claim or "delaunay"
     distance = None if within is None else numbers_text(within)
-    with Held(mesh) as held:
+    with Held(mesh, copy) as held:
         return Verdict(claim, _core.check(claim, held.parts(), about, threads, max_errors, by == "definition",
                                           oriented, distance, name, True))
 

@@ -254,8 +254,9 @@ class Held:
     _counts: dict = {}  # by id: how often an array is held, and was it writeable
     _released: list = []  # arrays that are to be writeable again
 
-    def __init__(self, mesh: Mesh):
+    def __init__(self, mesh: Mesh, copy: bool = False):
         self.frozen: list = []
+        self.copies = copy  # of large arrays too
         self.mesh = mesh._replace(
             points=self.kept(mesh.points), weights=mesh.weights and self.kept(mesh.weights),
             simplices=self.array(mesh.simplices), neighbors=self.array(mesh.neighbors))
@@ -273,7 +274,7 @@ class Held:
         """A copy of a small array; a large one is made read-only."""
         if array is None or not array.size:
             return array
-        if array.nbytes <= COPIED_BYTES:
+        if self.copies or array.nbytes <= COPIED_BYTES:
             return array.copy()
         self.freeze(array)
         return array
