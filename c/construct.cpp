@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/genericity.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -35,6 +37,19 @@ void require_distinct(const Mesh& mesh) {
   refuse_input(fmt::format(
       "expected points that differ, found {} equal to an earlier one: {} and {}",
       report::counted(repeated.size(), "point"), repeated.front().kept, repeated.front().again));
+}
+
+// The points of a mesh without its simplices.
+Mesh points_of(const circumspect_mesh* points) {
+  circumspect_mesh alone = *required(points, "a mesh");
+  alone.simplex_count = alone.triangle_count = alone.edge_count = 0;
+  alone.neighbors = nullptr;
+  return mesh_of(alone, true);
+}
+
+Triangulation canonical(const PointSet& points) {
+  return delaunay::bowyer_watson(points, {.order = delaunay::InsertionOrder::kBrioHilbert,
+                                          .location = delaunay::PointLocation::kWalking});
 }
 
 // Beyond so many vertices gift-wrapping, which always answers, takes longer than inserting polygons.
@@ -129,15 +144,10 @@ circumspect_status circumspect_delaunay(const circumspect_mesh* points,
   if (triangulation != nullptr) *triangulation = nullptr;
   return c::guarded([&] {
     c::required(triangulation, "a place for the triangulation");
-    circumspect_mesh alone = *c::required(points, "a mesh");
-    alone.simplex_count = alone.triangle_count = alone.edge_count = 0;
-    alone.neighbors = nullptr;
-    const Mesh mesh = c::mesh_of(alone, true);
+    const Mesh mesh = c::points_of(points);
     c::require_distinct(mesh);
     const PointSet set = exact(mesh).points;
-    const Triangulation built =
-        delaunay::bowyer_watson(set, {.order = delaunay::InsertionOrder::kBrioHilbert,
-                                      .location = delaunay::PointLocation::kWalking});
+    const Triangulation built = c::canonical(set);
     auto made = std::make_unique<circumspect_triangulation>();
     made->dimension = built.dimension();
     for (const Simplex& simplex : built.simplices()) made->add(positively_oriented(set, simplex));
@@ -253,6 +263,33 @@ circumspect_status circumspect_certify(const char* claim, const circumspect_mesh
     if (!text) throw std::bad_alloc();  // streams tell so where memory ends
     *document = new circumspect_document{text.str()};
     *holds = verdict.holds() ? 1 : 0;
+  });
+}
+
+circumspect_status circumspect_inspect(const circumspect_mesh* points, int* unique,
+                                       circumspect_document** document) {
+  if (document != nullptr) *document = nullptr;
+  return c::guarded([&] {
+    c::required(unique, "a place for the answer");
+    c::required(document, "a place for the document");
+    Mesh mesh = c::points_of(points);
+    const std::size_t count = mesh.points();
+    const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+    const PointSet set = exact(mesh).points;
+    std::optional<Simplex> cospherical;
+    if (!set.empty()) {
+      cospherical = delaunay::cospherical_points_of_an_empty_ball(set, c::canonical(set));
+    }
+    c::require_memory_for_json();
+    report::Json json = {{"points", count}, {"dimension", set.dimension()}};
+    json["repeated"] = report::Json::array();
+    for (const auto& [kept, again] : repeated) json["repeated"].push_back({kept, again});
+    json["unique"] = !cospherical;
+    if (cospherical) {
+      for (const Vertex v : *cospherical) json["cospherical"].push_back(mesh.label(v));
+    }
+    *document = new circumspect_document{report::document_text(json)};
+    *unique = cospherical ? 0 : 1;
   });
 }
 

@@ -97,6 +97,28 @@ TEST_CASE("exact predicates") {
   CHECK(circumspect_orientation_exact(2, null.data(), &sign) == CIRCUMSPECT_INVALID_ARGUMENT);
 }
 
+TEST_CASE("facts about points") {
+  const std::vector<double> square = {0, 0, 5, 5, 1, 0, 0, 1, 0, 0, 1, 1};
+  const circumspect_mesh mesh = mesh_of(square, {});
+  int unique = 7;
+  circumspect_document* document = nullptr;
+  REQUIRE(circumspect_inspect(&mesh, &unique, &document) == CIRCUMSPECT_OK);
+  CHECK(unique == 0);
+  std::string facts = circumspect_document_text(document);
+  std::erase_if(facts, [](char c) { return c == ' ' || c == '\n'; });
+  CHECK(facts ==
+        R"({"points":6,"dimension":2,"repeated":[[0,4]],"unique":false,"cospherical":[0,2,3,5]})");
+  circumspect_document_free(document);
+  const circumspect_mesh none = mesh_of({}, {});
+  REQUIRE(circumspect_inspect(&none, &unique, &document) == CIRCUMSPECT_OK);
+  CHECK(unique == 1);
+  CHECK(has(circumspect_document_text(document), "-1"));
+  circumspect_document_free(document);
+  CHECK(circumspect_inspect(nullptr, &unique, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_inspect(&mesh, nullptr, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_inspect(&mesh, &unique, nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
 TEST_CASE("comparisons and certificates") {
   const circumspect_mesh right = mesh_of(kPoints, kRight);
   const circumspect_mesh wrong = mesh_of(kPoints, kWrong);

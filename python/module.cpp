@@ -278,6 +278,13 @@ py::tuple compare(const py::tuple& a, const py::tuple& b) {
   });
 }
 
+py::tuple inspect(const py::tuple& points) {
+  const MeshArgument argument(points);
+  return with_document([&](int* unique, circumspect_document** document) {
+    return circumspect_inspect(argument.get(), unique, document);
+  });
+}
+
 py::tuple certify(const std::string& claim, const py::tuple& mesh) {
   const MeshArgument argument(mesh);
   return with_document([&](int* holds, circumspect_document** document) {
@@ -408,6 +415,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("predicate", &predicate);
   module.def("compare", &compare);
   module.def("certify", &certify);
+  module.def("inspect", &inspect);
   module.def("families", &families);
   module.def("domain_families", &domain_families);
   module.def("generate", &generate);

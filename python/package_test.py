@@ -243,7 +243,8 @@ def test_references_and_comparisons():
     assert light.tolist() == [[0, 1, 2]]
     assert circumspect.check([[0, 0], [4, 0], [0, 4], [1, 1]], light, "weighted-delaunay", weights=[0, 0, 0, -100])
     facts = circumspect.inspect([[Fraction(1, 3), 0], [1, 0], [Fraction(1, 3), 0]])
-    assert facts == {"points": 3, "dimension": 1, "repeated": [(0, 2)], "unique": True}
+    assert facts == {"points": 3, "dimension": 1, "repeated": [[0, 2]], "unique": True}
+    assert circumspect.inspect(np.zeros((0, 3)))["dimension"] == -1
     assert "refutation" in circumspect.certify(POINTS, WRONG).split("\n")[0]
 
 

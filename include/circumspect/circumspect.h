@@ -248,6 +248,12 @@ CIRCUMSPECT_API circumspect_status circumspect_compare(const circumspect_mesh* a
 CIRCUMSPECT_API circumspect_status circumspect_certify(const char* claim,
                                                        const circumspect_mesh* mesh, int* holds,
                                                        circumspect_document** document);
+/* Facts about the points of a mesh (weighted, if it has weights), in JSON: {"points", "dimension" (of their
+ * affine hull, −1 of none), "repeated" (pairs of indices of equal points), "unique", "cospherical"}. *unique
+ * is 1 if there is only one Delaunay triangulation; else "cospherical" has k+2 points on the boundary of one
+ * empty ball. Builds the triangulation. Book: Section 4.2. */
+CIRCUMSPECT_API circumspect_status circumspect_inspect(const circumspect_mesh* points, int* unique,
+                                                       circumspect_document** document);
 CIRCUMSPECT_API const char* circumspect_document_text(const circumspect_document* document);
 CIRCUMSPECT_API void circumspect_document_free(circumspect_document* document);
 

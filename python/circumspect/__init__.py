@@ -12,6 +12,7 @@ Nothing is rounded: coordinates are taken as the exact numbers that they are, an
 """
 from __future__ import annotations
 
+import json
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 from . import _core
@@ -168,33 +169,14 @@ def in_ball(*points: Any) -> int:
 
 
 def inspect(points: Any, weights: Any = None) -> dict:
-    """Facts about (n, d) points: how many, the dimension that they span, equal ones, and whether their Delaunay
-    triangulation is the only one. Builds it, so not for large sets.
+    """Facts about (n, d) points: how many, the dimension that they span, equal ones, whether their Delaunay triangulation
+    is the only one, and if not, points on the boundary of one empty ball. Builds it, so not for large sets.
 
     >>> inspect([[0, 0], [1, 0], [0, 1], [1, 1], [0, 0]])
-    {'points': 5, 'dimension': 2, 'repeated': [(0, 4)], 'unique': False}
+    {'points': 5, 'dimension': 2, 'repeated': [[0, 4]], 'unique': False, 'cospherical': [0, 1, 2, 3]}
     """
-    import numpy as np
-
-    mesh = points_of(points, weights)
-    rows = np.array(mesh.points.values, dtype=object).reshape(mesh.points.shape)
-    first: dict = {}
-    repeated: List[Tuple[int, int]] = []
-    for index, row in enumerate(map(tuple, rows)):
-        if first.setdefault(row, index) != index:
-            repeated.append((first[row], index))
-    kept = sorted(first.values())
-    values = mesh.points.values
-    chosen = (rows[kept] if isinstance(values, list) else values.reshape(mesh.points.shape)[kept])
-    if isinstance(values, list):
-        from fractions import Fraction
-        chosen = np.array([[Fraction(text) for text in row] for row in chosen], dtype=object)
-    if not kept:
-        return {"points": 0, "dimension": -1, "repeated": [], "unique": True}
-    simplices = _core.delaunay(points_of(chosen).parts())
-    verdict = check(chosen, simplices)
-    return {"points": mesh.points.shape[0], "dimension": simplices.shape[1] - 1, "repeated": repeated,
-            "unique": verdict.unique}
+    with Held(points_of(points, weights)) as held:
+        return json.loads(_core.inspect(held.parts())[1])
 
 
 def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Comparison:
