@@ -1,8 +1,9 @@
-# The two libraries that users link, an installed copy or this tree inside their own:
+# The libraries that users link, an installed copy or this tree inside their own:
 #   circumspect::check    judges arrays: <circumspect/judgement.hpp>, <circumspect/check.hpp>
-#   circumspect::harness  that, and what draws inputs: all of <circumspect/...>
-# Each is one archive of layers. What they ask of their users are the headers, C++20 and the libraries behind
-# them; the flags with which the layers are compiled are nobody else's.
+#   circumspect::harness  that, and what draws inputs: all of <circumspect/...> for C++
+#   circumspect::c        <circumspect/circumspect.h>, a shared library with C symbols alone
+# The first two are one archive of layers each. What they ask of their users are the headers, C++20 and the libraries
+# behind them; the flags with which the layers are compiled are nobody else's.
 
 include(GNUInstallDirs)
 
@@ -45,16 +46,39 @@ endfunction()
 
 set(check_layers)
 circumspect_layers_behind(circumspect_arrays check_layers)
-set(harness_layers)
-circumspect_layers_behind(circumspect_harness harness_layers)
-list(REMOVE_ITEM harness_layers ${check_layers})
 
 circumspect_add_archive(circumspect_check_archive check circumspect-check
   LAYERS ${check_layers}
   LINKS fmt::fmt TBB::tbb Threads::Threads
         "$<BUILD_INTERFACE:circumspect::gmp;circumspect::mpfr;circumspect::pugixml;circumspect::zlib>"
         "$<INSTALL_INTERFACE:gmpxx;gmp;mpfr;pugixml;z>")
-circumspect_add_archive(circumspect_archive harness circumspect
-  LAYERS ${harness_layers}
-  LINKS circumspect_check_archive rapidcheck)
-add_dependencies(circumspect_archive circumspect_check_archive)  # whoever builds the one installs both
+if(TARGET circumspect_harness)
+  set(harness_layers)
+  circumspect_layers_behind(circumspect_harness harness_layers)
+  list(REMOVE_ITEM harness_layers ${check_layers})
+  circumspect_add_archive(circumspect_archive harness circumspect-harness
+    LAYERS ${harness_layers}
+    LINKS circumspect_check_archive rapidcheck)
+else()
+  add_custom_target(circumspect_archive)
+endif()
+
+# circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file MAP names.
+function(circumspect_show_only target map)
+  target_link_options(${target} PRIVATE "LINKER:--version-script=${map}")
+  set_target_properties(${target} PROPERTIES LINK_DEPENDS "${map}")
+endfunction()
+
+add_library(circumspect_c_library SHARED $<TARGET_OBJECTS:circumspect_c>)
+add_library(circumspect::c ALIAS circumspect_c_library)
+target_link_libraries(circumspect_c_library PRIVATE circumspect_c)
+target_include_directories(circumspect_c_library INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+set_target_properties(circumspect_c_library PROPERTIES OUTPUT_NAME circumspect EXPORT_NAME c LINKER_LANGUAGE CXX
+                                                       VERSION ${PROJECT_VERSION} SOVERSION 0)
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")  # the sanitizers' own are in the program
+  target_link_options(circumspect_c_library PRIVATE LINKER:--no-undefined)
+endif()
+circumspect_show_only(circumspect_c_library "${PROJECT_SOURCE_DIR}/c/circumspect.map")
+# Whoever builds one of them installs all.
+add_dependencies(circumspect_archive circumspect_check_archive circumspect_c_library)

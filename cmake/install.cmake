@@ -5,18 +5,22 @@
 include(CMakePackageConfigHelpers)
 
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/circumspect")
-foreach(library check harness)
-  set(target circumspect_archive)
-  if(library STREQUAL "check")
-    set(target circumspect_check_archive)
-  endif()
-  install(TARGETS ${target} EXPORT circumspect_${library}
-          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT harness)
+set(target_of_check circumspect_check_archive)
+set(target_of_harness circumspect_archive)
+set(target_of_c circumspect_c_library)
+set(libraries check c)
+if(TARGET circumspect_harness)
+  list(APPEND libraries harness)
+endif()
+foreach(library IN LISTS libraries)
+  install(TARGETS ${target_of_${library}} EXPORT circumspect_${library}
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT harness
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT harness)
   install(EXPORT circumspect_${library} NAMESPACE circumspect:: FILE circumspect-${library}.cmake
           DESTINATION "${package_folder}" COMPONENT harness)
 endforeach()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/circumspect"
-        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT harness FILES_MATCHING PATTERN "*.hpp")
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT harness FILES_MATCHING PATTERN "*.h*")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/circumspectConfig.cmake.in"
                "${PROJECT_BINARY_DIR}/package/circumspectConfig.cmake" @ONLY)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/circumspectConfigVersion.cmake"
@@ -26,7 +30,7 @@ install(FILES "${PROJECT_BINARY_DIR}/package/circumspectConfig.cmake"
         DESTINATION "${package_folder}" COMPONENT harness)
 file(RELATIVE_PATH to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" to_prefix "${to_prefix}")
-foreach(file circumspect-check.pc circumspect.pc)
+foreach(file circumspect-check.pc circumspect.pc circumspect-c.pc)
   configure_file("${PROJECT_SOURCE_DIR}/cmake/${file}.in" "${PROJECT_BINARY_DIR}/package/${file}" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/package/${file}"
           DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT harness)

@@ -26,6 +26,7 @@ function(circumspect_layer name folder)
   if(sources)
     add_library(circumspect_${name} STATIC ${sources})
     circumspect_compile_together(circumspect_${name} 8)
+    circumspect_compile_for_sharing(circumspect_${name})
     set(visibility PUBLIC)
   else()
     add_library(circumspect_${name} INTERFACE)
@@ -88,9 +89,19 @@ function(circumspect_precompile target kind)
       target_link_libraries(${shared} PRIVATE rapidcheck doctest::doctest)
       list(APPEND headers <rapidcheck.h> <doctest/doctest.h>)
     endif()
+    if(NOT kind STREQUAL "tests")
+      circumspect_compile_for_sharing(${shared})
+    endif()
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
+endfunction()
+
+# The C library and the Python module are made of the layers' objects. Hidden symbols keep calls as direct as
+# in a program.
+function(circumspect_compile_for_sharing target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                                             VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
 # Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled eight at a time, those of a test program
@@ -128,7 +139,7 @@ endfunction()
 # `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
 # values: numbers, points and containers of them. `make soak-sanitize` has them look everywhere.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
-set(sanitized_folders "(oracle/(formats|report|picture|judge|judge/fast|judge/arrays)|fuzz/[a-z]+|corpus)")
+set(sanitized_folders "(oracle/(formats|report|picture|judge|judge/fast|judge/arrays)|c|fuzz/[a-z]+|corpus)")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)

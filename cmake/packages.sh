@@ -35,6 +35,19 @@ pkg-config            tests the installed circumspect.pc
 clang-format-14       checks the layout of the sources
 clang                 compiles the fuzz targets
 libclang-rt-14-dev    libFuzzer and Clang's sanitizers
+python3-dev           compiles the Python module (the file Python.h)
+pybind11-dev          binds it to Python
+python3-numpy         arrays, which the Python package takes
+python3-setuptools    makes a wheel of it (PEP 517)
+python3-wheel         the same
+python3-build         the same, from the command line
+python3-pip           installs the wheel into a clean environment
+python3-venv          makes that environment
+python3-pytest        runs the tests of the Python package, and has its plugin
+python3-hypothesis    draws inputs by its strategies
+python3-scipy         its Delaunay triangulations are judged in memory
+python3-matplotlib    the same of its triangulations of the plane
+python3-meshio        reads meshes for `python3 -m circumspect`
 ccache                makes a second build quick
 mold                  links the tests quickly
 chromium              opens the pages of --html as their readers do

@@ -83,6 +83,12 @@ if cmake -S "$work/hurried" -B "$work/fast" -G Ninja -DCIRCUMSPECT="$root" >"$wo
 fi
 grep -q "The compiler flags contain -ffast-math" "$work/log" || { cat "$work/log"; fail "expected the reason"; }
 
+echo "without RapidCheck there is the judge alone"
+cp -r "$work/around" "$work/alone"
+sed -i -e '/replay/d' -e '/harness-options/d' "$work/alone/CMakeLists.txt"
+quietly cmake -S "$work/alone" -B "$work/judging" -G Ninja -DCIRCUMSPECT="$root" -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON
+ninja -C "$work/judging" -t inputs all | grep -q "libcircumspect-check.a" || fail "expected the judge"
+
 [ "${1:-}" = --build ] || exit 0
 
 echo "judge and harness, built and run"

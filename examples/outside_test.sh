@@ -29,6 +29,10 @@ quietly cmake --install "$build" --prefix "$work/installed" --component harness
   fail "an installed file names the folder of the sources"
 cp -r "$examples" "$work/examples"
 
+echo "the command, as README.md installs it"
+quietly cmake --install "$build" --component command --prefix "$work/local"
+"$work/local/bin/circumspect" --version >/dev/null || fail "the installed command does not run"
+
 echo "judge, by find_package"
 quietly cmake -S "$work/examples/judge" -B "$work/judge" -DCMAKE_PREFIX_PATH="$work/installed"
 quietly cmake --build "$work/judge"
@@ -78,4 +82,26 @@ if command -v pkg-config >/dev/null; then
   # shellcheck disable=SC2086
   quietly g++ -std=c++20 -o "$work/judge-by-pkg-config" "$examples/judge/judge_arrays.cpp" $flags
   "$work/judge-by-pkg-config" >/dev/null || fail "the judge of arrays was wrong"
+  flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$work/installed" -name circumspect-c.pc)") \
+    pkg-config --cflags --libs circumspect-c)
+  # shellcheck disable=SC2086
+  quietly gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -o "$work/c-by-pkg-config" "$examples/c/check.c" $flags
 fi
+
+echo "the C library, from C and from ctypes"
+library=$(find "$work/installed" -name libcircumspect.so)
+export LD_LIBRARY_PATH=${library%/*}
+quietly cmake -S "$work/examples/c" -B "$work/c" -DCMAKE_PREFIX_PATH="$work/installed"
+quietly cmake --build "$work/c"
+for program in "$work/c/check" "$work"/c-by-pkg-config; do
+  "$program" >"$work/said" || fail "the C library was wrong"
+  grep -q "^delaunay.facet-not-local: vertex 3 in a ball of squared radius 1/2" "$work/said" || fail "expected a witness"
+done
+python3 "$examples/c/check.py" >"$work/said" || fail "the C library was wrong, called by ctypes"
+readelf -d "$library" | grep -q "soname: \[libcircumspect.so.0\]" || fail "expected the soname libcircumspect.so.0"
+readelf -d "$library" | grep -q "rapidcheck" && fail "expected no RapidCheck behind the C library"
+strange=$(nm -D --defined-only "$library" | grep -v -e " circumspect_[a-z_]*@@CIRCUMSPECT_0$" -e " A CIRCUMSPECT_0$" || true)
+[ -z "$strange" ] || fail "the C library shows more than its own symbols: $strange"
+for function in $(grep -o "circumspect_[a-z_]*(" "$work/installed/include/circumspect/circumspect.h" | tr -d '(' | sort -u); do
+  nm -D --defined-only "$library" | grep -q " $function@@" || fail "the C library has no $function"
+done

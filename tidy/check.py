@@ -22,8 +22,8 @@ import tidy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([\w./]+/[\w.]+)[">]', re.MULTILINE)
-# What the tests of the command, of the corpus and of the pages see, beside the folders below.
-DATA = ("corpus/", "docs/", "README.md", "tidy/")
+# What the tests of the command, of the corpus, of the pages and of Python see, beside the folders below.
+DATA = ("corpus/", "docs/", "README.md", "tidy/", "c/", "python/", "include/", "examples/")
 SHIPPED = ("reference/", "inputs/", "oracle/", "fuzz/campaign/", "fuzz/process/", "oracle/", "command/")
 
 
@@ -64,7 +64,7 @@ def is_about(test, changed):
     if room.startswith(("corpus", "command")):
         return any(path.startswith(SHIPPED + ("corpus/",)) for path in changed)
     rooms = included_folders(source, set()) | {room}
-    return any(folder(path) in rooms and path.endswith((".hpp", ".cpp")) for path in changed
+    return any(folder(path) in rooms and path.endswith((".hpp", ".cpp", ".h")) for path in changed
                if not path.endswith(("_test.cpp", "_property.cpp")))
 
 
@@ -98,6 +98,8 @@ def main():
         known = subprocess.run(["cmake", "--build", options.build, "--target", "help"], check=True,
                                capture_output=True, text=True).stdout
         targets = sorted(name for name in programs if re.search(rf"^{re.escape(name)}: ", known, re.MULTILINE))
+        if any(test["name"].startswith("python/") for test in chosen):
+            targets.append("circumspect_python")
         built = subprocess.run(["cmake", "--build", options.build, "-j", options.jobs,
                                 "--target", "circumspect_cli", *targets], check=False)
         names = "|".join(re.escape(test["name"]) for test in chosen)

@@ -90,7 +90,7 @@ std::string usage_fault(const CertifyOptions& options) {
   }
   if (!options.domain && !options.said.is_given()) return "";
   return fmt::format("expected a claim about a domain beside {}, found {}",
-                     options.domain ? "--domain" : "options of a domain", name(options.claim()));
+                     options.domain ? "--domain" : "what --domain can have", name(options.claim()));
 }
 
 ExitCode run(CertifyOptions& options) {

@@ -97,7 +97,7 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain", square},
           "expected a claim about a domain beside --domain, found delaunay");
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
-          "expected a claim about a domain beside --domain-kind, found delaunay");
+          "expected a claim about a domain beside what --domain can have, found delaunay");
   refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt", "--domain", square,
            "--domain-kind", "hull"},
           "there is no certificate of this mesh: ");

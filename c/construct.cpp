@@ -1,0 +1,300 @@
+// What is built and asked beside verdicts: references, predicates, comparisons, certificates.
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <circumspect/circumspect.h>
+#include <fmt/format.h>
+
+#include "c/guard.hpp"
+#include "c/input.hpp"
+#include "oracle/certificate/document.hpp"
+#include "oracle/judge/judge.hpp"
+#include "oracle/judge/mesh_difference.hpp"
+#include "oracle/model/equal_points.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/json.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/constrained/cdt_by_polygon_insertion.hpp"
+#include "reference/constrained/gift_wrapping_cdt.hpp"
+#include "reference/constrained/planar_cdt.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/genericity.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::c {
+namespace {
+
+void require_distinct(const Mesh& mesh) {
+  const std::vector<Duplicate> repeated = equal_points(mesh);
+  if (repeated.empty()) return;
+  refuse_input(fmt::format(
+      "expected points that differ, found {} equal to an earlier one: {} and {}",
+      report::counted(repeated.size(), "point"), repeated.front().kept, repeated.front().again));
+}
+
+// The points of a mesh without its simplices.
+Mesh points_of(const circumspect_mesh* points) {
+  circumspect_mesh alone = *required(points, "a mesh");
+  alone.simplex_count = alone.triangle_count = alone.edge_count = 0;
+  alone.neighbors = nullptr;
+  return mesh_of(alone, true);
+}
+
+Triangulation canonical(const PointSet& points) {
+  return delaunay::bowyer_watson(points, {.order = delaunay::InsertionOrder::kBrioHilbert,
+                                          .location = delaunay::PointLocation::kWalking});
+}
+
+// Beyond so many vertices gift-wrapping, which always answers, takes longer than inserting polygons.
+constexpr std::size_t kFewVertices = 200;
+
+constrained::PlcTriangulation built(const PiecewiseLinearComplex& complex) {
+  if (complex.ambient_dimension() == 2) return constrained::planar_cdt(complex);
+  if (complex.points.size() > kFewVertices) {
+    auto inserted = constrained::cdt_by_polygon_insertion(complex);
+    if (inserted) return *std::move(inserted);
+  }
+  auto wrapped = constrained::gift_wrapping_cdt(complex);
+  if (wrapped) return *std::move(wrapped);
+  throw Refusal{CIRCUMSPECT_NONE,
+                fmt::format("expected a domain that has a canonical constrained Delaunay "
+                            "triangulation, found none: it shows at {} and {}",
+                            report::joined(wrapped.error().simplex),
+                            report::joined(wrapped.error().witness))};
+}
+
+// All points of one dimension, `count` of them.
+Configuration configuration_of(std::int64_t dimension, std::int64_t beyond, const double* doubles,
+                               const char* const* texts) {
+  if (dimension < 1 || dimension > kLargestDimension) {
+    refuse_call(
+        fmt::format("expected a dimension from 1 to {}, found {}", kLargestDimension, dimension));
+  }
+  if (doubles == nullptr && texts == nullptr) refuse_call("expected coordinates, found NULL");
+  return Configuration(exact_points(dimension + beyond, dimension, doubles, texts));
+}
+
+std::vector<Vertex> first_vertices(std::int64_t count) {
+  std::vector<Vertex> vertices;
+  for (Vertex v = 0; v < count; ++v) vertices.push_back(v);
+  return vertices;
+}
+
+std::vector<std::size_t> all_axes(std::int64_t dimension) {
+  std::vector<std::size_t> axes;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+    axes.push_back(axis);
+  return axes;
+}
+
+int orientation_sign(std::int64_t dimension, const double* doubles, const char* const* texts) {
+  const Configuration points = configuration_of(dimension, 1, doubles, texts);
+  return orientation(points, all_axes(dimension), first_vertices(dimension + 1));
+}
+
+int in_ball_sign(std::int64_t dimension, const double* doubles, const char* const* texts) {
+  const Configuration points = configuration_of(dimension, 2, doubles, texts);
+  const std::vector<std::size_t> axes = all_axes(dimension);
+  const std::vector<Vertex> simplex = first_vertices(dimension + 1);
+  if (orientation(points, axes, simplex) == 0) {
+    refuse_input(fmt::format(
+        "expected {} affinely independent points before the last, found others", dimension + 1));
+  }
+  return in_ball(points, axes, simplex, dimension + 1);
+}
+
+report::Json points_json(const Mesh& mesh, const std::vector<Vertex>& vertices) {
+  report::Json all = report::Json::array();
+  for (const Vertex v : vertices) {
+    all.push_back({{"index", v}, {"coordinates", report::point(mesh.point(v))}});
+  }
+  return all;
+}
+
+}  // namespace
+}  // namespace circumspect::c
+
+using namespace circumspect;
+
+struct circumspect_triangulation {
+  int dimension = -1;
+  std::map<std::size_t, std::vector<std::int64_t>> simplices = {};  // by how many vertices each has
+
+  void add(const Simplex& simplex) {
+    std::vector<std::int64_t>& list = simplices[simplex.size()];
+    list.insert(list.end(), simplex.begin(), simplex.end());
+  }
+};
+
+struct circumspect_document {
+  std::string text;
+};
+
+const char* circumspect_version(void) { return CIRCUMSPECT_VERSION; }
+
+circumspect_status circumspect_delaunay(const circumspect_mesh* points,
+                                        circumspect_triangulation** triangulation) {
+  if (triangulation != nullptr) *triangulation = nullptr;
+  return c::guarded([&] {
+    c::required(triangulation, "a place for the triangulation");
+    const Mesh mesh = c::points_of(points);
+    c::require_distinct(mesh);
+    const PointSet set = exact(mesh).points;
+    const Triangulation built = c::canonical(set);
+    auto made = std::make_unique<circumspect_triangulation>();
+    made->dimension = built.dimension();
+    for (const Simplex& simplex : built.simplices()) made->add(positively_oriented(set, simplex));
+    *triangulation = made.release();
+  });
+}
+
+circumspect_status circumspect_constrained_delaunay(const circumspect_domain* domain,
+                                                    circumspect_triangulation** triangulation) {
+  if (triangulation != nullptr) *triangulation = nullptr;
+  return c::guarded([&] {
+    c::required(triangulation, "a place for the triangulation");
+    const Domain filled = c::domain_of(*c::required(domain, "a domain"));
+    const constrained::PlcTriangulation built = c::built(filled.complex);
+    auto made = std::make_unique<circumspect_triangulation>();
+    made->dimension = static_cast<int>(filled.complex.ambient_dimension());
+    for (const Simplex& simplex : built.simplices) {
+      made->add(positively_oriented(filled.complex.points, simplex));
+    }
+    for (const Simplex& simplex : built.dangling) made->add(simplex);
+    *triangulation = made.release();
+  });
+}
+
+void circumspect_triangulation_free(circumspect_triangulation* triangulation) {
+  delete triangulation;
+}
+
+int64_t circumspect_triangulation_dimension(const circumspect_triangulation* triangulation) {
+  return triangulation == nullptr ? -1 : triangulation->dimension;
+}
+
+int64_t circumspect_triangulation_simplices(const circumspect_triangulation* triangulation,
+                                            int64_t vertices, const int64_t** indices) {
+  if (indices != nullptr) *indices = nullptr;
+  if (triangulation == nullptr || vertices < 1) return 0;
+  const auto found = triangulation->simplices.find(static_cast<std::size_t>(vertices));
+  if (found == triangulation->simplices.end()) return 0;
+  if (indices != nullptr) *indices = found->second.data();
+  return static_cast<int64_t>(found->second.size()) / vertices;
+}
+
+circumspect_status circumspect_orientation(int64_t dimension, const double* coordinates,
+                                           int* sign) {
+  return c::guarded([&] {
+    int* const place = c::required(sign, "a place for the sign");
+    *place = c::orientation_sign(dimension, coordinates, nullptr);
+  });
+}
+
+circumspect_status circumspect_in_ball(int64_t dimension, const double* coordinates, int* sign) {
+  return c::guarded([&] {
+    int* const place = c::required(sign, "a place for the sign");
+    *place = c::in_ball_sign(dimension, coordinates, nullptr);
+  });
+}
+
+circumspect_status circumspect_orientation_exact(int64_t dimension, const char* const* coordinates,
+                                                 int* sign) {
+  return c::guarded([&] {
+    int* const place = c::required(sign, "a place for the sign");
+    *place = c::orientation_sign(dimension, nullptr, coordinates);
+  });
+}
+
+circumspect_status circumspect_in_ball_exact(int64_t dimension, const char* const* coordinates,
+                                             int* sign) {
+  return c::guarded([&] {
+    int* const place = c::required(sign, "a place for the sign");
+    *place = c::in_ball_sign(dimension, nullptr, coordinates);
+  });
+}
+
+circumspect_status circumspect_compare(const circumspect_mesh* a, const circumspect_mesh* b,
+                                       int* same, circumspect_document** document) {
+  if (document != nullptr) *document = nullptr;
+  return c::guarded([&] {
+    c::required(same, "a place for the answer");
+    c::required(document, "a place for the document");
+    const Mesh mesh_a = c::mesh_of(*c::required(a, "a mesh"), true);
+    const Mesh mesh_b = c::mesh_of(*c::required(b, "a mesh"), true);
+    c::require_distinct(mesh_a);
+    c::require_distinct(mesh_b);
+    const check::Difference found = check::difference(mesh_a, mesh_b).value();
+    c::require_memory_for_json();
+    const report::Json json = {{"same", found.empty()},
+                               {"only_in_a",
+                                {{"points", c::points_json(mesh_a, found.points_only_in_a)},
+                                 {"simplices", found.simplices_only_in_a}}},
+                               {"only_in_b",
+                                {{"points", c::points_json(mesh_b, found.points_only_in_b)},
+                                 {"simplices", found.simplices_only_in_b}}}};
+    *document = new circumspect_document{report::document_text(json)};
+    *same = found.empty() ? 1 : 0;
+  });
+}
+
+circumspect_status circumspect_certify(const char* claim, const circumspect_mesh* mesh, int* holds,
+                                       circumspect_document** document) {
+  if (document != nullptr) *document = nullptr;
+  return c::guarded([&] {
+    c::required(holds, "a place for the answer");
+    c::required(document, "a place for the document");
+    const Claim known = c::claim_of(claim, false);
+    Mesh certified = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
+    c::require_distinct(certified);
+    const Verdict verdict = check::judge_merged(known, certified);
+    const ExactMesh exact_mesh = exact(certified);
+    const auto proof = certificate::document_of(exact_mesh, verdict);
+    if (!proof) throw c::Refusal{CIRCUMSPECT_NONE, proof.error()};
+    std::ostringstream text;
+    certificate::write(text, exact_mesh, *proof);
+    if (!text) throw std::bad_alloc();  // streams tell so where memory ends
+    *document = new circumspect_document{text.str()};
+    *holds = verdict.holds() ? 1 : 0;
+  });
+}
+
+circumspect_status circumspect_inspect(const circumspect_mesh* points, int* unique,
+                                       circumspect_document** document) {
+  if (document != nullptr) *document = nullptr;
+  return c::guarded([&] {
+    c::required(unique, "a place for the answer");
+    c::required(document, "a place for the document");
+    Mesh mesh = c::points_of(points);
+    const std::size_t count = mesh.points();
+    const std::vector<Duplicate> repeated = merge_equal_points(mesh);
+    const PointSet set = exact(mesh).points;
+    std::optional<Simplex> cospherical;
+    if (!set.empty()) {
+      cospherical = delaunay::cospherical_points_of_an_empty_ball(set, c::canonical(set));
+    }
+    c::require_memory_for_json();
+    report::Json json = {{"points", count}, {"dimension", set.dimension()}};
+    json["repeated"] = report::Json::array();
+    for (const auto& [kept, again] : repeated) json["repeated"].push_back({kept, again});
+    json["unique"] = !cospherical;
+    if (cospherical) {
+      for (const Vertex v : *cospherical) json["cospherical"].push_back(mesh.label(v));
+    }
+    *document = new circumspect_document{report::document_text(json)};
+    *unique = cospherical ? 0 : 1;
+  });
+}
+
+const char* circumspect_document_text(const circumspect_document* document) {
+  return document == nullptr ? "" : document->text.c_str();
+}
+
+void circumspect_document_free(circumspect_document* document) { delete document; }

@@ -1,0 +1,149 @@
+// What the C interface builds and compares, and its predicates.
+#include <array>
+#include <string>
+#include <vector>
+
+#include <circumspect/circumspect.h>
+#include <doctest/doctest.h>
+
+#include "c/calls_test.hpp"
+
+namespace circumspect::c {
+namespace {
+
+TEST_CASE("references are built, and domains of space taken") {
+  circumspect_triangulation* built = nullptr;
+  const circumspect_mesh mesh = mesh_of(kPoints, {});
+  REQUIRE(circumspect_delaunay(&mesh, &built) == CIRCUMSPECT_OK);
+  CHECK(circumspect_triangulation_dimension(built) == 2);
+  const std::int64_t* indices = nullptr;
+  REQUIRE(circumspect_triangulation_simplices(built, 3, &indices) == 2);
+  CHECK(indices[0] + indices[1] + indices[2] + indices[3] + indices[4] + indices[5] == 9);
+  CHECK(circumspect_triangulation_simplices(built, 2, &indices) == 0);
+  CHECK(indices == nullptr);
+  CHECK(circumspect_triangulation_simplices(built, -1, nullptr) == 0);
+  circumspect_triangulation_free(built);
+  circumspect_domain domain = tetrahedron();
+  REQUIRE(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_OK);
+  CHECK(circumspect_triangulation_simplices(built, 4, nullptr) == 1);
+  circumspect_triangulation_free(built);
+  const std::vector<std::int64_t> backwards = {0, 3, 2, 9, 12};
+  domain.line_starts = backwards.data();
+  CHECK(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(built == nullptr);
+  domain.line_starts = nullptr;
+  CHECK(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_INVALID_ARGUMENT);
+  const std::vector<double> equal = {0, 0, 1, 0, 0, 1, 1, 0};
+  const circumspect_mesh repeated = mesh_of(equal, {});
+  CHECK(circumspect_delaunay(&repeated, &built) == CIRCUMSPECT_INPUT_FAULT);
+  CHECK(has(circumspect_last_error(), "1 point equal to an earlier one: 1 and 3"));
+}
+
+TEST_CASE("Schoenhardt's polyhedron has none, and that is said") {
+  const std::vector<double> points = {10, 0, 0,  -5, 9, 0,  -5, -9,  0,
+                                      9,  5, 10, -9, 5, 10, 0,  -10, 10};
+  const std::vector<std::int64_t> starts = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  const std::vector<std::int64_t> lines = {0, 3, 6, 9, 12, 15, 18, 21, 24};
+  // The diagonals of its sides bend inwards; the other ones bend outwards.
+  const std::vector<std::int64_t> inwards = {0, 1, 2, 3, 4, 5, 0, 1, 4, 0, 4, 3,
+                                             1, 2, 5, 1, 4, 5, 0, 2, 3, 2, 3, 5};
+  const std::vector<std::int64_t> outwards = {0, 1, 2, 3, 4, 5, 0, 1, 3, 1, 4, 3,
+                                              1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5};
+  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
+  domain.dimension = 3;
+  domain.point_count = 6;
+  domain.coordinates = points.data();
+  domain.polygon_count = 8;
+  domain.polygon_starts = starts.data();
+  domain.line_starts = lines.data();
+  domain.corners = inwards.data();
+  circumspect_triangulation* built = nullptr;
+  CHECK(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_NONE);
+  CHECK(built == nullptr);
+  CHECK(has(circumspect_last_error(), "found none: it shows at"));
+  domain.corners = outwards.data();
+  REQUIRE(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_OK);
+  CHECK(circumspect_triangulation_simplices(built, 4, nullptr) >= 3);
+  circumspect_triangulation_free(built);
+}
+
+TEST_CASE("exact predicates") {
+  int sign = 7;
+  const std::array<double, 6> turn = {0, 0, 1, 0, 0, 1};
+  CHECK(circumspect_orientation(2, turn.data(), &sign) == CIRCUMSPECT_OK);
+  CHECK(sign == 1);
+  // On a line, where doubles round to either side of it.
+  const std::array<double, 6> line = {0.1, 0.1, 0.2, 0.2, 0.3, 0.3};
+  CHECK(circumspect_orientation(2, line.data(), &sign) == CIRCUMSPECT_OK);
+  CHECK(sign == 0);
+  const std::array<double, 8> inside = {0, 0, 1, 0, 0, 1, 0.9, 0.9};
+  CHECK(circumspect_in_ball(2, inside.data(), &sign) == CIRCUMSPECT_OK);
+  CHECK(sign == 1);
+  const std::array<const char*, 8> on = {"0", "0", "1/3", "0", "0", "1/3", "1/3", "1/3"};
+  CHECK(circumspect_in_ball_exact(2, on.data(), &sign) == CIRCUMSPECT_OK);
+  CHECK(sign == 0);
+  CHECK(circumspect_orientation_exact(2, on.data(), &sign) == CIRCUMSPECT_OK);
+  CHECK(sign == 1);
+  const std::array<double, 8> flat = {0, 0, 1, 0, 2, 0, 0.9, 0.9};
+  CHECK(circumspect_in_ball(2, flat.data(), &sign) == CIRCUMSPECT_INPUT_FAULT);
+  CHECK(circumspect_in_ball(0, flat.data(), &sign) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_in_ball(-3, flat.data(), &sign) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_in_ball(2, nullptr, &sign) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_in_ball(2, flat.data(), nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+  const std::array<const char*, 6> malformed = {"0", "0", "1", "one", "0", "1"};
+  CHECK(circumspect_orientation_exact(2, malformed.data(), &sign) == CIRCUMSPECT_INPUT_FAULT);
+  CHECK(has(circumspect_last_error(), "found one in the coordinates at place 3"));
+  const std::array<const char*, 6> null = {"0", "0", "1", nullptr, "0", "1"};
+  CHECK(circumspect_orientation_exact(2, null.data(), &sign) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("facts about points") {
+  const std::vector<double> square = {0, 0, 5, 5, 1, 0, 0, 1, 0, 0, 1, 1};
+  const circumspect_mesh mesh = mesh_of(square, {});
+  int unique = 7;
+  circumspect_document* document = nullptr;
+  REQUIRE(circumspect_inspect(&mesh, &unique, &document) == CIRCUMSPECT_OK);
+  CHECK(unique == 0);
+  std::string facts = circumspect_document_text(document);
+  std::erase_if(facts, [](char c) { return c == ' ' || c == '\n'; });
+  CHECK(facts ==
+        R"({"points":6,"dimension":2,"repeated":[[0,4]],"unique":false,"cospherical":[0,2,3,5]})");
+  circumspect_document_free(document);
+  const circumspect_mesh none = mesh_of({}, {});
+  REQUIRE(circumspect_inspect(&none, &unique, &document) == CIRCUMSPECT_OK);
+  CHECK(unique == 1);
+  CHECK(has(circumspect_document_text(document), "-1"));
+  circumspect_document_free(document);
+  CHECK(circumspect_inspect(nullptr, &unique, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_inspect(&mesh, nullptr, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_inspect(&mesh, &unique, nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("comparisons and certificates") {
+  const circumspect_mesh right = mesh_of(kPoints, kRight);
+  const circumspect_mesh wrong = mesh_of(kPoints, kWrong);
+  int answer = 7;
+  circumspect_document* document = nullptr;
+  REQUIRE(circumspect_compare(&right, &wrong, &answer, &document) == CIRCUMSPECT_OK);
+  CHECK(answer == 0);
+  CHECK(has(circumspect_document_text(document), "only_in_a"));
+  circumspect_document_free(document);
+  REQUIRE(circumspect_compare(&right, &right, &answer, &document) == CIRCUMSPECT_OK);
+  CHECK(answer == 1);
+  circumspect_document_free(document);
+  for (const circumspect_mesh* mesh : {&right, &wrong}) {
+    REQUIRE(circumspect_certify("delaunay", mesh, &answer, &document) == CIRCUMSPECT_OK);
+    CHECK(answer == (mesh == &right ? 1 : 0));
+    CHECK(std::string(circumspect_document_text(document)).size() > 20);
+    circumspect_document_free(document);
+  }
+  CHECK(circumspect_certify("cdt", &right, &answer, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_certify("delaunay", nullptr, &answer, &document) ==
+        CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_compare(nullptr, &right, &answer, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_compare(&right, &right, nullptr, &document) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_compare(&right, &right, &answer, nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
+}  // namespace
+}  // namespace circumspect::c

@@ -1,0 +1,276 @@
+// Judging, and what a verdict holds.
+#include <charconv>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <circumspect/circumspect.h>
+#include <fmt/format.h>
+
+#include "c/guard.hpp"
+#include "c/input.hpp"
+#include "oracle/judge/judge.hpp"
+#include "oracle/judge/within/judge_within.hpp"
+#include "oracle/model/equal_points.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/json.hpp"
+#include "oracle/report/text.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/kernel/exact/number_text.hpp"
+
+namespace circumspect::c {
+
+// Texts and indices that the pointers of a circumspect_violation lead to.
+struct KeptViolation {
+  std::vector<std::string> texts = {};
+  std::vector<std::int64_t> simplex_starts = {0};
+  std::vector<std::int64_t> simplices = {};
+  Simplex face = {};
+  Simplex vertices = {};
+  std::vector<circumspect_value> point = {};
+  std::vector<circumspect_value> centre = {};
+  std::vector<circumspect_value> squared_radius = {};
+  std::vector<circumspect_value> values = {};
+  circumspect_violation shown = {};
+};
+
+namespace {
+
+double nearest_double(const Rational& value) {
+  const std::string decimal = to_decimal(value);
+  double nearest = 0;
+  const auto read = std::from_chars(decimal.data(), decimal.data() + decimal.size(), nearest);
+  if (read.ec != std::errc::result_out_of_range) return nearest;
+  if (abs(value) < 1) return sign(value) * 0.0;
+  return sign(value) * std::numeric_limits<double>::infinity();
+}
+
+circumspect_value value_of(KeptViolation& kept, const std::string& name, const Rational& value) {
+  kept.texts.push_back(name);
+  const char* const shown_name = kept.texts.back().c_str();
+  kept.texts.push_back(to_string(value));
+  return {shown_name, kept.texts.back().c_str(), nearest_double(value)};
+}
+
+std::vector<circumspect_value> values_of(KeptViolation& kept, const Point& point) {
+  std::vector<circumspect_value> values;
+  for (std::size_t axis = 0; axis < point.size(); ++axis) {
+    values.push_back(value_of(kept, std::to_string(axis), point[axis]));
+  }
+  return values;
+}
+
+template <class Value>
+const Value* start(const std::vector<Value>& values) {
+  return values.empty() ? nullptr : values.data();
+}
+
+std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const Mesh& mesh) {
+  auto kept = std::make_unique<KeptViolation>();
+  const Witness& witness = violation.witness;
+  const report::NamedCells named = report::named_cells(witness, mesh);
+  for (const Simplex& simplex : named.simplices) {
+    kept->simplices.insert(kept->simplices.end(), simplex.begin(), simplex.end());
+    kept->simplex_starts.push_back(static_cast<std::int64_t>(kept->simplices.size()));
+  }
+  if (named.face) kept->face = *named.face;
+  for (const Vertex v : witness.vertices) kept->vertices.push_back(mesh.label(v));
+  // The texts stay where they are: the pointers into them are handed out.
+  const std::size_t coordinates = (witness.point ? witness.point->size() : 0) +
+                                  (witness.ball ? witness.ball->centre.size() + 1 : 0);
+  kept->texts.reserve(2 * (coordinates + witness.values.size()));
+  if (witness.point) kept->point = values_of(*kept, *witness.point);
+  if (witness.ball) {
+    kept->centre = values_of(*kept, witness.ball->centre);
+    kept->squared_radius = {value_of(*kept, "squared radius", witness.ball->squared_radius)};
+  }
+  for (const NamedValue& value : witness.values) {
+    kept->values.push_back(value_of(*kept, value.name, value.value));
+  }
+  const auto size = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
+  static_assert(sizeof(Vertex) == sizeof(std::int64_t));
+  const auto indices = [](const Simplex& list) {
+    return reinterpret_cast<const std::int64_t*>(start(list));
+  };
+  kept->shown = {.rule = identifier(violation.rule).data(),
+                 .meaning = meaning(violation.rule).data(),
+                 .simplex_count = size(named.simplices),
+                 .simplex_starts = start(kept->simplex_starts),
+                 .simplices = start(kept->simplices),
+                 .face_size = size(kept->face),
+                 .face = indices(kept->face),
+                 .vertex_count = size(kept->vertices),
+                 .vertices = indices(kept->vertices),
+                 .point_size = size(kept->point),
+                 .point = start(kept->point),
+                 .centre_size = size(kept->centre),
+                 .centre = start(kept->centre),
+                 .squared_radius = start(kept->squared_radius),
+                 .value_count = size(kept->values),
+                 .values = start(kept->values)};
+  return kept;
+}
+
+check::Options options_of(const circumspect_options* options) {
+  if (options == nullptr) return {};
+  if (options->struct_size != sizeof(circumspect_options)) {
+    refuse_call("expected options that began as CIRCUMSPECT_OPTIONS, found another struct_size");
+  }
+  if (options->threads < 0 || options->threads > 4096) {
+    refuse_call(fmt::format("expected 0 to 4096 threads, found {}", options->threads));
+  }
+  if (options->max_violations < 0) {
+    refuse_call(fmt::format("expected a number of witnesses, found {}", options->max_violations));
+  }
+  return {.by = options->by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
+          .oriented = options->oriented != 0,
+          .max_violations = static_cast<std::size_t>(options->max_violations),
+          .threads = static_cast<unsigned>(options->threads)};
+}
+
+Verdict judged_within(const char* within, Claim claim, Mesh& mesh, const Domain& domain,
+                      const check::Options& options) {
+  const auto distance = read_number(within, NumberReading::kDecimal);
+  if (!distance || sign(*distance) < 0) {
+    refuse_call(fmt::format("expected a distance of at least 0 for `within`, found '{}'",
+                            on_one_line(within)));
+  }
+  merge_equal_points(mesh);
+  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
+  auto verdict = check::judge_within(claim, exact(mesh), domain, *distance * *distance, options,
+                                     known ? &*known : nullptr);
+  if (verdict) return std::move(*verdict);
+  const auto& [reason, is_input_fault] = verdict.error();
+  throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
+}
+
+Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_options* options) {
+  const check::Options own = options_of(options);
+  if (options == nullptr || options->within == nullptr) {
+    return check::judge_merged(claim, mesh, domain, own);
+  }
+  if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
+  return judged_within(options->within, claim, mesh, *domain, own);
+}
+
+int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
+
+}  // namespace
+}  // namespace circumspect::c
+
+using namespace circumspect;
+
+struct circumspect_verdict {
+  bool holds = false;
+  int unique = -1;
+  int canonical = -1;
+  std::string text;
+  std::string json;
+  std::vector<std::pair<const char*, std::int64_t>> rules = {};
+  std::vector<std::unique_ptr<c::KeptViolation>> violations = {};
+};
+
+circumspect_status circumspect_check(const char* claim, const circumspect_mesh* mesh,
+                                     const circumspect_domain* domain,
+                                     const circumspect_options* options,
+                                     circumspect_verdict** verdict) {
+  if (verdict != nullptr) *verdict = nullptr;
+  return c::guarded([&] {
+    c::required(verdict, "a place for the verdict");
+    const Claim known = c::claim_of(claim, domain != nullptr);
+    const check::Options own = c::options_of(options);
+    Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
+    std::optional<Domain> about;
+    if (domain != nullptr) {
+      about.emplace(c::domain_of(*domain));
+      if (judged.points() > 0 && judged.dimension() != about->complex.ambient_dimension()) {
+        c::refuse_input(
+            fmt::format("expected points of dimension {}, as those of the domain, found {}",
+                        about->complex.ambient_dimension(), judged.dimension()));
+      }
+    }
+    const Domain* const filled = about ? &*about : nullptr;
+    const Verdict found = c::judged(known, judged, filled, options);
+    const std::string name = options != nullptr && options->mesh_name != nullptr
+                                 ? on_one_line(options->mesh_name)
+                                 : "mesh";
+    auto made = std::make_unique<circumspect_verdict>();
+    made->holds = found.holds();
+    made->unique = c::said(found.unique);
+    made->canonical = c::said(found.canonical);
+    made->text = report::explanation(found, judged, filled) +
+                 report::verdict_line(found, judged, name, filled) + "\n";
+    if (options == nullptr || options->without_json == 0) {
+      c::require_memory_for_json();
+      const report::Json result = report::verdict(found, judged, name, own.by, filled);
+      made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
+    }
+    for (const auto& [rule, tally] : found.tallies()) {
+      made->rules.emplace_back(identifier(rule).data(), static_cast<std::int64_t>(tally.count));
+    }
+    for (const Violation& violation : found.violations()) {
+      made->violations.push_back(c::kept_violation(violation, judged));
+    }
+    *verdict = made.release();
+  });
+}
+
+void circumspect_verdict_free(circumspect_verdict* verdict) { delete verdict; }
+
+int circumspect_verdict_holds(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? -1 : (verdict->holds ? 1 : 0);
+}
+
+int circumspect_verdict_unique(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? -1 : verdict->unique;
+}
+
+int circumspect_verdict_canonical(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? -1 : verdict->canonical;
+}
+
+const char* circumspect_verdict_text(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? "" : verdict->text.c_str();
+}
+
+const char* circumspect_verdict_json(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? "" : verdict->json.c_str();
+}
+
+int64_t circumspect_verdict_rule_count(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? 0 : static_cast<int64_t>(verdict->rules.size());
+}
+
+const char* circumspect_verdict_rule(const circumspect_verdict* verdict, int64_t index,
+                                     int64_t* count) {
+  if (count != nullptr) *count = 0;
+  if (index < 0 || index >= circumspect_verdict_rule_count(verdict)) return nullptr;
+  const auto& [rule, times] = verdict->rules[static_cast<std::size_t>(index)];
+  if (count != nullptr) *count = times;
+  return rule;
+}
+
+int64_t circumspect_verdict_violation_count(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? 0 : static_cast<int64_t>(verdict->violations.size());
+}
+
+circumspect_status circumspect_verdict_violation(const circumspect_verdict* verdict, int64_t index,
+                                                 circumspect_violation* violation, size_t size) {
+  return c::guarded([&] {
+    c::required(violation, "a place for the violation");
+    if (size != sizeof(circumspect_violation)) {
+      c::refuse_call(fmt::format("expected a place of {} bytes, found {}",
+                                 sizeof(circumspect_violation), size));
+    }
+    *violation = {};
+    const int64_t count = circumspect_verdict_violation_count(verdict);
+    if (index < 0 || index >= count) {
+      c::refuse_call(fmt::format("expected the index of one of {}, found {}",
+                                 report::counted(static_cast<std::size_t>(count), "violation"),
+                                 index));
+    }
+    *violation = verdict->violations[static_cast<std::size_t>(index)]->shown;
+  });
+}

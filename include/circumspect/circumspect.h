@@ -1,0 +1,264 @@
+/* The C interface: what every other language calls.
+ *
+ *   double points[] = {0, 0, 1, 0, 0, 1, 0.9, 0.9};
+ *   int32_t triangles[] = {0, 1, 3, 0, 3, 2};
+ *   circumspect_mesh mesh = CIRCUMSPECT_MESH;
+ *   mesh.dimension = 2;
+ *   mesh.point_count = 4;
+ *   mesh.coordinates = points;
+ *   mesh.simplex_count = 2;
+ *   mesh.vertices_of_simplex = 3;
+ *   mesh.simplices = triangles;
+ *   circumspect_verdict* verdict = NULL;
+ *   if (circumspect_check("delaunay", &mesh, NULL, NULL, &verdict) != CIRCUMSPECT_OK) {
+ *     fputs(circumspect_last_error(), stderr);
+ *   } else if (!circumspect_verdict_holds(verdict)) {
+ *     fputs(circumspect_verdict_text(verdict), stdout);
+ *   }
+ *   circumspect_verdict_free(verdict);
+ *
+ * Link with -lcircumspect. Every function may be called by any number of threads at the same time; a
+ * verdict may be read by several threads, and is freed once. No function throws, prints, ends the
+ * process or keeps a pointer to what it was given. Exact numbers are texts in lowest terms: "7",
+ * "-1/3". What comes back as a pointer belongs to the handle that it was asked of, and lives as long.
+ *
+ * Memory: where the C++ runtime finds none, CIRCUMSPECT_OUT_OF_MEMORY comes back. Not so in two libraries of
+ * others, which end the process: GMP, of exact numbers too large for memory, and the writer of JSON, which is
+ * only begun where a megabyte is left; `without_json` does without it. */
+#ifndef CIRCUMSPECT_CIRCUMSPECT_H
+#define CIRCUMSPECT_CIRCUMSPECT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define CIRCUMSPECT_API __attribute__((visibility("default")))
+#else
+#define CIRCUMSPECT_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* "0.1.0" */
+CIRCUMSPECT_API const char* circumspect_version(void);
+
+typedef enum circumspect_status {
+  CIRCUMSPECT_OK = 0,
+  /* The call is wrong: a NULL, a negative count, an unknown claim. */
+  CIRCUMSPECT_INVALID_ARGUMENT = 1,
+  /* What was handed in is at fault, not the mesh: a coordinate that is not finite, a domain that is no
+   * piecewise linear complex. The command exits with 3. */
+  CIRCUMSPECT_INPUT_FAULT = 2,
+  /* There is none: the domain has no (canonical) constrained Delaunay triangulation. */
+  CIRCUMSPECT_NONE = 3,
+  /* Neither answer was found within the limits of what is judged. */
+  CIRCUMSPECT_UNDECIDED = 4,
+  CIRCUMSPECT_OUT_OF_MEMORY = 5,
+  CIRCUMSPECT_INTERNAL_ERROR = 6
+} circumspect_status;
+
+/* Why the last call of this thread that returned a status failed, for people: what was expected and what
+ * was found. Empty if it did not fail. Lives until the thread's next call. Never NULL. */
+CIRCUMSPECT_API const char* circumspect_last_error(void);
+
+/* A mesh where it lies. Begin with CIRCUMSPECT_MESH, which is the empty mesh, and set what there is. Of
+ * numbers, doubles are read where `coordinates` is set, else the texts of `exact_coordinates`: "1/3",
+ * "0x1.8p-3", and "0.1", which is 1/10. Both for weights likewise. */
+typedef struct circumspect_mesh {
+  size_t struct_size;                   /* set by CIRCUMSPECT_MESH */
+  int64_t dimension;                    /* d, of the points: at least 1, at most 64 */
+  int64_t point_count;                  /* n */
+  const double* coordinates;            /* n·d, point after point, all finite */
+  const char* const* exact_coordinates; /* n·d */
+  const double* weights;                /* n, or NULL; they count in "weighted-delaunay" alone */
+  const char* const* exact_weights;     /* n, or NULL */
+  int64_t simplex_count;                /* m */
+  int64_t vertices_of_simplex;          /* d+1; k+1 where the points span a flat of dimension k */
+  int64_t index_bytes;                  /* 4 (the default): int32_t; 8: int64_t */
+  const void* simplices;                /* m·vertices_of_simplex indices of points, from 0 */
+  const void* neighbors; /* NULL, or the simplex opposite each vertex, −1 for none */
+  /* Of a mesh of a domain: triangles (of space) and edges that a program lists beside the simplices. */
+  int64_t triangle_count;
+  const int64_t* triangles;
+  int64_t edge_count;
+  const int64_t* edges;
+} circumspect_mesh;
+
+#define CIRCUMSPECT_MESH \
+  { sizeof(circumspect_mesh), 0, 0, NULL, NULL, NULL, NULL, 0, 0, 4, NULL, NULL, 0, NULL, 0, NULL }
+
+typedef enum circumspect_domain_kind {
+  /* Enclosed if walls (segments of the plane, polygons of space) enclose anything, the convex hull if
+   * there are none; where there are some that enclose nothing, CIRCUMSPECT_INPUT_FAULT. */
+  CIRCUMSPECT_KIND_BY_WALLS = 0,
+  CIRCUMSPECT_ENCLOSED = 1,
+  CIRCUMSPECT_HULL = 2
+} circumspect_domain_kind;
+
+/* A piecewise linear complex. Polygon p has the lines polygon_starts[p] … polygon_starts[p+1] − 1, and
+ * line l the corners line_starts[l] … line_starts[l+1] − 1: closed lines of three corners or more
+ * (outline and holes), segments of two, isolated vertices of one. */
+typedef struct circumspect_domain {
+  size_t struct_size; /* set by CIRCUMSPECT_DOMAIN */
+  int64_t dimension;  /* 2 or 3 */
+  int64_t point_count;
+  const double* coordinates;
+  const char* const* exact_coordinates;
+  int64_t segment_count;
+  const int64_t* segments;       /* two indices of points each */
+  int64_t polygon_count;         /* 0 in the plane */
+  const int64_t* polygon_starts; /* polygon_count + 1, ascending from 0 */
+  const int64_t* line_starts;    /* as many as there are lines, + 1, ascending from 0 */
+  const int64_t* corners;
+  int64_t hole_count;
+  const double* hole_seeds; /* a point in each hole */
+  int32_t kind;             /* circumspect_domain_kind */
+} circumspect_domain;
+
+#define CIRCUMSPECT_DOMAIN \
+  { sizeof(circumspect_domain), 0, 0, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, 0 }
+
+typedef struct circumspect_options {
+  size_t struct_size;     /* set by CIRCUMSPECT_OPTIONS */
+  int64_t threads;        /* 0: as many as the machine has; the answer is the same */
+  int64_t max_violations; /* witnesses that are kept; 0: all */
+  int32_t by_definition;  /* not 0: judge by the definitions, slowly */
+  int32_t oriented;       /* not 0: demand one consistent orientation */
+  const char* within;     /* NULL, or how far cells of the domain may be moved: "1e-9" */
+  const char* mesh_name;  /* for text and JSON; NULL: "mesh" */
+  int32_t without_json;   /* not 0: circumspect_verdict_json is empty */
+} circumspect_options;
+
+#define CIRCUMSPECT_OPTIONS \
+  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0 }
+
+typedef struct circumspect_verdict circumspect_verdict;
+
+/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", or, where there
+ * is a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay".
+ * Equal points count as one, the first. An index that names no point is the mesh's fault, and the verdict
+ * says so. `options`: NULL for the defaults. *verdict is set where CIRCUMSPECT_OK comes back, else NULL. */
+CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
+                                                     const circumspect_mesh* mesh,
+                                                     const circumspect_domain* domain,
+                                                     const circumspect_options* options,
+                                                     circumspect_verdict** verdict);
+CIRCUMSPECT_API void circumspect_verdict_free(circumspect_verdict* verdict); /* NULL is let pass */
+
+/* 1 or 0; −1: not said, or the verdict is NULL. Unique and canonical are facts of a Delaunay claim that
+ * holds: there is no other such triangulation; it is the one in which ties are broken canonically. */
+CIRCUMSPECT_API int circumspect_verdict_holds(const circumspect_verdict* verdict);
+CIRCUMSPECT_API int circumspect_verdict_unique(const circumspect_verdict* verdict);
+CIRCUMSPECT_API int circumspect_verdict_canonical(const circumspect_verdict* verdict);
+/* What the command prints: witnesses and the line of the verdict; the JSON document, one result. Never
+ * NULL; empty if the verdict is. */
+CIRCUMSPECT_API const char* circumspect_verdict_text(const circumspect_verdict* verdict);
+CIRCUMSPECT_API const char* circumspect_verdict_json(const circumspect_verdict* verdict);
+
+/* The broken rules, in the order in which they are judged, and how often each is broken. NULL and 0 where
+ * `index` is out of range. */
+CIRCUMSPECT_API int64_t circumspect_verdict_rule_count(const circumspect_verdict* verdict);
+CIRCUMSPECT_API const char* circumspect_verdict_rule(const circumspect_verdict* verdict,
+                                                     int64_t index, int64_t* count);
+
+/* An exact number, and the double next to it (ties to even; infinite beyond the doubles). */
+typedef struct circumspect_value {
+  const char* name;
+  const char* exact;
+  double nearest;
+} circumspect_value;
+
+/* One witness. What a rule does not need is NULL and 0. Simplex s has the vertices
+ * simplex_starts[s] … simplex_starts[s+1] − 1 of `simplices`, as the mesh lists them. */
+typedef struct circumspect_violation {
+  const char* rule;    /* "delaunay.facet-not-local": never changes its meaning */
+  const char* meaning; /* one clause */
+  int64_t simplex_count;
+  const int64_t* simplex_starts;
+  const int64_t* simplices;
+  int64_t face_size;
+  const int64_t* face;
+  int64_t vertex_count;
+  const int64_t* vertices;
+  int64_t point_size; /* coordinates of a point that decides without being a vertex */
+  const circumspect_value* point;
+  int64_t centre_size; /* coordinates of the centre of the ball */
+  const circumspect_value* centre;
+  const circumspect_value* squared_radius;
+  int64_t value_count;
+  const circumspect_value* values;
+} circumspect_violation;
+
+CIRCUMSPECT_API int64_t circumspect_verdict_violation_count(const circumspect_verdict* verdict);
+/* `size`: sizeof(circumspect_violation); later versions have more members behind these. */
+CIRCUMSPECT_API circumspect_status circumspect_verdict_violation(const circumspect_verdict* verdict,
+                                                                 int64_t index,
+                                                                 circumspect_violation* violation,
+                                                                 size_t size);
+
+typedef struct circumspect_triangulation circumspect_triangulation;
+
+/* The canonical Delaunay triangulation of the points of a mesh (weighted, if it has weights), whatever
+ * their order, by exact arithmetic: for reference, not for speed. Its simplices are not looked at. Equal
+ * points are CIRCUMSPECT_INPUT_FAULT. Book: Sections 4.2, 5.2. */
+CIRCUMSPECT_API circumspect_status circumspect_delaunay(const circumspect_mesh* points,
+                                                        circumspect_triangulation** triangulation);
+/* The canonical constrained Delaunay triangulation of a domain; CIRCUMSPECT_NONE if there is none, and
+ * the reason is circumspect_last_error(). Book: Sections 3.10, 4.5, 5.6. */
+CIRCUMSPECT_API circumspect_status circumspect_constrained_delaunay(
+    const circumspect_domain* domain, circumspect_triangulation** triangulation);
+CIRCUMSPECT_API void circumspect_triangulation_free(circumspect_triangulation* triangulation);
+/* The dimension of its simplices: that of the points' affine hull; −1 of none, or of NULL. */
+CIRCUMSPECT_API int64_t
+circumspect_triangulation_dimension(const circumspect_triangulation* triangulation);
+/* How many simplices there are with `vertices` vertices each, positively oriented if they have the
+ * triangulation's dimension; those with fewer are the dangling ones of a domain. *indices is set to
+ * them, NULL if there are none. */
+CIRCUMSPECT_API int64_t circumspect_triangulation_simplices(
+    const circumspect_triangulation* triangulation, int64_t vertices, const int64_t** indices);
+
+/* The sign of det(p_0 − p_d, …, p_{d−1} − p_d): −1, 0 or 1. `coordinates`: d+1 points. In the plane
+ * positive if counterclockwise. Book: Section 3.1. */
+CIRCUMSPECT_API circumspect_status circumspect_orientation(int64_t dimension,
+                                                           const double* coordinates, int* sign);
+/* Is the last of d+2 points inside (1), on (0) or outside (−1) the circumsphere of the others? However
+ * these are oriented. CIRCUMSPECT_INPUT_FAULT if they are affinely dependent. */
+CIRCUMSPECT_API circumspect_status circumspect_in_ball(int64_t dimension, const double* coordinates,
+                                                       int* sign);
+/* The same of exact numbers, as in circumspect_mesh. */
+CIRCUMSPECT_API circumspect_status circumspect_orientation_exact(int64_t dimension,
+                                                                 const char* const* coordinates,
+                                                                 int* sign);
+CIRCUMSPECT_API circumspect_status circumspect_in_ball_exact(int64_t dimension,
+                                                             const char* const* coordinates,
+                                                             int* sign);
+
+typedef struct circumspect_document circumspect_document;
+
+/* Are two meshes the same complex, whatever their numbering? *same is 1 or 0, and the document says in JSON
+ * what each mesh alone has: {"same", "only_in_a": {"points", "simplices"}, "only_in_b"}. Equal points are
+ * CIRCUMSPECT_INPUT_FAULT. */
+CIRCUMSPECT_API circumspect_status circumspect_compare(const circumspect_mesh* a,
+                                                       const circumspect_mesh* b, int* same,
+                                                       circumspect_document** document);
+/* What proves a verdict to circumspect-verified: a certificate if the claim holds (*holds is 1), else a
+ * refutation. For the claims without a domain; CIRCUMSPECT_NONE if there is none. */
+CIRCUMSPECT_API circumspect_status circumspect_certify(const char* claim,
+                                                       const circumspect_mesh* mesh, int* holds,
+                                                       circumspect_document** document);
+/* Facts about the points of a mesh (weighted, if it has weights), in JSON: {"points", "dimension" (of their
+ * affine hull, −1 of none), "repeated" (pairs of indices of equal points), "unique", "cospherical"}. *unique
+ * is 1 if there is only one Delaunay triangulation; else "cospherical" has k+2 points on the boundary of one
+ * empty ball. Builds the triangulation. Book: Section 4.2. */
+CIRCUMSPECT_API circumspect_status circumspect_inspect(const circumspect_mesh* points, int* unique,
+                                                       circumspect_document** document);
+CIRCUMSPECT_API const char* circumspect_document_text(const circumspect_document* document);
+CIRCUMSPECT_API void circumspect_document_free(circumspect_document* document);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,257 @@
+"""The exact oracle for Delaunay triangulations.
+
+>>> import circumspect
+>>> points = [[0, 0], [1, 0], [0, 1], [0.9, 0.9]]
+>>> bool(circumspect.check(points, [[0, 1, 3], [0, 3, 2]]))
+True
+>>> print(circumspect.check(points, [[0, 1, 2], [1, 3, 2]]))  # doctest: +ELLIPSIS
+delaunay.facet-not-local: a facet is not locally Delaunay: ...
+fails: delaunay mesh delaunay.facet-not-local 1 face 1 2 vertex 3
+
+Nothing is rounded: coordinates are taken as the exact numbers that they are, and no tolerance has a say.
+"""
+from __future__ import annotations
+
+import json
+from typing import Any, List, NamedTuple, Optional, Tuple
+
+from . import _core
+from ._core import InputError, NoTriangulation, Undecided
+from .campaigns import Campaign, Finding, campaign, minimize
+from .meshes import Domain, Held, Mesh, domain_of, mesh_of, numbers_of, points_of
+from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
+
+__version__: str = _core.version
+__all__ = [
+    "Ball", "Campaign", "CheckFailed", "Comparison", "Constrained", "Domain", "Family", "Finding", "InputError",
+    "NoTriangulation", "Undecided", "Verdict", "Violation", "assert_delaunay", "campaign", "certify", "check",
+    "compare", "constrained_delaunay", "delaunay", "families", "generate", "generate_domain", "in_ball", "inspect",
+    "minimize", "orient",
+]
+
+
+def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
+          weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
+          by: str = "lemma", oriented: bool = False, copy: bool = False, name: str = "mesh") -> Verdict:
+    """Judges, exactly, a claim about a mesh.
+
+    points: (n, d) floats, integers, or objects (Fraction, int, Decimal); or, without `simplices`, a mesh of
+        scipy.spatial.Delaunay, matplotlib.tri.Triangulation, meshio, pyvista, trimesh or VTK.
+    simplices: (m, d+1) integers from 0, in any order; (m, k+1) where the points span a flat of dimension k. An
+        index that names no point is the mesh's fault, and the verdict says so.
+    claim: "triangulation", "delaunay" (the default), "weighted-delaunay"; with a domain "plc-triangulation",
+        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt", or
+        "steiner-cdt" if the mesh has more points than the domain).
+    neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of SciPy are taken.
+    weights: (n,), for "weighted-delaunay".
+    domain: a Domain, a dictionary of its parts, or a surface of triangles.
+    within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
+    threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
+    copy: judge a copy of large arrays too. Otherwise these are read-only meanwhile; needed only where another thread
+        may write into one through a view that it made before.
+
+    Raises ValueError (InputError, if the input is at fault) and TypeError, which say what was expected and found.
+
+    >>> bool(check([[0, 0], [4, 0], [0, 4]], [[0, 1, 2]]))
+    True
+    >>> check([[0, 0], [1, 0], [0, float("nan")]], [[0, 1, 2]])
+    Traceback (most recent call last):
+    ValueError: expected finite points, found nan at (2, 1)
+    >>> check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2.0]])
+    Traceback (most recent call last):
+    TypeError: expected integers as simplices, found an array of float64
+    """
+    if by not in ("lemma", "definition"):
+        raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
+    mesh = mesh_of(points, simplices, neighbors, weights)
+    about = None
+    if domain is not None:
+        filled = domain_of(domain)
+        about = filled.parts()
+        mesh = in_plane_of(mesh, filled)
+        claim = claim or ("cdt" if mesh.points.shape[0] == filled.points.shape[0] else "steiner-cdt")
+    elif within is not None:
+        raise ValueError("expected a domain beside within, found None")
+    claim = claim or "delaunay"
+    distance = None if within is None else numbers_text(within)
+    with Held(mesh, copy) as held:
+        return Verdict(claim, _core.check(claim, held.parts(), about, threads, max_errors, by == "definition",
+                                          oriented, distance, name, True))
+
+
+def numbers_text(number: Any) -> str:
+    """The exact value of a distance; a text stands for itself."""
+    from .meshes import exact_text
+
+    return number if isinstance(number, str) else exact_text(number, "a distance")
+
+
+def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:
+    """The mesh without its third coordinate, if that is the same for all and the domain is one of the plane."""
+    points = mesh.points
+    if domain.dimension != 2 or mesh.dimension != 3 or isinstance(points.values, list) or not points.shape[0]:
+        return mesh
+    rows = points.values.reshape(points.shape)
+    if (rows[:, 2] != rows[0, 2]).any():
+        return mesh
+    return mesh._replace(points=numbers_of(rows[:, :2].copy(), "points"))
+
+
+def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:
+    """`check`, and an AssertionError with the witness in its text if the claim does not hold.
+
+    For pytest, unittest and plain scripts alike.
+
+    >>> assert_delaunay([[0, 0], [1, 0], [0, 1], [0.9, 0.9]], [[0, 1, 3], [0, 3, 2]])
+    <Verdict holds: delaunay mesh 4 points 2 triangles unique canonical>
+    """
+    __tracebackhide__ = True  # pytest shows the caller's line
+    return check(points, simplices, claim, **options).raise_for_failure()
+
+
+def delaunay(points: Any, weights: Any = None):
+    """The canonical Delaunay triangulation of (n, d) points, (m, d+1) integers, whatever the order of the points.
+
+    By exact arithmetic: for reference, not for speed. With (n,) weights, the weighted one. Flat sets have rows of
+    k+1 indices. Raises InputError if points are equal.
+
+    >>> delaunay([[0, 0], [1, 0], [0, 1], [1, 1]]).tolist()
+    [[0, 1, 3], [2, 0, 3]]
+    """
+    with Held(points_of(points, weights)) as held:
+        return _core.delaunay(held.parts())
+
+
+class Constrained(NamedTuple):
+    """The canonical constrained Delaunay triangulation of a domain; all (m, k) integers, indices of its points."""
+
+    simplices: Any
+    triangles: Any  # those of space that are in no tetrahedron
+    edges: Any  # that are in no simplex
+    vertices: Any
+
+
+def constrained_delaunay(domain: Any) -> Constrained:
+    """The canonical constrained Delaunay triangulation of a Domain, without further points.
+
+    Raises NoTriangulation (a LookupError) if the domain has none, and InputError if it is no piecewise linear
+    complex.
+
+    >>> square = Domain([[0, 0], [2, 0], [2, 2], [0, 2]], segments=[[0, 1], [1, 2], [2, 3], [3, 0], [1, 3]])
+    >>> constrained_delaunay(square).simplices.tolist()
+    [[0, 1, 3], [1, 2, 3]]
+    """
+    return Constrained(*_core.constrained_delaunay(domain_of(domain).parts()))
+
+
+def orient(*points: Any) -> int:
+    """The sign of det(p_0 - p_d, ..., p_{d-1} - p_d) of d+1 points: -1, 0 or 1; exact.
+
+    In the plane it is positive if they turn counterclockwise.
+
+    >>> orient((0, 0), (1, 0), (0, 1)), orient((0.1, 0.1), (0.2, 0.2), (0.3, 0.3))
+    (1, 0)
+    """
+    own = numbers_of(list(points), "points")
+    return _core.predicate(False, own.shape[1], own.values)
+
+
+def in_ball(*points: Any) -> int:
+    """Is the last of d+2 points inside (1), on (0) or outside (-1) the circumsphere of the others? Exact.
+
+    >>> from fractions import Fraction
+    >>> third = Fraction(1, 3)
+    >>> in_ball((0, 0), (third, 0), (0, third), (third, third))
+    0
+    """
+    own = numbers_of(list(points), "points")
+    return _core.predicate(True, own.shape[1], own.values)
+
+
+def inspect(points: Any, weights: Any = None) -> dict:
+    """Facts about (n, d) points: how many, the dimension that they span, equal ones, whether their Delaunay triangulation
+    is the only one, and if not, points on the boundary of one empty ball. Builds it, so not for large sets.
+
+    >>> inspect([[0, 0], [1, 0], [0, 1], [1, 1], [0, 0]])
+    {'points': 5, 'dimension': 2, 'repeated': [[0, 4]], 'unique': False, 'cospherical': [0, 1, 2, 3]}
+    """
+    with Held(points_of(points, weights)) as held:
+        return json.loads(_core.inspect(held.parts())[1])
+
+
+def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Comparison:
+    """Are two meshes one complex, whatever their numbering? Each a mesh object, or a pair (points, simplices).
+
+    >>> points = [[0, 0], [1, 0], [0, 1]]
+    >>> bool(compare((points, [[0, 1, 2]]), (points[::-1], [[0, 1, 2]])))
+    True
+    """
+    meshes = []
+    for mesh, own in zip((a, b), weights):
+        parts = mesh if isinstance(mesh, tuple) and not hasattr(mesh, "simplices") else (mesh, None)
+        meshes.append(mesh_of(parts[0], parts[1], None, own))
+    with Held(meshes[0]) as held_a, Held(meshes[1]) as held_b:
+        return Comparison(_core.compare(held_a.parts(), held_b.parts()))
+
+
+def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weights: Any = None) -> str:
+    """What proves the verdict to circumspect-verified: the text of a certificate, or of a refutation.
+
+    >>> certify([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).split()[0]
+    'circumspect-certificate'
+    """
+    with Held(mesh_of(points, simplices, None, weights)) as held:
+        return _core.certify(claim, held.parts())[1]
+
+
+class Family(NamedTuple):
+    """A family of inputs. Those of domains have one dimension."""
+
+    name: str
+    about: str
+    dimensions: Tuple[int, ...]
+    weighted: bool = False
+    repeats_points: bool = False
+    is_of_domains: bool = False
+
+
+def families() -> List[Family]:
+    """All families of point sets, with their modifiers, then those of domains.
+
+    >>> [family.name for family in families() if family.is_of_domains][:2]
+    ['scattered-cells', 'coplanar-cells']
+    """
+    sets = [Family(name, about, tuple(dimensions), weighted, repeats)
+            for name, about, dimensions, weighted, repeats in _core.families()]
+    return sets + [Family(name, about, (dimension,), is_of_domains=True)
+                   for name, about, dimension in _core.domain_families()]
+
+
+def generate(family: str, *, dimension: int = 3, points: int = 12, seed: int = 0, fewer: bool = False,
+             exact: bool = False):
+    """The points that a seed stands for, as `circumspect generate` draws them: (n, d) doubles.
+
+    `fewer`: any number of points up to `points`. `exact`: objects, Fractions, before they are rounded to doubles.
+    Of a weighted family a pair (points, weights) comes back.
+
+    >>> generate("sphere", dimension=2, points=4, seed=7).shape
+    (4, 2)
+    """
+    if exact:
+        import numpy as np
+        from fractions import Fraction
+
+        texts = _core.generate_exact(family, dimension, points, seed, fewer)
+        return np.array([Fraction(text) for text in texts], dtype=object).reshape(-1, dimension)
+    drawn, weights = _core.generate(family, dimension, points, seed, fewer)
+    return drawn if weights is None else (drawn, weights)
+
+
+def generate_domain(family: str, *, points: int = 12, seed: int = 0) -> Domain:
+    """The domain that a seed stands for.
+
+    >>> generate_domain("glued-tetrahedra", seed=1).dimension
+    3
+    """
+    drawn, segments, polygons, holes, is_hull = _core.generate_domain(family, points, seed)
+    return Domain(drawn, segments, polygons, holes if len(holes) else None, "hull" if is_hull else "enclosed")

@@ -1,0 +1,63 @@
+"""The judge on the command line: python3 -m circumspect check MESH [--claim CLAIM] [--domain FILE].
+
+MESH is any file that meshio reads, or an .npz file with the arrays points and simplices. The command
+`circumspect` reads its own formats, exactly, and does much more.
+"""
+import argparse
+import sys
+
+import circumspect
+
+
+def loaded(path: str):
+    """A mesh, and a note how exact its reader is."""
+    if path.endswith(".npz"):
+        import numpy as np
+
+        with np.load(path, allow_pickle=False) as arrays:
+            if "points" not in arrays or "simplices" not in arrays:
+                raise ValueError(f"{path}: expected the arrays points and simplices, found {sorted(arrays)}")
+            return arrays["points"], arrays["simplices"], "NumPy reads doubles as they were written"
+    try:
+        import meshio
+    except ImportError:
+        raise ValueError(f"{path}: expected meshio to be installed, which reads such files "
+                         "(Debian: python3-meshio); the command circumspect reads many without it") from None
+    try:
+        mesh = meshio.read(path)
+    except (Exception, SystemExit) as error:  # meshio's readers raise whatever happens to them, or end the process
+        raise ValueError(f"{path}: expected a mesh that meshio reads, found none: {error}") from None
+    return mesh, None, (f"meshio {meshio.__version__} read the points as {mesh.points.dtype}; what its reader or the "
+                        "program that wrote the file rounded is judged as it is now")
+
+
+def main(arguments=None) -> int:
+    """0: all claims hold; 1: one does not; 2: usage; 3: an input is at fault."""
+    parser = argparse.ArgumentParser(prog="python3 -m circumspect", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--version", action="version", version=f"circumspect {circumspect.__version__}")
+    commands = parser.add_subparsers(dest="command", required=True)
+    check = commands.add_parser("check", help="judge meshes")
+    check.add_argument("mesh", nargs="+")
+    check.add_argument("--claim")
+    check.add_argument("--domain", metavar="FILE", help="a surface of triangles")
+    check.add_argument("--format", choices=("text", "json"), default="text")
+    options = parser.parse_args(arguments)
+    code = 0
+    for path in options.mesh:
+        try:
+            mesh, simplices, note = loaded(path)
+            domain = None if options.domain is None else loaded(options.domain)[0]
+            verdict = circumspect.check(mesh, simplices, options.claim, domain=domain, name=path)
+        except (ValueError, TypeError, OSError) as error:
+            print(f"circumspect: {error}", file=sys.stderr)
+            code = 3
+            continue
+        print(f"note: {note}", file=sys.stderr)
+        print(verdict.json if options.format == "json" else verdict)
+        code = code or (0 if verdict else 1)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

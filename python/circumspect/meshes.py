@@ -1,0 +1,394 @@
+"""From what people have in hand to arrays that can be judged, without changing a number.
+
+Nothing here imports a mesh library: objects are told by what they have (`simplices`, `cells`, `triangles`, ...).
+"""
+from __future__ import annotations
+
+import fractions
+import numbers
+import threading
+from typing import Any, NamedTuple, Optional, Sequence
+
+# Arrays up to so many bytes are copied before they are judged, so that no other thread can change them;
+# larger ones are made read-only meanwhile.
+COPIED_BYTES = 1 << 22
+LARGEST_EXACT_INTEGER = 1 << 53  # of doubles without gaps
+
+
+class Numbers(NamedTuple):
+    """Coordinates or weights: `values` is a flat array of doubles, or a list of exact texts."""
+
+    values: Any
+    shape: tuple
+    source: Any = None  # the caller's own array, if it has the same memory
+
+
+class Mesh(NamedTuple):
+    """A mesh as arrays: see `mesh_of`."""
+
+    points: Numbers
+    simplices: Any  # m × k integers, or None
+    neighbors: Any
+    weights: Optional[Numbers]
+    triangles: Any  # listed beside tetrahedra, or None
+    edges: Any
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates of a point."""
+        return self.points.shape[1]
+
+    def parts(self) -> tuple:
+        """What `_core` takes."""
+        return (self.dimension, self.points.values, self.weights and self.weights.values, self.simplices,
+                self.neighbors, self.triangles, self.edges)
+
+
+def exact_text(value: Any, what: str) -> str:
+    """The exact value of a number as a text such as "1/3"."""
+    if isinstance(value, bool) or not (isinstance(value, numbers.Rational) or hasattr(value, "as_integer_ratio")):
+        raise TypeError(f"expected numbers as {what}, found {value!r} of type {type(value).__name__}")
+    try:
+        if isinstance(value, numbers.Rational):
+            exact = fractions.Fraction(int(value.numerator), int(value.denominator))
+        else:
+            exact = fractions.Fraction(*(int(part) for part in value.as_integer_ratio()))
+    except (OverflowError, ValueError):
+        raise ValueError(f"expected finite {what}, found {value!r}") from None
+    return str(exact)
+
+
+def array_of(values: Any, what: str):
+    """A NumPy array of what is no array yet; ragged lists and masked entries are refused."""
+    import numpy as np
+
+    if isinstance(values, np.ma.MaskedArray):
+        if np.ma.is_masked(values):
+            raise ValueError(f"expected {what} without masked entries, found some")
+        values = values.data
+    if isinstance(values, (str, bytes)) or values is None:
+        raise TypeError(f"expected an array of {what}, found {type(values).__name__}")
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind == "f" and not isinstance(values, np.ndarray) and not hasattr(values, "__array__"):
+            # A list may hold integers or fractions that its float array has rounded.
+            array = exactly_as_listed(values, array)
+    except ValueError:
+        raise ValueError(f"expected {what} in rows of one length, found a ragged list") from None
+    except OverflowError:
+        array = np.asarray(values, dtype=object)
+    return array
+
+
+def exactly_as_listed(values: Any, array: Any):
+    """The float array of a list, or the list's own objects where one is no float."""
+    import numpy as np
+
+    objects = np.asarray(values, dtype=object)
+    if objects.shape != array.shape:
+        return array
+    small = (float, np.floating)
+    for value in objects.flat:
+        if not isinstance(value, small) and not (isinstance(value, int) and abs(value) <= LARGEST_EXACT_INTEGER):
+            return objects
+    return array
+
+
+def numbers_of(values: Any, what: str, columns: Optional[int] = None) -> Numbers:
+    """Doubles where all numbers are doubles, else exact texts; n × d, or n if `columns` is 0."""
+    import numpy as np
+
+    array = array_of(values, what)
+    expected = "(n,)" if columns == 0 else "(n, d)"
+    if array.ndim != (1 if columns == 0 else 2) or (array.ndim == 2 and array.shape[1] == 0):
+        raise ValueError(f"expected {what} of shape {expected}, found {array.shape}")
+    kind = array.dtype.kind
+    if kind == "f" and array.dtype.itemsize <= 8:
+        doubles = np.ascontiguousarray(array, dtype=np.float64)
+    elif kind in "iu" and not has_large_integers(array):
+        doubles = np.ascontiguousarray(array, dtype=np.float64)
+    elif kind in "fiuO":
+        return Numbers([exact_text(value, what) for value in array.ravel()], array.shape)
+    else:
+        raise TypeError(f"expected numbers as {what}, found an array of {array.dtype}")
+    if not np.isfinite(doubles).all():
+        place = np.argwhere(~np.isfinite(doubles))[0]
+        raise ValueError(f"expected finite {what}, found {doubles[tuple(place)]} at {tuple(map(int, place))}")
+    return Numbers(doubles.reshape(-1), array.shape, array if doubles is array else None)
+
+
+def has_large_integers(array: Any) -> bool:
+    """Has an array of integers some that may be no doubles, beyond 2^53?"""
+    return bool(array.size) and (int(array.max()) > LARGEST_EXACT_INTEGER
+                               or int(array.min()) < -LARGEST_EXACT_INTEGER)
+
+
+def indices_of(values: Any, what: str, columns: Optional[int] = None):
+    """Indices in C order, of 32 or 64 bits."""
+    import numpy as np
+
+    array = array_of(values, what)
+    if array.size == 0 and array.ndim < 2:
+        array = np.zeros((0, columns or 1), dtype=np.int64)
+    if array.dtype.kind == "O":
+        if not all(isinstance(value, numbers.Integral) and not isinstance(value, bool) for value in array.flat):
+            raise TypeError(f"expected integers as {what}, found other objects")
+        if any(not -(1 << 63) <= value < 1 << 63 for value in array.flat):
+            raise ValueError(f"expected {what} of 64 bits, found larger ones")
+        array = array.astype(np.int64)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"expected integers as {what}, found an array of {array.dtype}")
+    if array.ndim != 2 or (columns is not None and array.shape[1] != columns):
+        wanted = "(m, k)" if columns is None else f"(m, {columns})"
+        raise ValueError(f"expected {what} of shape {wanted}, found {array.shape}")
+    if array.dtype.kind == "u" and array.dtype.itemsize == 8 and array.size and int(array.max()) >= 1 << 63:
+        raise ValueError(f"expected {what} of 64 bits with a sign, found {int(array.max())}")
+    wide = array.dtype.itemsize == 8 or array.dtype == np.uint32
+    return np.ascontiguousarray(array, dtype=np.int64 if wide else np.int32)
+
+
+def mesh_of(points: Any, simplices: Any = None, neighbors: Any = None, weights: Any = None) -> Mesh:
+    """Arrays, or one object that has them in the place of `points`."""
+    import numpy as np
+
+    triangles = edges = None
+    if simplices is None and not isinstance(points, (np.ndarray, list, tuple)):
+        points, simplices, found_neighbors, triangles, edges = parts_of(points)
+        neighbors = found_neighbors if neighbors is None else neighbors
+    elif simplices is None:
+        raise TypeError("expected simplices beside an array of points, or a mesh object, found neither")
+    own = numbers_of(points, "points")
+    rows = indices_of(simplices, "simplices", None if np.size(simplices) else own.shape[1] + 1)
+    across = None
+    if neighbors is not None:
+        across = indices_of(neighbors, "neighbors")
+        if across.shape != rows.shape:
+            raise ValueError(f"expected neighbors of the shape of the simplices, {rows.shape}, found {across.shape}")
+        if across.dtype != rows.dtype:
+            rows, across = rows.astype(np.int64), across.astype(np.int64)
+    return Mesh(own, rows, across, weights_of(weights, own), triangles, edges)
+
+
+def weights_of(weights: Any, points: Numbers) -> Optional[Numbers]:
+    """One weight a point."""
+    if weights is None:
+        return None
+    own = numbers_of(weights, "weights", 0)
+    if own.shape[0] != points.shape[0]:
+        raise ValueError(f"expected one weight a point, {points.shape[0]}, found {own.shape[0]}")
+    return own
+
+
+def points_of(points: Any, weights: Any = None) -> Mesh:
+    """Points without simplices."""
+    own = numbers_of(points, "points")
+    return Mesh(own, None, None, weights_of(weights, own), None, None)
+
+
+# The cells that count, by VTK's number and by meshio's name, and how many vertices each has.
+CELLS = {10: 4, 5: 3, 3: 2, 1: 1, "tetra": 4, "triangle": 3, "line": 2, "vertex": 1}
+
+
+def parts_of(mesh: Any):
+    """(points, simplices, neighbors, triangles, edges) of somebody's mesh object."""
+    import numpy as np
+
+    if hasattr(mesh, "points") and hasattr(mesh, "simplices"):  # scipy.spatial.Delaunay
+        return mesh.points, mesh.simplices, getattr(mesh, "neighbors", None), None, None
+    if hasattr(mesh, "triangles") and hasattr(mesh, "x") and hasattr(mesh, "y"):  # matplotlib.tri
+        mask = getattr(mesh, "mask", None)
+        triangles = np.asarray(mesh.triangles)
+        return np.column_stack([mesh.x, mesh.y]), triangles if mask is None else triangles[~mask], None, None, None
+    if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):  # meshio.Mesh, pyvista.UnstructuredGrid
+        return with_cells(mesh.points, mesh.cells_dict)
+    if hasattr(mesh, "points") and hasattr(mesh, "faces"):  # pyvista.PolyData: 3 a b c 3 d e f
+        faces = np.asarray(mesh.faces)
+        if faces.ndim == 1:
+            if faces.size % 4 or not (faces[::4] == 3).all():
+                raise ValueError("expected a surface of triangles, found other faces")
+            faces = faces.reshape(-1, 4)[:, 1:]
+        return mesh.points, faces, None, None, None
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh.Trimesh
+        return np.asarray(mesh.vertices), np.asarray(mesh.faces), None, None, None
+    if hasattr(mesh, "GetNumberOfCells") and hasattr(mesh, "GetPoint"):  # vtkUnstructuredGrid
+        return with_cells(*vtk_cells(mesh))
+    raise TypeError(
+        "expected points and simplices, or a mesh as scipy.spatial.Delaunay, matplotlib.tri.Triangulation, "
+        f"meshio.Mesh, pyvista or trimesh make it, found {type(mesh).__name__}")
+
+
+def vtk_cells(grid: Any):
+    """The points of a VTK grid, and its cells by VTK's numbers."""
+    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
+    cells: dict = {}
+    for i in range(grid.GetNumberOfCells()):
+        ids = grid.GetCell(i).GetPointIds()
+        row = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        cells.setdefault(grid.GetCellType(i), []).append(row)
+    return points, cells
+
+
+def with_cells(points: Any, cells: dict):
+    """The cells of the highest dimension are the simplices, those below are listed beside them."""
+    import numpy as np
+
+    of_size: dict = {}
+    for kind, rows in cells.items():
+        rows = np.asarray(rows)
+        if rows.size == 0:
+            continue
+        if kind not in CELLS:
+            raise ValueError(f"expected tetrahedra, triangles, edges and vertices, found cells of type {kind!r}")
+        of_size[CELLS[kind]] = rows
+    if not of_size:
+        return points, np.zeros((0, np.asarray(points).shape[1] + 1), np.int64), None, None, None
+    most = max(of_size)
+    listed = {size: np.ascontiguousarray(rows, dtype=np.int64) for size, rows in of_size.items() if size < most}
+    return points, of_size[most], None, listed.get(3), listed.get(2)
+
+
+class Held:
+    """Keeps the arrays of a mesh from being changed by others while they are judged."""
+
+    _lock = threading.Lock()
+    _counts: dict = {}  # by id: how often an array is held, and was it writeable
+    _released: list = []  # arrays that are to be writeable again
+
+    def __init__(self, mesh: Mesh, copy: bool = False):
+        self.frozen: list = []
+        self.copies = copy  # of large arrays too
+        self.mesh = mesh._replace(
+            points=self.kept(mesh.points), weights=mesh.weights and self.kept(mesh.weights),
+            simplices=self.array(mesh.simplices), neighbors=self.array(mesh.neighbors))
+
+    def kept(self, values: Numbers) -> Numbers:
+        """The same numbers, a copy or read-only."""
+        if isinstance(values.values, list):
+            return values
+        held = self.array(values.values)
+        if held is values.values:
+            self.freeze(values.source)
+        return values._replace(values=held)
+
+    def array(self, array: Any):
+        """A copy of a small array; a large one is made read-only."""
+        if array is None or not array.size:
+            return array
+        if self.copies or array.nbytes <= COPIED_BYTES:
+            return array.copy()
+        self.freeze(array)
+        return array
+
+    def freeze(self, owner: Any) -> None:
+        """Makes an array read-only, and the arrays that it is a view of."""
+        while owner is not None and hasattr(owner, "flags"):
+            with self._lock:
+                count, was_writeable = self._counts.get(id(owner), (0, owner.flags.writeable))
+                self._counts[id(owner)] = (count + 1, was_writeable)
+                owner.flags.writeable = False
+            self.frozen.append(owner)
+            owner = owner.base
+
+    def __enter__(self) -> Mesh:
+        return self.mesh
+
+    def __exit__(self, *_: Any) -> None:
+        with self._lock:
+            for owner in self.frozen:
+                count, was_writeable = self._counts.pop(id(owner))
+                if count > 1:
+                    self._counts[id(owner)] = (count - 1, was_writeable)
+                elif was_writeable:
+                    self._released.append(owner)
+            # A view is writeable again after the array that it is a view of, which others may still hold.
+            waiting = sorted(self._released, key=lambda array: array.base is not None)
+            self._released.clear()
+            for array in waiting:
+                try:
+                    array.flags.writeable = True
+                except ValueError:
+                    self._released.append(array)
+
+
+class Domain:
+    """A piecewise linear complex: what a mesh is meant to fill.
+
+    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, in space alone: each a list of
+    corners, or of several such lines (outline and holes); holes: a point in each hole; kind: "enclosed" (what
+    segments or polygons enclose), "hull" (the convex hull), or None, which is "enclosed" if they enclose
+    anything, and "hull" if there are none.
+
+    >>> square = Domain([[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
+    >>> square
+    Domain(4 points, 4 segments, 0 polygons)
+    """
+
+    def __init__(self, points: Any, segments: Any = None, polygons: Optional[Sequence] = None, holes: Any = None,
+                 kind: Optional[str] = None):
+        import numpy as np
+
+        self.points = numbers_of(points, "points")
+        if self.dimension not in (2, 3):
+            raise ValueError(f"expected a domain of the plane or of space, found points of {self.dimension} coordinates")
+        self.segments = indices_of([] if segments is None else segments, "segments", 2).astype(np.int64)
+        self.polygons = [lines_of(polygon) for polygon in (() if polygons is None else polygons)]
+        if holes is None or np.size(holes) == 0:
+            self.holes = np.zeros((0, self.dimension))
+        else:
+            found = numbers_of(holes, "holes")
+            if isinstance(found.values, list) or found.shape[1] != self.dimension:
+                raise ValueError(f"expected holes as doubles of shape (h, {self.dimension}), found {found.shape}")
+            self.holes = found.values.reshape(found.shape)
+        kinds = {None: 0, "enclosed": 1, "hull": 2}
+        if kind not in kinds:
+            raise ValueError(f"expected the kind 'enclosed', 'hull' or None, found {kind!r}")
+        self.kind = kind
+        self._kind = kinds[kind]
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self.points.shape[1]
+
+    def __repr__(self) -> str:
+        return (f"Domain({self.points.shape[0]} points, {len(self.segments)} segments, "
+                f"{len(self.polygons)} polygons)")
+
+    def parts(self) -> tuple:
+        """What `_core` takes."""
+        import numpy as np
+
+        polygon_starts, line_starts, corners = [0], [0], []
+        for lines in self.polygons:
+            for line in lines:
+                corners += line
+                line_starts.append(len(corners))
+            polygon_starts.append(len(line_starts) - 1)
+        lists = [np.array(values, dtype=np.int64) for values in (polygon_starts, line_starts, corners)]
+        return (self.dimension, self.points.values, self.segments.reshape(-1), *lists, self.holes.reshape(-1),
+                self._kind)
+
+
+def lines_of(polygon: Any) -> list:
+    """A polygon as lines of corners: one line may stand for itself."""
+    polygon = list(polygon)
+    if not polygon or not hasattr(polygon[0], "__iter__"):
+        polygon = [polygon]
+    return [[int(corner) for corner in line] for line in polygon]
+
+
+def domain_of(domain: Any) -> Domain:
+    """A domain, the dictionary of one (vertices, segments, holes, as `triangle` has it), or a closed surface."""
+    if isinstance(domain, Domain):
+        return domain
+    if isinstance(domain, dict):
+        known = {"vertices": "points", "points": "points", "segments": "segments", "polygons": "polygons",
+                 "holes": "holes", "kind": "kind"}
+        unknown = set(domain) - set(known)
+        if unknown or not {"vertices", "points"} & set(domain):
+            raise ValueError(f"expected a domain with the keys {', '.join(sorted(known))}, found {sorted(domain)}")
+        return Domain(**{known[key]: value for key, value in domain.items()})
+    points, simplices, _, _, edges = parts_of(domain)
+    if simplices.shape[1] != 3:
+        raise ValueError(f"expected a surface of triangles as a domain, found cells of {simplices.shape[1]} vertices")
+    return Domain(points, edges, polygons=simplices.tolist())

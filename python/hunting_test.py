@@ -1,0 +1,116 @@
+"""Campaigns, Hypothesis strategies and the pytest plugin of the package circumspect. Run by pytest."""
+import os
+import time
+
+import pytest
+
+import circumspect
+
+pytest_plugins = ["pytester"]
+
+
+def test_a_campaign_finds_each_kind_of_mistake(tmp_path):
+    def answer(points):
+        if len(points) == 6:
+            raise RuntimeError("six")
+        if len(points) == 7:
+            return "rubbish"
+        if len(points) == 8:
+            return [[0, 1, 2], [0, 1]]
+        return [[0, 1, 2]]
+
+    found = circumspect.campaign(answer, dimension=2, cases=200, save=tmp_path / "kept")
+    rules = {finding.rule: finding for finding in found.findings}
+    assert not found and {"raised", "no-mesh", "triangulation.unused-point"} <= set(rules)
+    assert "RuntimeError: six" in rules["raised"].report and len(rules["raised"].points) == 6
+    assert len(rules["triangulation.unused-point"].points) == 4
+    assert len(list((tmp_path / "kept").glob("*.npy"))) == len(found.findings)
+    with pytest.raises(AssertionError, match="six"):
+        found.raise_for_failure()
+    assert circumspect.campaign(lambda points: circumspect.delaunay(points), dimension=2, cases=50)
+    again = circumspect.campaign(answer, dimension=2, cases=200)
+    assert [finding.rule for finding in again.findings] == [finding.rule for finding in found.findings]
+    small = circumspect.minimize(answer, rules["raised"].original)
+    assert small.rule == "raised" and len(small.points) == 6
+    with pytest.raises(ValueError, match="it is right on them"):
+        circumspect.minimize(lambda points: [[0, 1, 2]], [[0, 0], [1, 0], [0, 1]])
+    assert circumspect.campaign(answer, dimension=2, cases=60, refuses=(RuntimeError,)).findings[0].rule != "raised"
+    with pytest.raises(TypeError, match="expected a function"):
+        circumspect.campaign(7)
+    with pytest.raises(ValueError, match="found 'nowhere'"):
+        circumspect.campaign(answer, families=["nowhere"])
+
+
+def test_a_campaign_survives_crashes_and_hangs():
+    def answer(points):
+        if len(points) == 18:
+            os.kill(os.getpid(), 11)
+        if len(points) == 14:
+            time.sleep(60)
+        return circumspect.delaunay(points)
+
+    found = circumspect.campaign(answer, dimension=2, cases=4, isolated=True, time_limit=0.5, time=1,
+                                 families=["integers"])
+    reports = {finding.rule: finding.report for finding in found.findings}
+    assert "signal 11" in reports["crash"] and "0.5 s" in reports["hang"]
+
+
+def test_a_campaign_is_quick():
+    start = time.monotonic()
+    found = circumspect.campaign(lambda points: circumspect.delaunay(points), dimension=2, points=8, cases=300)
+    assert found.cases == 300 and time.monotonic() - start < 10
+
+
+def test_weighted_campaign():
+    found = circumspect.campaign(lambda points, weights: circumspect.delaunay(points, weights), dimension=2,
+                                 claim="weighted-delaunay", cases=40)
+    assert found and found.cases == 40
+    wrong = circumspect.campaign(lambda points, weights: circumspect.delaunay(points), dimension=2,
+                                 claim="weighted-delaunay", cases=60)
+    assert wrong.findings[0].weights is not None
+
+
+def test_plugin(pytester):
+    pytester.makepyfile("""
+        def test_right(assert_delaunay):
+            assert_delaunay([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])
+        def test_wrong(assert_delaunay):
+            assert_delaunay([[0, 0], [1, 0], [0, 1], [0.9, 0.9]], [[0, 1, 2], [1, 3, 2]])
+        def test_hunt(circumspect_campaign):
+            circumspect_campaign(lambda points: [[0, 1, 2]], dimension=2)
+    """)
+    result = pytester.runpytest_subprocess("-p", "circumspect.pytest_plugin", "--circumspect-time=0.2")
+    result.assert_outcomes(passed=1, failed=2)
+    result.stdout.fnmatch_lines(["*vertex   3 at (0.9, 0.9)*", "*triangulation.unused-point on 4 points*"])
+    assert list((pytester.path / ".circumspect").rglob("*.npy"))
+
+
+def test_hypothesis_shrinks():
+    hypothesis = pytest.importorskip("hypothesis")
+    from circumspect import strategies
+
+    seen = []
+
+    @hypothesis.settings(max_examples=60, deadline=None, database=None, derandomize=True)
+    @hypothesis.given(strategies.points(dimension=2, max_points=10))
+    def drop_one(points):
+        made = circumspect.delaunay(points)
+        seen.append(points)
+        if len(made) > 1:
+            circumspect.assert_delaunay(points, made[1:])
+
+    with pytest.raises(AssertionError):
+        drop_one()
+    assert len(seen[-1]) == 4
+
+    @hypothesis.settings(max_examples=15, deadline=None, database=None)
+    @hypothesis.given(strategies.domains(dimension=2), strategies.points(families=["grid"], dimension=3, flat=True))
+    def right(domain, points):
+        assert domain.dimension == 2 and points.shape[1] == 3
+        circumspect.assert_delaunay(points, circumspect.delaunay(points))
+
+    right()
+    for call in (lambda: strategies.points(families=["nothing"]), lambda: strategies.points(min_points=9, max_points=3),
+                 lambda: strategies.domains(families=["sphere"])):
+        with pytest.raises(ValueError, match="expected"):
+            call()

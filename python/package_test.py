@@ -1,0 +1,360 @@
+"""The package circumspect: what it takes, what it refuses, and what comes back. Run by pytest."""
+import decimal
+import doctest
+import importlib
+import pathlib
+import subprocess
+import sys
+import threading
+import time
+import types
+import unittest
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import circumspect
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+POINTS = np.array([[0, 0], [1, 0], [0, 1], [0.9, 0.9]])
+RIGHT = np.array([[0, 1, 3], [0, 3, 2]], dtype=np.int32)
+WRONG = np.array([[0, 1, 2], [1, 3, 2]], dtype=np.int32)
+
+
+def scipy_mesh(count, dimension, seed=1):
+    """SciPy's triangulation of random points."""
+    spatial = pytest.importorskip("scipy.spatial")
+    return spatial.Delaunay(np.random.default_rng(seed).random((count, dimension)))
+
+
+
+@pytest.mark.parametrize("name", ["circumspect", "circumspect.meshes", "circumspect.verdicts",
+                                  "circumspect.campaigns"])
+def test_docstrings(name):
+    found = doctest.testmod(importlib.import_module(name), optionflags=doctest.ELLIPSIS)
+    assert found.failed == 0 and found.attempted >= (1 if name != "circumspect.campaigns" else 2)
+
+
+@pytest.mark.parametrize("page", ["python.md"])
+def test_pages(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = doctest.testfile(str(ROOT / "docs" / page), module_relative=False, optionflags=doctest.ELLIPSIS)
+    assert found.failed == 0 and found.attempted > 20
+
+
+def test_a_verdict_and_its_parts():
+    verdict = circumspect.check(POINTS, WRONG, name="mine")
+    assert not verdict and verdict.rules == {"delaunay.facet-not-local": 1}
+    violation, = verdict.violations
+    assert violation.rule == "delaunay.facet-not-local" and violation.vertices == [3]
+    assert violation.ball.centre == (Fraction(1, 2), Fraction(1, 2)) and violation.ball.squared_radius == Fraction(1, 2)
+    distance = sum((Fraction(x) - c) ** 2 for x, c in zip(POINTS[3].tolist(), violation.ball.centre))
+    assert distance < violation.ball.squared_radius
+    assert verdict.unique is None and verdict.to_dict()["mesh"] == "mine"
+    assert str(verdict).endswith("fails: delaunay mine delaunay.facet-not-local 1 face 1 2 vertex 3")
+    assert "<pre" in verdict._repr_html_() and "fails" in repr(verdict)
+    with pytest.raises(circumspect.CheckFailed, match="vertex 3") as caught:
+        verdict.raise_for_failure()
+    assert caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
+    holds = circumspect.check(POINTS, RIGHT)
+    assert holds.unique is True and holds.canonical is True and holds.raise_for_failure() is holds
+    assert circumspect.check(POINTS, RIGHT, "triangulation").unique is None
+
+
+@pytest.mark.parametrize("points", [
+    POINTS.astype(np.float32), np.asfortranarray(POINTS), POINTS.tolist(), POINTS.astype(">f8"), POINTS[::1, ::1],
+    np.repeat(POINTS, 2, axis=0)[::2], POINTS.astype(object), POINTS.astype(np.longdouble), POINTS.astype(np.float16),
+    [[Fraction(x) for x in row] for row in POINTS.tolist()], [[decimal.Decimal(x) for x in row] for row in POINTS.tolist()]])
+@pytest.mark.parametrize("dtype", [np.int8, np.int32, np.int64, np.uint64, np.uint32, np.int16, ">i4", object, list])
+def test_all_kinds_of_numbers_are_taken_exactly(points, dtype):
+    def rows(simplices):
+        return simplices.tolist() if dtype is list else np.asfortranarray(simplices).astype(dtype)
+
+    assert circumspect.check(points, rows(RIGHT))
+    assert circumspect.check(points, rows(WRONG)).rules == {"delaunay.facet-not-local": 1}
+
+
+def test_nothing_is_rounded():
+    third = Fraction(1, 3)
+    on_circle = [[0, 0], [third, 0], [0, third], [third, third]]
+    verdict = circumspect.check(on_circle, [[0, 1, 2], [1, 3, 2]])
+    assert verdict and verdict.unique is False
+    # 2^53 + 1 is no double, and lies between the two others.
+    middle = [[2**53, 0], [2**53 + 2, 0], [2**53 + 1, 0]]
+    for points in (middle, np.array(middle), np.array(middle, dtype=np.uint64)):
+        assert circumspect.check(points, [[0, 2], [2, 1]])
+        assert not circumspect.check(points, [[0, 1]])
+    assert circumspect.check([[10**30, 0.5], [0, 0], [0, 1]], [[0, 1, 2]])
+    big = np.array([[2**53, 0], [2**53 + 2, 0]], dtype=np.longdouble)
+    big = np.vstack([big, (big[:1] + big[1:]) / 2])
+    assert circumspect.check(big, [[0, 2], [2, 1]])
+    assert circumspect.orient((0, 0), (Fraction(1, 10), Fraction(1, 10)), (0.1, 0.1)) == 0
+    assert circumspect.orient((0, 0), (Fraction(1, 10), 0.1), (1, 1)) != 0
+    assert circumspect.in_ball((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)) == 0
+
+
+@pytest.mark.parametrize("arguments, error, message", [
+    (([[0, 0], [1]], RIGHT), ValueError, "rows of one length, found a ragged list"),
+    ((POINTS[:, 0], RIGHT), ValueError, r"points of shape \(n, d\), found \(4,\)"),
+    ((POINTS, RIGHT[0]), ValueError, r"simplices of shape \(m, k\), found \(3,\)"),
+    ((POINTS, RIGHT.astype(float)), TypeError, "integers as simplices, found an array of float64"),
+    ((POINTS, RIGHT > 0), TypeError, "integers as simplices, found an array of bool"),
+    ((POINTS > 0, RIGHT), TypeError, "numbers as points, found an array of bool"),
+    ((POINTS * 1j, RIGHT), TypeError, "numbers as points, found an array of complex128"),
+    (("mesh", None), TypeError, "a mesh as scipy.spatial.Delaunay"),
+    ((POINTS, "mesh"), TypeError, "an array of simplices, found str"),
+    ((object(), None), TypeError, "found object"),
+    ((POINTS, None), TypeError, "expected simplices beside an array of points"),
+    (([["a", "b"]], RIGHT), TypeError, "numbers as points"),
+    (([[None, Fraction(1)]], RIGHT), TypeError, "numbers as points, found None"),
+    (([[0, 0], [float("inf"), 0]], RIGHT), ValueError, r"finite points, found inf at \(1, 0\)"),
+    (([[Fraction(1), float("nan")]], RIGHT), ValueError, "finite points, found nan"),
+    (([[0, decimal.Decimal("inf")]], RIGHT), ValueError, "finite points"),
+    ((POINTS, RIGHT, "delauney"), ValueError, "one of triangulation delaunay weighted-delaunay"),
+    ((POINTS, RIGHT, "cdt"), ValueError, "a claim about a mesh without a domain"),
+    ((POINTS, np.array([[2**63, 0, 1]], dtype=np.uint64)), ValueError, "of 64 bits"),
+    ((POINTS, [[2**70, 0, 1]]), ValueError, "of 64 bits, found larger"),
+    ((np.ma.masked_equal(POINTS, 0.9), RIGHT), ValueError, "without masked entries"),
+    ((np.zeros((4, 0)), RIGHT), ValueError, "found \\(4, 0\\)"),
+    ((np.zeros((2, 65)), RIGHT), ValueError, "a dimension from 1 to 64, found 65"),
+])
+def test_what_is_wrong_is_refused(arguments, error, message):
+    with pytest.raises(error, match=message):
+        circumspect.check(*arguments)
+
+
+@pytest.mark.parametrize("options, error, message", [
+    ({"neighbors": RIGHT[:1]}, ValueError, "neighbors of the shape of the simplices"),
+    ({"weights": [1, 2]}, ValueError, "one weight a point, 4, found 2"),
+    ({"weights": POINTS}, ValueError, r"weights of shape \(n,\)"),
+    ({"threads": -1}, ValueError, "0 to 4096 threads, found -1"),
+    ({"max_errors": -1}, ValueError, "a number of witnesses"),
+    ({"by": "guess"}, ValueError, "by='lemma'"),
+    ({"within": 1}, ValueError, "a domain beside within"),
+    ({"domain": {"corners": []}}, ValueError, "a domain with the keys"),
+    ({"domain": 7}, TypeError, "found int"),
+    ({"domain": {"points": [[0, 0], [1, 1], [1, 0], [0, 1]], "segments": [[0, 1], [2, 3]]}}, circumspect.InputError,
+     "plc.crossing-segments"),
+    ({"domain": {"points": POINTS, "segments": [[0, 1], [1, 9]]}}, circumspect.InputError, "plc.index-out-of-range"),
+])
+def test_options_that_are_wrong_are_refused(options, error, message):
+    with pytest.raises(error, match=message):
+        circumspect.check(POINTS, RIGHT, **options)
+
+
+def test_indices_of_no_point_are_the_meshs_fault():
+    for wrong in (4, -1, 2**40):
+        assert circumspect.check(POINTS, [[0, 1, wrong]]).rules["triangulation.unknown-vertex"] == 1
+    assert not circumspect.check(POINTS, [])
+    assert not circumspect.check(POINTS, np.zeros((0, 3), int))
+    assert circumspect.check(np.zeros((0, 2)), [])
+
+
+def test_objects_of_other_libraries():
+    mesh = scipy_mesh(300, 3)
+    assert circumspect.check(mesh) and circumspect.check(mesh.points, mesh.simplices, neighbors=mesh.neighbors)
+    changed = mesh.neighbors.copy()
+    changed[0] = changed[0][::-1].copy()
+    assert "complex.wrong-neighbor" in circumspect.check(mesh, neighbors=changed).rules
+    tri = pytest.importorskip("matplotlib.tri")
+    plane = scipy_mesh(50, 2)
+    triangulation = tri.Triangulation(*plane.points.T)
+    assert circumspect.check(triangulation)
+    triangulation.set_mask([True] + [False] * (len(triangulation.triangles) - 1))
+    assert not circumspect.check(triangulation)
+    cells = {"tetra": mesh.simplices, "triangle": mesh.convex_hull}
+    assert circumspect.check(types.SimpleNamespace(points=mesh.points, cells_dict=cells))
+    as_pyvista = types.SimpleNamespace(points=plane.points.astype(np.float32), cells_dict={5: plane.simplices})
+    assert circumspect.check(as_pyvista, claim="triangulation").to_dict()["simplices"] == len(plane.simplices)
+    flat = np.column_stack([plane.points, np.full(50, 0.1)])
+    faces = np.column_stack([np.full(len(plane.simplices), 3), plane.simplices]).ravel()
+    assert circumspect.check(types.SimpleNamespace(points=flat, faces=faces))
+    assert circumspect.check(types.SimpleNamespace(vertices=flat, faces=plane.simplices))
+    with pytest.raises(ValueError, match="found cells of type 'hexahedron'"):
+        circumspect.check(types.SimpleNamespace(points=flat, cells_dict={"hexahedron": [[0] * 8]}))
+    with pytest.raises(ValueError, match="a surface of triangles"):
+        circumspect.check(types.SimpleNamespace(points=flat, faces=np.array([4, 0, 1, 2, 3])))
+
+
+SQUARE = {"vertices": [[0, 0], [1, 0], [1, 1], [0, 1]], "segments": [[0, 1], [1, 2], [2, 3], [3, 0]]}
+
+
+def test_domains():
+    halves = [[0, 1, 2], [0, 2, 3]]
+    assert circumspect.check(SQUARE["vertices"], halves, domain=SQUARE).claim == "cdt"
+    centre = SQUARE["vertices"] + [[0.5, 0.5]]
+    fan = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    assert circumspect.check(centre, fan, domain=SQUARE).claim == "steiner-cdt"
+    assert not circumspect.check(centre, fan, "cdt", domain=SQUARE)
+    in_space = [[*point, 0.25] for point in SQUARE["vertices"]]
+    assert circumspect.check(in_space, halves, domain=SQUARE)
+    rounded = np.array(SQUARE["vertices"]) + [[0, 0], [1e-12, 0], [0, 0], [0, 0]]
+    assert not circumspect.check(rounded, halves, domain=SQUARE)
+    for within in (1e-9, "1e-9", Fraction(1, 10**9)):
+        assert circumspect.check(rounded, halves, domain=SQUARE, within=within)
+    with pytest.raises(ValueError, match="enclose nothing"):
+        circumspect.check(SQUARE["vertices"], halves, domain={**SQUARE, "segments": [[0, 1]]})
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    tetrahedron = circumspect.Domain(corners, polygons=[[0, 1, 2], [0, 1, 3], [[0, 2, 3]], [1, 2, 3]])
+    built = circumspect.constrained_delaunay(tetrahedron)
+    assert built.simplices.shape == (1, 4) and not len(built.edges) and not len(built.vertices)
+    assert circumspect.check(corners, built.simplices, domain=tetrahedron)
+    surface = types.SimpleNamespace(vertices=np.array(corners), faces=np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]))
+    assert circumspect.check(corners, [[0, 1, 2, 3]], domain=surface)
+    holed = circumspect.Domain(
+        [*SQUARE["vertices"], [.25, .25], [.75, .25], [.5, .75]], [*SQUARE["segments"], [4, 5], [5, 6], [6, 4]],
+        holes=[[.5, .5]])
+    assert len(circumspect.constrained_delaunay(holed).simplices) == 7
+    for seed in range(20):
+        domain = circumspect.generate_domain("delaunay-polyhedra", seed=seed)
+        built = circumspect.constrained_delaunay(domain)
+        points = domain.points.values.reshape(domain.points.shape)
+        cells = types.SimpleNamespace(points=points, cells_dict={"tetra": built.simplices, "triangle": built.triangles,
+                                                                 "line": built.edges})
+        assert circumspect.check(cells, domain=domain)
+
+
+def test_none_is_said():
+    schoenhardt = [[10, 0, 0], [-5, 9, 0], [-5, -9, 0], [9, 5, 10], [-9, 5, 10], [0, -10, 10]]
+    ends = [[0, 1, 2], [3, 4, 5]]
+    inwards = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 4, 5], [0, 2, 3], [2, 3, 5]]
+    outwards = [[0, 1, 3], [1, 4, 3], [1, 2, 4], [2, 5, 4], [2, 0, 5], [0, 3, 5]]
+    with pytest.raises(circumspect.NoTriangulation, match="found none: it shows at"):
+        circumspect.constrained_delaunay(circumspect.Domain(schoenhardt, polygons=ends + inwards))
+    built = circumspect.constrained_delaunay(circumspect.Domain(schoenhardt, polygons=ends + outwards))
+    assert circumspect.check(schoenhardt, built.simplices, domain={"points": schoenhardt, "polygons": ends + outwards})
+
+
+def test_references_and_comparisons():
+    points = circumspect.generate("grid", dimension=3, points=20, seed=3)
+    built = circumspect.delaunay(points)
+    verdict = circumspect.check(points, built)
+    assert verdict and verdict.canonical
+    order = np.random.default_rng(1).permutation(len(points))
+    again = circumspect.delaunay(points[order])
+    assert circumspect.compare((points, built), (points[order], again))
+    difference = circumspect.compare((points, built), (points, built[1:]))
+    assert not difference and len(difference.only_in_a["simplices"]) == 1 and "1 simplices only in a" in repr(difference)
+    assert circumspect.compare(types.SimpleNamespace(points=points, simplices=built), (points, built))
+    with pytest.raises(circumspect.InputError, match="1 point equal to an earlier one: 0 and 2"):
+        circumspect.delaunay([[0, 0], [1, 0], [0, 0]])
+    light = circumspect.delaunay([[0, 0], [4, 0], [0, 4], [1, 1]], weights=[0, 0, 0, -100])
+    assert light.tolist() == [[0, 1, 2]]
+    assert circumspect.check([[0, 0], [4, 0], [0, 4], [1, 1]], light, "weighted-delaunay", weights=[0, 0, 0, -100])
+    facts = circumspect.inspect([[Fraction(1, 3), 0], [1, 0], [Fraction(1, 3), 0]])
+    assert facts == {"points": 3, "dimension": 1, "repeated": [[0, 2]], "unique": True}
+    assert circumspect.inspect(np.zeros((0, 3)))["dimension"] == -1
+    assert "refutation" in circumspect.certify(POINTS, WRONG).split("\n")[0]
+
+
+def test_families():
+    families = circumspect.families()
+    assert {"sphere", "grid+ulp", "protected-solids"} <= {family.name for family in families}
+    assert (circumspect.generate("sphere", seed=5) == circumspect.generate("sphere", seed=5)).all()
+    exact = circumspect.generate("sphere", dimension=2, points=5, seed=5, exact=True)
+    assert {sum(x * x for x in point) for point in exact} and isinstance(exact[0][0], Fraction)
+    weighted = next(family for family in families if family.weighted)
+    points, weights = circumspect.generate(weighted.name, dimension=weighted.dimensions[-1])
+    assert len(points) == len(weights)
+    with pytest.raises(ValueError, match="found 'spheer'"):
+        circumspect.generate("spheer")
+    with pytest.raises(ValueError, match="found 'sphere'"):
+        circumspect.generate_domain("sphere")
+
+
+def test_other_threads_change_the_array():
+    mesh = scipy_mesh(2000, 3)
+    points, simplices = mesh.points.copy(), mesh.simplices.copy()
+    ended = threading.Event()
+
+    def disturb():
+        generator = np.random.default_rng(1)
+        while not ended.is_set():
+            simplices[generator.integers(len(simplices))] = generator.integers(-2**31, 2**31 - 1, 4)
+            points[generator.integers(len(points))] = np.nan
+
+    thread = threading.Thread(target=disturb)
+    thread.start()
+    try:
+        for _ in range(30):
+            try:
+                circumspect.check(points, simplices, copy=True)
+            except ValueError as error:
+                assert "finite" in str(error)
+    finally:
+        ended.set()
+        thread.join()
+
+
+def test_large_arrays_are_read_only_while_they_are_judged():
+    from circumspect import meshes
+
+    points = np.zeros((meshes.COPIED_BYTES // 16 + 1, 2))
+    view = points[:]
+    with meshes.Held(meshes.mesh_of(view, [[0, 1, 2]])) as held:
+        assert np.shares_memory(held.points.values, points)
+        for array in (view, points):
+            with pytest.raises(ValueError, match="read-only"):
+                array[0] = 1
+        with meshes.Held(meshes.mesh_of(points, [[0, 1, 2]])):
+            pass
+        assert not points.flags.writeable
+    with meshes.Held(meshes.mesh_of(view, [[0, 1, 2]]), copy=True) as held:
+        assert not np.shares_memory(held.points.values, points) and points.flags.writeable
+    points[0] = 1
+    assert view.flags.writeable and not meshes.Held._counts
+
+
+def test_judging_lets_other_threads_go_on():
+    mesh = scipy_mesh(30, 3)
+    answers = []
+    thread = threading.Thread(target=lambda: answers.append(bool(circumspect.check(mesh, by="definition"))))
+    thread.start()
+    steps = 0
+    while thread.is_alive():
+        steps += 1
+        time.sleep(0.0005)
+    assert answers == [True] and steps > 5
+
+
+class TestUnittest(unittest.TestCase):
+    """As people without pytest write it."""
+
+    def test_assertion(self):
+        circumspect.assert_delaunay(POINTS, RIGHT)
+        with self.assertRaisesRegex(AssertionError, "vertex   3 at"):
+            circumspect.assert_delaunay(POINTS, WRONG)
+
+
+def run(*arguments):
+    """python3 -m circumspect."""
+    return subprocess.run([sys.executable, "-m", "circumspect", *map(str, arguments)], capture_output=True, text=True,
+                          check=False)
+
+
+def test_command(tmp_path):
+    np.savez(tmp_path / "right.npz", points=POINTS, simplices=RIGHT)
+    np.savez(tmp_path / "wrong.npz", points=POINTS, simplices=WRONG)
+    right = run("check", tmp_path / "right.npz")
+    assert right.returncode == 0 and right.stdout.startswith("holds: delaunay") and "NumPy reads" in right.stderr
+    wrong = run("check", tmp_path / "wrong.npz", "--format", "json")
+    assert wrong.returncode == 1 and '"verdict": "fails"' in wrong.stdout
+    (tmp_path / "bad.npz").write_bytes(b"PK rubbish")
+    assert run("check", tmp_path / "bad.npz").returncode == 3
+    assert run("check", tmp_path / "none.npz").returncode == 3
+    assert run("chek").returncode == 2
+    meshio = pytest.importorskip("meshio")
+    meshio.write_points_cells(tmp_path / "x.vtu", np.column_stack([POINTS, np.zeros(4)]), [("triangle", RIGHT)])
+    of_meshio = run("check", tmp_path / "x.vtu", tmp_path / "wrong.npz")
+    assert of_meshio.returncode == 1 and "holds" in of_meshio.stdout and "meshio" in of_meshio.stderr
+    assert circumspect.check(meshio.read(tmp_path / "x.vtu"))
+    assert run("check", tmp_path / "absent.vtu").returncode == 3
+
+
+def test_import_is_light():
+    code = ("import time, sys; start = time.perf_counter(); import circumspect; "
+            "assert not {'numpy', 'scipy', 'hypothesis', 'meshio'} & set(sys.modules); print(time.perf_counter() - start)")
+    seconds = min(float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
+                  for _ in range(3))
+    assert seconds < 0.5  # 0.15 on a machine with nothing else to do

@@ -1,0 +1,42 @@
+#!/bin/bash
+# Builds the wheel, installs it into a clean virtual environment, and judges there as a stranger would:
+#   python/wheel_test.sh BUILD [PYTHON]
+# BUILD has the module circumspect_python, as build/release has.
+set -euo pipefail
+
+build=$(realpath "${1:?usage: python/wheel_test.sh BUILD [PYTHON]}")
+python=${2:-python3}
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+quietly() {
+  "$@" >"$work/log" 2>&1 || { cat "$work/log"; echo "wheel_test: failed: $*" >&2; exit 1; }
+}
+
+# What setuptools leaves behind it leaves in a copy.
+mkdir "$work/sources"
+cp -r "$root/python" "$root/pyproject.toml" "$root/setup.py" "$root/README.md" "$root/LICENSE" "$root/CMakeLists.txt" \
+  "$work/sources/"
+export CIRCUMSPECT_BUILD=$build
+unset PYTHONPATH  # what is installed is asked, and nothing else
+cd "$work/sources"
+quietly "$python" -m build --wheel --no-isolation --outdir "$work/wheels" .
+quietly "$python" -m venv --system-site-packages --without-pip "$work/clean"
+quietly "$python" -m pip --python "$work/clean/bin/python" install --no-index --no-deps "$work"/wheels/*.whl
+cd "$work"
+"$work/clean/bin/python" - <<'PYTHON'
+import importlib.metadata
+import pathlib
+
+import circumspect
+import scipy.spatial
+
+assert pathlib.Path(circumspect.__file__).is_relative_to(pathlib.Path.cwd() / "clean"), circumspect.__file__
+assert importlib.metadata.version("circumspect") == circumspect.__version__
+files = {file.name for file in importlib.metadata.files("circumspect")}
+assert {"py.typed", "_core.pyi", "__main__.py"} <= files, files
+assert "circumspect.pytest_plugin" in {point.value for point in importlib.metadata.entry_points(group="pytest11")}
+print(circumspect.check(scipy.spatial.Delaunay(circumspect.generate("uniform", points=100))))
+PYTHON
+ls -l "$work"/wheels/*.whl | awk '{ printf "%s: %.1f MB\n", $NF, $5 / 1e6 }' | sed 's|.*/||'

@@ -1,0 +1,38 @@
+"""Builds the extension circumspect._core by CMake. All else is in pyproject.toml.
+
+CIRCUMSPECT_BUILD names a build that has been configured with -DCIRCUMSPECT_BUILD_PYTHON=ON, which is then used.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+ROOT = pathlib.Path(__file__).resolve().parent
+VERSION = re.search(r"VERSION (\S+) LANGUAGES", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+
+
+class BuildByCMake(build_ext):
+    """Configures, builds, and takes what was built."""
+
+    def build_extension(self, ext):
+        build = os.environ.get("CIRCUMSPECT_BUILD")
+        if build is None:
+            build = ROOT / "build" / "python"
+            subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                            f"-DPython3_EXECUTABLE={sys.executable}", "-DCIRCUMSPECT_QUICK_BUILD=ON",
+                            "-DCIRCUMSPECT_BUILD_PYTHON=ON", "-DCIRCUMSPECT_BUILD_TESTS=OFF",
+                            "-DCIRCUMSPECT_BUILD_COMMAND=OFF"], check=True)
+        subprocess.run(["cmake", "--build", build, "--target", "circumspect_python"], check=True)
+        built = next(pathlib.Path(build, "python", "circumspect").glob("_core.*.so"))
+        target = pathlib.Path(self.get_ext_fullpath(ext.name))
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(built, target)
+        subprocess.run(["strip", "--strip-unneeded", target], check=True)
+
+
+setup(version=VERSION, ext_modules=[Extension("circumspect._core", [])], cmdclass={"build_ext": BuildByCMake})
