@@ -10,6 +10,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/judge_loaded.hpp"
+#include "command/check/remedy.hpp"
 #include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
@@ -21,7 +22,6 @@
 #include "command/output/overwriting.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -137,114 +137,6 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   }
 }
 
-// The verdict for the domain with its cells moved by no more than `distance`. `flat`: if some polygons of the
-// domain are not flat, the domain of which these were joined. Requires: no equal points.
-tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const Mesh& mesh, const Domain& domain,
-                                                      const CheckOptions& options,
-                                                      const Domain* flat = nullptr) {
-  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options.check);
-  return check::judge_within(claim, exact(mesh), domain, distance.squared(domain.complex),
-                             options.check, known ? &*known : nullptr, flat);
-}
-
-bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
-
-// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
-// polygon has it as well.
-std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDomain& domain) {
-  const auto bounds_nothing = [&](std::size_t polygon) {
-    return std::binary_search(domain.bound_nothing.begin(), domain.bound_nothing.end(), polygon);
-  };
-  if (witness.polygon && bounds_nothing(*witness.polygon)) return witness.polygon;
-  if (witness.polygon || !witness.domain_cell) return std::nullopt;
-  const Simplex cell = sorted(*witness.domain_cell);
-  std::optional<std::size_t> lone;
-  for (std::size_t p = 0; p < domain.domain.complex.polygons.size(); ++p) {
-    const std::vector<Vertex>& vertices = domain.domain.complex.polygons[p].vertices;
-    if (!std::includes(vertices.begin(), vertices.end(), cell.begin(), cell.end())) continue;
-    if (!bounds_nothing(p)) return std::nullopt;
-    lone = p;
-  }
-  return lone;
-}
-
-// Polygons that bound nothing, and so are not in a mesh of what is enclosed.
-std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
-                                                 const LoadedDomain& domain) {
-  std::vector<std::size_t> missing;
-  for (const Violation& violation : verdict.violations()) {
-    const bool is_missing = violation.rule == Rule::kDomainVertexMissing ||
-                            violation.rule == Rule::kSegmentMissing ||
-                            violation.rule == Rule::kPolygonNotTiled;
-    if (!is_missing || domain.bound_nothing.empty()) continue;
-    if (const auto polygon = lone_polygon(violation.witness, domain)) missing.push_back(*polygon);
-  }
-  if (missing.empty()) return std::nullopt;
-  std::sort(missing.begin(), missing.end());
-  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-  return fmt::format(
-      "polygon {} bounds nothing that is filled{}: a program that meshes what is enclosed leaves "
-      "it "
-      "out. If it is to be in the mesh, its triangles have to be listed in the .face file; if it "
-      "is "
-      "not, take it out of the domain",
-      domain.domain.polygon_name(missing.front()),
-      missing.size() == 1 ? ""
-                          : fmt::format(", nor {} {} more", missing.size() == 2 ? "does" : "do",
-                                        missing.size() - 1));
-}
-
-// What may be all that keeps the claim from holding: that polygons of one plane are one to the program, that
-// coordinates were rounded, or both.
-std::optional<std::string> remedy(const Verdict& verdict, Claim claim, const Mesh& mesh,
-                                  const CheckOptions& options, const LoadedDomain& domain) {
-  if (!may_be_rounded(verdict)) return std::nullopt;
-  const bool may_be_joined = !options.said.merged_slope && breaks(verdict, Rule::kSegmentMissing) &&
-                             domain.domain.complex.ambient_dimension() == 3;
-  std::optional<LoadedDomain> joined;
-  if (may_be_joined) joined = with_coplanar_joined(domain);
-  const auto segments = [](const LoadedDomain& one) { return one.domain.complex.segments.size(); };
-  if (joined && segments(*joined) == segments(domain)) joined.reset();
-  const bool is_large = mesh.simplices.size() > kMostSimplicesTriedMoved;
-  if (is_large && joined) {
-    return fmt::format(
-        "{} of the domain lie between polygons of one plane: --merge-coplanar tells whether that "
-        "is "
-        "all that is wrong",
-        report::counted(segments(domain) - segments(*joined), "segment"));
-  }
-  if (is_large && !options.within) {
-    return "coordinates may have been rounded: --within 1e-9x tells whether that is all";
-  }
-  if (is_large) return std::nullopt;
-  const Distance distance = options.within.value_or(Distance{Rational(1, kRoundedParts), true});
-  const auto is_mended = [](const Verdict& other) { return !breaks(other, Rule::kSegmentMissing); };
-  if (joined && !options.within) {
-    const auto merged = check::judge(claim, mesh, &joined->domain, options.check);
-    if (merged && is_mended(*merged)) return merging_note(verdict, *merged);
-  }
-  if (!options.within) {
-    const auto moved = judged_within(distance, claim, mesh, domain.domain, options);
-    const bool has_moved = moved && moved->within && moved->within->squared_reach > 0;
-    if (has_moved && (moved->holds() || !joined)) return rounding_note(verdict, *moved);
-  }
-  if (joined) {
-    const auto both = judged_within(distance, claim, mesh, joined->domain, options);
-    if (both && is_mended(*both)) return merging_note(verdict, *both);
-  }
-  if (!may_be_joined) return std::nullopt;
-  // Rounded, hardly any triangles of a face are in one plane.
-  const Distance most = options.within.value_or(Distance{Rational(1, kBentParts), true});
-  const LoadedDomain& flat = joined ? *joined : domain;
-  const BentDomain bent =
-      with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
-  if (bent.squared_height == 0) return std::nullopt;
-  const auto moved = judged_within(most, claim, mesh, bent.domain, options, &flat.domain);
-  if (!moved || !moved->holds()) return std::nullopt;
-  return bending_note(verdict, *moved, bent.squared_height);
-}
-
 void check_with_domain(const std::string& path, const CheckOptions& options,
                        const HeldAgainst& against, Output& output) {
   const LoadedDomain& domain = against.loaded;
@@ -276,7 +168,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
-    auto judged = judged_within(*options.within, claim, mesh, against.judged(), options,
+    auto judged = judged_within(*options.within, claim, mesh, against.judged(), options.check,
                                 against.bent ? &domain.domain : nullptr);
     if (!judged) {
       const auto& [reason, is_input_fault] = judged.error();
@@ -297,7 +189,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   std::vector<std::string> notes = loaded->notes;
   std::optional<std::string> lone;  // polygons of a bent domain are others
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
-  for (const auto& note : {remedy(*verdict, claim, mesh, options, domain), lone}) {
+  const Judged judged{claim, mesh, domain, options.within, options.said.merged_slope.has_value()};
+  for (const auto& note : {remedy(*verdict, judged, options.check), lone}) {
     if (!note) continue;
     notes.push_back(*note);
     output.note(*note);

@@ -1,0 +1,120 @@
+#include "command/check/remedy.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "oracle/judge/judge.hpp"
+#include "oracle/report/wording.hpp"
+
+namespace circumspect::cli {
+namespace {
+
+bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
+
+// A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
+// polygon has it as well.
+std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDomain& domain) {
+  const auto bounds_nothing = [&](std::size_t polygon) {
+    return std::binary_search(domain.bound_nothing.begin(), domain.bound_nothing.end(), polygon);
+  };
+  if (witness.polygon && bounds_nothing(*witness.polygon)) return witness.polygon;
+  if (witness.polygon || !witness.domain_cell) return std::nullopt;
+  const Simplex cell = sorted(*witness.domain_cell);
+  std::optional<std::size_t> lone;
+  for (std::size_t p = 0; p < domain.domain.complex.polygons.size(); ++p) {
+    const std::vector<Vertex>& vertices = domain.domain.complex.polygons[p].vertices;
+    if (!std::includes(vertices.begin(), vertices.end(), cell.begin(), cell.end())) continue;
+    if (!bounds_nothing(p)) return std::nullopt;
+    lone = p;
+  }
+  return lone;
+}
+
+}  // namespace
+
+tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
+                                                      const Mesh& mesh, const Domain& domain,
+                                                      const check::Options& options,
+                                                      const Domain* flat) {
+  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
+  return check::judge_within(claim, exact(mesh), domain, distance.squared(domain.complex), options,
+                             known ? &*known : nullptr, flat);
+}
+
+std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
+                                                 const LoadedDomain& domain) {
+  std::vector<std::size_t> missing;
+  for (const Violation& violation : verdict.violations()) {
+    const bool is_missing = violation.rule == Rule::kDomainVertexMissing ||
+                            violation.rule == Rule::kSegmentMissing ||
+                            violation.rule == Rule::kPolygonNotTiled;
+    if (!is_missing || domain.bound_nothing.empty()) continue;
+    if (const auto polygon = lone_polygon(violation.witness, domain)) missing.push_back(*polygon);
+  }
+  if (missing.empty()) return std::nullopt;
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  return fmt::format(
+      "polygon {} bounds nothing that is filled{}: a program that meshes what is enclosed leaves "
+      "it "
+      "out. If it is to be in the mesh, its triangles have to be listed in the .face file; if it "
+      "is "
+      "not, take it out of the domain",
+      domain.domain.polygon_name(missing.front()),
+      missing.size() == 1 ? ""
+                          : fmt::format(", nor {} {} more", missing.size() == 2 ? "does" : "do",
+                                        missing.size() - 1));
+}
+
+std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
+                                  const check::Options& options) {
+  const auto& [claim, mesh, domain, within, has_merged] = judged;
+  if (!may_be_rounded(verdict)) return std::nullopt;
+  const bool may_be_joined = !has_merged && breaks(verdict, Rule::kSegmentMissing) &&
+                             domain.domain.complex.ambient_dimension() == 3;
+  std::optional<LoadedDomain> joined;
+  if (may_be_joined) joined = with_coplanar_joined(domain);
+  const auto segments = [](const LoadedDomain& one) { return one.domain.complex.segments.size(); };
+  if (joined && segments(*joined) == segments(domain)) joined.reset();
+  const bool is_large = mesh.simplices.size() > kMostSimplicesTriedMoved;
+  if (is_large && joined) {
+    return fmt::format(
+        "{} of the domain lie between polygons of one plane: --merge-coplanar tells whether that "
+        "is "
+        "all that is wrong",
+        report::counted(segments(domain) - segments(*joined), "segment"));
+  }
+  if (is_large && !within) {
+    return "coordinates may have been rounded: --within 1e-9x tells whether that is all";
+  }
+  if (is_large) return std::nullopt;
+  const Distance distance = within.value_or(Distance{Rational(1, kRoundedParts), true});
+  const auto is_mended = [](const Verdict& other) { return !breaks(other, Rule::kSegmentMissing); };
+  if (joined && !within) {
+    const auto merged = check::judge(claim, mesh, &joined->domain, options);
+    if (merged && is_mended(*merged)) return merging_note(verdict, *merged);
+  }
+  if (!within) {
+    const auto moved = judged_within(distance, claim, mesh, domain.domain, options);
+    const bool has_moved = moved && moved->within && moved->within->squared_reach > 0;
+    if (has_moved && (moved->holds() || !joined)) return rounding_note(verdict, *moved);
+  }
+  if (joined) {
+    const auto both = judged_within(distance, claim, mesh, joined->domain, options);
+    if (both && is_mended(*both)) return merging_note(verdict, *both);
+  }
+  if (!may_be_joined) return std::nullopt;
+  // Rounded, hardly any triangles of a face are in one plane.
+  const Distance most = within.value_or(Distance{Rational(1, kBentParts), true});
+  const LoadedDomain& flat = joined ? *joined : domain;
+  const BentDomain bent =
+      with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
+  if (bent.squared_height == 0) return std::nullopt;
+  const auto moved = judged_within(most, claim, mesh, bent.domain, options, &flat.domain);
+  if (!moved || !moved->holds()) return std::nullopt;
+  return bending_note(verdict, *moved, bent.squared_height);
+}
+
+}  // namespace circumspect::cli

@@ -1,0 +1,41 @@
+// What may be all that is wrong with a mesh of a domain, for the notes under a verdict.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "command/check/within_option.hpp"
+#include "command/input/domain_input.hpp"
+#include "oracle/judge/within/judge_within.hpp"
+#include "oracle/model/mesh.hpp"
+
+namespace circumspect::cli {
+
+// The verdict for the domain with its cells moved by no more than `distance`. `flat`: if some polygons of the
+// domain are not flat, the domain of which these were joined. Requires: no equal points.
+tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
+                                                      const Mesh& mesh, const Domain& domain,
+                                                      const check::Options& options,
+                                                      const Domain* flat = nullptr);
+
+// Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not what is missing.
+std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
+                                                 const LoadedDomain& domain);
+
+// What was judged, and what the user said of it.
+struct Judged {
+  Claim claim;
+  const Mesh& mesh;
+  const LoadedDomain& domain;
+  const std::optional<Distance>& within;  // --within
+  bool has_merged;                        // --merge-coplanar
+};
+
+// What may be all that keeps the claim from holding: that polygons of one plane are one to the program, that
+// coordinates were rounded, or both.
+std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
+                                  const check::Options& options);
+
+}  // namespace circumspect::cli
