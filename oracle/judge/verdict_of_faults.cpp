@@ -63,7 +63,7 @@ class Retold {
         verdict_(claim, options.max_violations) {}
 
   Verdict verdict() {
-    judge_simplices(mesh_, options_.oriented, verdict_);
+    judge_simplices(mesh_, options_.oriented, verdict_, faults_.orientation_of_most);
     if (all_are_vertices()) judge_vertex_set(mesh_, verdict_);
     if (faults_.simplices_are_sound()) judge_complex();
     verdict_.name_in_whole(part_.vertices(), part_.simplices());
@@ -73,9 +73,10 @@ class Retold {
  private:
   bool all_are_vertices() const { return claim_ != Claim::kWeightedDelaunay; }
 
-  // With the first one, which others are compared with, and a sound one, which spans space.
+  // With the first one, which has the sample point, one that is oriented as most are, and a sound one, which
+  // spans space.
   std::vector<std::size_t> simplices() const {
-    std::vector<std::size_t> all = {0, faults_.sound_simplex};
+    std::vector<std::size_t> all = {0, faults_.first_of_most, faults_.sound_simplex};
     const auto take = [&all](const std::vector<std::size_t>& some) {
       all.insert(all.end(), some.begin(), some.end());
     };

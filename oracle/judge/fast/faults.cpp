@@ -1,6 +1,7 @@
 #include "oracle/judge/fast/faults.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -165,8 +166,13 @@ class FaultFinder {
   }
 
   void list_turned() {
-    for (std::size_t s = 1; s < mesh_.size(); ++s) {
-      if (orientations_[s] != orientations_[0]) faults_.turned.push_back(s);
+    const auto positive = std::count(orientations_.begin(), orientations_.end(), 1);
+    const int of_most = 2 * positive >= std::ssize(orientations_) ? 1 : -1;
+    const auto first = std::find(orientations_.begin(), orientations_.end(), of_most);
+    faults_.orientation_of_most = of_most;
+    faults_.first_of_most = static_cast<std::size_t>(first - orientations_.begin());
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      if (orientations_[s] != of_most) faults_.turned.push_back(s);
     }
   }
 

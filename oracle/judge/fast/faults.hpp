@@ -35,11 +35,14 @@ struct Faults {
   std::size_t sound_simplex = 0;  // one that is a simplex
 
   // Simplices that name no point, have a vertex twice, or are flat; those that have the vertices of
-  // another; those that are oriented unlike the first, if all others are sound; points that are no vertex.
+  // another; those that are oriented unlike most, if all are sound; points that are no vertex.
   std::vector<std::size_t> unsound = {};
   std::vector<std::size_t> duplicates = {};
   std::vector<std::size_t> turned = {};
   std::vector<std::size_t> unused = {};
+  // If all are sound: the orientation of most (of both alike: 1), and the first simplex that has it.
+  int orientation_of_most = 1;
+  std::size_t first_of_most = 0;
 
   // Facets of three and more simplices, and facets of two that are on the same side.
   std::vector<std::vector<FacetId>> overused = {};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -70,11 +71,14 @@ bool judge_duplicates(const ExactMesh& mesh, Verdict& verdict) {
   return distinct;
 }
 
-void judge_orientations(const ExactMesh& mesh, const std::vector<int>& orientations,
-                        Verdict& verdict) {
-  // Most are right, whichever comes first, so that the order of the list changes no count.
+// Most are right, whichever comes first, so that the order of the list changes no count.
+int orientation_of_most(const std::vector<int>& orientations) {
   const auto positive = std::count(orientations.begin(), orientations.end(), 1);
-  const int of_most = 2 * positive >= std::ssize(orientations) ? 1 : -1;
+  return 2 * positive >= std::ssize(orientations) ? 1 : -1;
+}
+
+void judge_orientations(const ExactMesh& mesh, const std::vector<int>& orientations, int of_most,
+                        Verdict& verdict) {
   const auto example = std::find(orientations.begin(), orientations.end(), of_most);
   for (std::size_t s = 0; s < orientations.size(); ++s) {
     if (orientations[s] == of_most) continue;
@@ -87,14 +91,18 @@ void judge_orientations(const ExactMesh& mesh, const std::vector<int>& orientati
 
 }  // namespace
 
-bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict) {
+bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict,
+                     std::optional<int> of_most) {
   bool sound = true;
   std::vector<int> orientations(mesh.simplices.size(), 0);
   for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
     sound &= judge_simplex(mesh, s, orientations[s], verdict);
   }
   sound &= judge_duplicates(mesh, verdict);
-  if (sound && oriented) judge_orientations(mesh, orientations, verdict);
+  if (sound && oriented) {
+    judge_orientations(mesh, orientations, of_most.value_or(orientation_of_most(orientations)),
+                       verdict);
+  }
   return sound;
 }
 

@@ -2,6 +2,7 @@
 // against each other.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "oracle/model/exact_mesh.hpp"
@@ -12,7 +13,10 @@ namespace circumspect::check {
 // triangulation.unknown-vertex, simplex.wrong-dimension, simplex.repeated-vertex,
 // simplex.degenerate, then complex.duplicate-simplex and, if `oriented`, simplex.orientation. True
 // if the simplices can be worked with: nothing but their order of vertices is wrong with them.
-bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict);
+// `of_most`: the orientation of most, if the mesh is a part of the one that is judged. Requires: of the whole, the
+// first that has it is in the part.
+bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict,
+                     std::optional<int> of_most = std::nullopt);
 
 // The points that are a vertex of no simplex, ascending.
 std::vector<Vertex> unused_points(const ExactMesh& mesh);
