@@ -95,6 +95,9 @@ function(circumspect_precompile target kind)
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
+  if(NOT kind STREQUAL "tests")
+    circumspect_compile_for_sharing(${target})  # flags have to agree
+  endif()
 endfunction()
 
 # The C library and the Python module are made of the layers' objects. Hidden symbols keep calls as direct as

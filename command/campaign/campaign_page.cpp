@@ -32,9 +32,11 @@ bool add_judged(const report::Json& finding, const std::string& folder,
   input.duplicates = Duplicates::kMerge;
   input.weighted = subject.claim == Claim::kWeightedDelaunay;
   input.faces = subject.is_about_domains();
+  DomainOptions said{.fill = subject.fill};
+  if (subject.merges_coplanar) said.merged_slope = 0;
   std::optional<LoadedDomain> domain;
   if (subject.is_about_domains()) {
-    auto loaded = load_domain(folder + "/minimal.poly", input, subject.domain_kind);
+    auto loaded = load_domain(folder + "/minimal.poly", input, said);
     if (!loaded) return false;
     domain = std::move(*loaded);
   } else if (extension == ".ele" || extension == ".qhull-i") {
