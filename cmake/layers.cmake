@@ -95,8 +95,11 @@ function(circumspect_precompile target kind)
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
-  if(NOT kind STREQUAL "tests")
-    circumspect_compile_for_sharing(${target})  # flags have to agree
+  # Flags have to agree: what is shared is position-independent as a library is, not as a program is.
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "EXECUTABLE" AND NOT kind STREQUAL "tests")
+    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_compile_options(${target} PRIVATE -fPIC)
   endif()
 endfunction()
 
