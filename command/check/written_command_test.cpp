@@ -6,7 +6,7 @@
 namespace circumspect::cli {
 namespace {
 
-const std::string kFolder = CIRCUMSPECT_CORPUS_DIR "/domains/";
+const std::string kWritten = CIRCUMSPECT_CORPUS_DIR "/domains/";
 
 struct WrittenRow {
   std::vector<std::string> arguments;
@@ -21,14 +21,14 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 std::vector<WrittenRow> written_rows() {
-  std::istringstream table(contents(kFolder + "written/written.tsv"));
+  std::istringstream table(contents(kWritten + "written/written.tsv"));
   std::vector<WrittenRow> rows;
   for (std::string line; std::getline(table, line);) {
     if (line.starts_with("#")) continue;
     const std::size_t first = line.find('\t');
     WrittenRow row{{"check"}, line.substr(first + 1, line.find('\t', first + 1) - first - 1)};
     for (const std::string& word : words_of(line.substr(0, first))) {
-      row.arguments.push_back((word.starts_with("written/") ? kFolder : "") + word);
+      row.arguments.push_back((word.starts_with("written/") ? kWritten : "") + word);
     }
     rows.push_back(std::move(row));
   }
@@ -55,8 +55,8 @@ std::string verdict_of(const Run& result) {
 // The arguments of a row up to its options, and these.
 Run check_written(const std::string& mesh, const std::string& domain,
                   const std::vector<std::string>& more) {
-  std::vector<std::string> words = {"check", kFolder + "written/" + mesh, "--domain",
-                                    kFolder + "written/" + domain};
+  std::vector<std::string> words = {"check", kWritten + "written/" + mesh, "--domain",
+                                    kWritten + "written/" + domain};
   words.insert(words.end(), more.begin(), more.end());
   return run(words);
 }
@@ -98,7 +98,7 @@ TEST_CASE("a polygon that bounds nothing is named with its line, and so is a fai
             "alone, polygon 7 (line 25)"));
   CHECK(has(fin.out, "note: polygon 7 (line 25) bounds nothing that is filled: "));
   ScratchFolder folder;
-  const std::string here = kFolder + "written/cube-with-fin";
+  const std::string here = kWritten + "written/cube-with-fin";
   const std::string node = folder.write("m.node", contents(here + ".node"));
   const std::string mesh = folder.write("m.ele", contents(here + ".ele"));
   folder.write("m.edge", "4 0\n1 2 9\n2 9 10\n3 10 5\n4 2 5\n");
@@ -109,8 +109,8 @@ TEST_CASE("a polygon that bounds nothing is named with its line, and so is a fai
 }
 
 TEST_CASE("options about domains: what they expect") {
-  const std::string cube = kFolder + "written/cube-in-triangles.off";
-  const std::string mesh = kFolder + "written/cube.ele";
+  const std::string cube = kWritten + "written/cube-in-triangles.off";
+  const std::string mesh = kWritten + "written/cube.ele";
   const std::vector<std::string> check = {"check", mesh, "--domain", cube};
   const auto usage = [&](const std::vector<std::string>& more, const std::string& text) {
     std::vector<std::string> words = check;
@@ -138,19 +138,19 @@ TEST_CASE("options about domains: what they expect") {
   CHECK(run({"check", "--merge-coplanar", mesh, "--domain", cube}).exit_code == 0);
   CHECK(run({"check", mesh, "--domain", cube, "--within", "1e-9", "--merge-coplanar", "0.1deg"})
             .exit_code == 0);
-  const Run turned = run({"inspect", kFolder + "written/cube-in-cube.off", "--domain", "--fill",
+  const Run turned = run({"inspect", kWritten + "written/cube-in-cube.off", "--domain", "--fill",
                           "winding", "--search-vertices", "1", "--hole", "4,4,4"});
   CHECK(has(turned.out, "1 polyhedron"));
 }
 
 TEST_CASE("build and inspect: what is filled, and polygons that are one") {
   ScratchFolder folder;
-  const std::string hollow = kFolder + "written/cube-in-cube.off";
+  const std::string hollow = kWritten + "written/cube-in-cube.off";
   const std::string out = folder.path("built.ele");
   CHECK(run({"build", "cdt", hollow, "-o", out, "--fill", "even-odd"}).exit_code == 0);
   CHECK(run({"check", out, "--domain", hollow}).exit_code == 1);
   CHECK(run({"check", out, "--domain", hollow, "--fill", "even-odd"}).exit_code == 0);
-  const std::string cube = kFolder + "written/cube-in-triangles.off";
+  const std::string cube = kWritten + "written/cube-in-triangles.off";
   CHECK(has(run({"inspect", cube, "--domain", "--merge-coplanar"}).out,
             " 12 segments 6 polygons 1 polyhedron"));
   CHECK(has(run({"inspect", cube, "--domain"}).out, " 18 segments 12 polygons 1 polyhedron"));
@@ -160,7 +160,7 @@ TEST_CASE("build and inspect: what is filled, and polygons that are one") {
 
 TEST_CASE("build and compare write surfaces for viewers") {
   ScratchFolder folder;
-  const std::string fin = kFolder + "written/cube-with-fin.poly";
+  const std::string fin = kWritten + "written/cube-with-fin.poly";
   for (const std::string end : {".obj", ".ply"}) {
     const std::string out = folder.path("built" + end);
     CHECK(run({"build", "steiner-cdt", fin, "-o", out}).exit_code == 0);
@@ -171,9 +171,9 @@ TEST_CASE("build and compare write surfaces for viewers") {
     const Run turned = run({"inspect", out, "--domain", "--fill", "winding"});
     CHECK(has(turned.out, "1 polyhedron"));
   }
-  const std::string cube = kFolder + "written/cube.ele";
+  const std::string cube = kWritten + "written/cube.ele";
   const std::string other = folder.path("other.ele");
-  CHECK(run({"build", "cdt", kFolder + "written/cube-in-triangles.off", "-o", other}).exit_code ==
+  CHECK(run({"build", "cdt", kWritten + "written/cube-in-triangles.off", "-o", other}).exit_code ==
         0);
   for (const std::string end : {".vtu", ".msh", ".obj", ".ply"}) {
     const std::string out = folder.path("differ" + end);

@@ -8,7 +8,7 @@
 namespace circumspect::cli {
 namespace {
 
-struct Files {
+struct PicturedFiles {
   ScratchFolder folder;
   std::string page = folder.path("page.html");
   std::string cells = folder.path("cells.vtu");
@@ -24,7 +24,7 @@ struct Files {
 };
 
 TEST_CASE("pictures: the page has the verdict of every mesh, and what is printed stays the same") {
-  const Files files;
+  const PicturedFiles files;
   const Run plain = run({"check", files.bad, files.good});
   const Run result = run({"check", files.bad, files.good, "--html", files.page});
   CHECK(result.exit_code == 1);
@@ -43,7 +43,7 @@ TEST_CASE("pictures: the page has the verdict of every mesh, and what is printed
 }
 
 TEST_CASE("pictures: the words of a name that holds markup are escaped") {
-  const Files files;
+  const PicturedFiles files;
   const std::string name = "<script>alert(1)<!--";  // a slash would be a folder's
   files.folder.write(name + ".node", contents(files.folder.path("bad.node")));
   const std::string mesh =
@@ -55,7 +55,7 @@ TEST_CASE("pictures: the words of a name that holds markup are escaped") {
 }
 
 TEST_CASE("pictures: cells by the extension of their file") {
-  const Files files;
+  const PicturedFiles files;
   CHECK(run({"check", files.bad, "--vtu", files.cells, "--html", files.page}).exit_code == 1);
   CHECK(begins_with(contents(files.cells), "<?xml"));
   CHECK(std::filesystem::exists(files.page));
@@ -65,14 +65,14 @@ TEST_CASE("pictures: cells by the extension of their file") {
 }
 
 TEST_CASE("pictures: a mesh that cannot be judged has none") {
-  const Files files;
+  const PicturedFiles files;
   const std::string broken = files.folder.write("broken.ele", "1 3\n");
   CHECK(run({"check", broken, "--html", files.page}).exit_code == 3);
   CHECK(!std::filesystem::exists(files.page));
 }
 
 TEST_CASE("pictures: what is wrong with the options is said before anything is read") {
-  const Files files;
+  const PicturedFiles files;
   const auto refused = [](std::vector<std::string> arguments, const std::string& words) {
     arguments.insert(arguments.begin(), "check");
     const Run result = run(arguments);
@@ -91,7 +91,7 @@ TEST_CASE("pictures: what is wrong with the options is said before anything is r
 }
 
 TEST_CASE("pictures: points of four coordinates have words in a page, and no cells") {
-  const Files files;
+  const PicturedFiles files;
   const std::string mesh =
       files.folder.write("four.json",
                          R"({"circumspect": 1, "dimension": 4, "first_index": 0,
