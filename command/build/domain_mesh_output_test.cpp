@@ -133,8 +133,8 @@ TEST_CASE("build: names of files that are not written") {
     const Run of_domain = run({"build", "cdt", domain, "-o", out});
     CHECK(of_domain.exit_code == 2);
     CHECK(of_domain.err ==
-          "circumspect: expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.json, or - for "
-          "standard output, found " +
+          "circumspect: expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, "
+          "OUT.json, or - for standard output, found " +
               out + "\n");
     const Run of_points = run({"build", "delaunay", points, "-o", out});
     CHECK(of_points.exit_code == 2);

@@ -89,7 +89,8 @@ TEST_CASE("check: what is no word or number of an option is answered with those 
         "--claim: expected cdt|conforming-delaunay|delaunay|plc-triangulation|steiner-cdt|"
         "steiner-triangulation|triangulation|weighted-delaunay, found foo" +
             more);
-  CHECK(said("--domain-kind", "foo") == "--domain-kind: expected enclosed|hull, found foo" + more);
+  CHECK(said("--domain-kind", "foo") ==
+        "--fill: expected enclosed|even-odd|hull|winding, found foo" + more);
   CHECK(said("--coordinates", "x") == "--coordinates: expected decimal|double, found x" + more);
   CHECK(said("--duplicates", "x") == "--duplicates: expected merge|reject, found x" + more);
   CHECK(said("--format", "xml") == "--format: expected json|text, found xml" + more);
