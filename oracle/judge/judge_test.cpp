@@ -167,12 +167,13 @@ TEST_CASE(
         }
       }
     };
-    for (const auto& [rule, change] : faults) {
+    for (const auto& fault : faults) {
+      const Rule rule = fault.first;
       CAPTURE(identifier(rule));
       ExactMesh mesh = good;
-      change(mesh);
+      fault.second(mesh);
       check_fast(mesh, rule);
-      change(all);
+      fault.second(all);
     }
     check_fast(all, std::nullopt);
   }
