@@ -86,7 +86,8 @@ class SeenFromAbove {
       if (is_reversed_) std::swap(triangle[1], triangle[2]);
       return triangle;
     }
-    return turned(std::move(triangle), turn(complex_.points, exact_normal(), triangle));
+    const int side = turn(complex_.points, exact_normal(), triangle);
+    return turned(std::move(triangle), side);
   }
   Simplex counterclockwise(const Simplex& triangle) const {
     return turned(triangle, turn(triangle));
