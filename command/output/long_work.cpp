@@ -85,16 +85,14 @@ LongWork::LongWork(std::string command, std::optional<double> seconds, bool show
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);  // signals go to other threads
   try {
-    thread_ = std::thread([this, listening = ends[0]] {
-      look_on(listening);
-      close(listening);
-    });
+    thread_ = std::thread([this, listening = ends[0]] { look_on(listening); });
   } catch (const std::system_error&) {
     close(ends[0]);
     close(ends[1]);
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (!thread_.joinable()) return;
+  listening_ = ends[0];
   wake_up = ends[1];
   set_meaning(true);
 }
@@ -106,6 +104,8 @@ LongWork::~LongWork() {
   thread_.join();
   set_meaning(false);
   close(wake_up.exchange(-1));
+  // Not before the last wake(): a pipe that nobody can read from ends the process with SIGPIPE.
+  close(listening_);
   clear();
 }
 

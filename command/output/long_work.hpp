@@ -61,6 +61,7 @@ class LongWork {
   std::atomic<const char*> counted_ = nullptr;
   std::atomic<std::size_t> done_ = 0, of_ = 0;
   std::atomic<bool> is_over_ = false;
+  int listening_ = -1;  // the end of the pipe that the thread reads
   std::thread thread_;
 };
 
