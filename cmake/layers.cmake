@@ -23,7 +23,14 @@ function(circumspect_layer name folder)
     list(REMOVE_ITEM tests ${cgal_tests})
   endif()
 
-  if(sources)
+  set(built_elsewhere OFF)
+  if(sources AND CIRCUMSPECT_VALUES_FROM AND folder MATCHES "^(reference|inputs|properties)(/|$)")
+    set(built_elsewhere ON)
+    add_library(circumspect_${name} STATIC IMPORTED GLOBAL)
+    set_target_properties(circumspect_${name} PROPERTIES
+      IMPORTED_LOCATION "${CIRCUMSPECT_VALUES_FROM}/libcircumspect_${name}.a")
+    set(visibility INTERFACE)
+  elseif(sources)
     add_library(circumspect_${name} STATIC ${sources})
     circumspect_compile_together(circumspect_${name} 8)
     circumspect_compile_for_sharing(circumspect_${name})
@@ -37,14 +44,16 @@ function(circumspect_layer name folder)
   target_link_libraries(circumspect_${name} ${visibility}
                         circumspect_settings ${ARG_DEPENDS} ${ARG_LINKS})
 
-  if(folder MATCHES "^(properties/|inputs)")
+  if(built_elsewhere)
+    # Its flags are that build's.
+  elseif(folder MATCHES "^(properties/|inputs)")
     circumspect_compile_quickly(circumspect_${name})
   elseif(sources AND CIRCUMSPECT_BUILD_FUZZERS)
     # libFuzzer is to see which code its inputs reach; the tests need not be looked at.
     target_compile_options(circumspect_${name} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
   # The lowest layers see less than the others, and are compiled as they stand.
-  if(sources AND ARG_DEPENDS)
+  if(sources AND ARG_DEPENDS AND NOT built_elsewhere)
     if(folder MATCHES "^(properties/|inputs)")
       circumspect_precompile(circumspect_${name} inputs)
     else()
@@ -149,6 +158,13 @@ set(sanitized_folders "(oracle/(formats|report|picture|judge|judge/fast|judge/ar
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)
+endif()
+# Nor does it compile what handles values alone once more: it links the archives of the release.
+set(CIRCUMSPECT_VALUES_FROM "" CACHE PATH
+    "A folder with another build's archives of reference/, inputs/ and properties/, which are linked instead of compiled")
+if(CIRCUMSPECT_VALUES_FROM AND NOT sanitized_in_part)
+  message(FATAL_ERROR "CIRCUMSPECT_VALUES_FROM is for the sanitizers of `make test`: without -fsanitize=, or with "
+    "CIRCUMSPECT_SANITIZE_ALL, every layer is compiled. Configure with -DCIRCUMSPECT_VALUES_FROM= (empty).")
 endif()
 # All that the tests need and nothing else.
 add_custom_target(circumspect_tests)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|bench...
+#   cmake/packages.sh demo|docs|proofs|test|browser|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -50,9 +50,12 @@ python3-matplotlib    the same of its triangulations of the plane
 python3-meshio        reads meshes for `python3 -m circumspect`
 ccache                makes a second build quick
 mold                  links the tests quickly
+nodejs                bundles what the pages of --html are made of
+npm                   fetches the modules for that, as package-lock.json names them
+END
+      ;;
+    browser) cat <<'END'
 chromium              opens the pages of --html as their readers do
-nodejs                drives it, and bundles what these pages are made of
-npm                   fetches the modules for both, as package-lock.json names them
 END
       ;;
     proofs) cat <<'END'
@@ -69,7 +72,7 @@ python3               checks the links of all pages
 END
       ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, browser or bench" >&2; exit 2 ;;
   esac
 }
 
