@@ -24,7 +24,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

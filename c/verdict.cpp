@@ -18,7 +18,7 @@
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::c {
 

@@ -11,7 +11,7 @@
 #include "inputs/scalars.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/kernel/complex/circumball.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"

@@ -13,9 +13,9 @@
 #include "properties/plc_triangulations.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/existence/candidates.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/existence/existence.hpp"
+#include "reference/existence/matching.hpp"
 #include "reference/optimality/criteria.hpp"
 
 namespace circumspect::properties {

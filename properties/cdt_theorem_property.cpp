@@ -13,8 +13,8 @@
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/existence/candidates.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/existence/matching.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "reference/kernel/complex/circumball.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 

@@ -7,12 +7,11 @@
 #include "inputs/point_sets.hpp"
 #include "inputs/run.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/barycentric.hpp"
+#include "reference/optimality/criteria.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -22,7 +22,7 @@
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/existence/candidates.hpp"
+#include "reference/existence/matching.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/optimality/criteria.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "reference/existence/existence.hpp"
 #include "reference/existence/matching.hpp"
-#include "reference/existence/solver.hpp"
 
 namespace circumspect::properties {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "inputs/scalars.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

@@ -6,14 +6,12 @@
 
 #include "inputs/point_sets.hpp"
 #include "inputs/run.hpp"
-#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/barycentric.hpp"
-#include "reference/optimality/faces.hpp"
+#include "reference/optimality/criteria.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -20,8 +20,8 @@
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lexicographic.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace CLI {
 class App;

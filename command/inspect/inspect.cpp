@@ -22,9 +22,9 @@
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/circumball.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

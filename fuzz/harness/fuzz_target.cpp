@@ -8,7 +8,7 @@
 #include "fuzz/harness/node_text.hpp"
 #include "inputs/arrays.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {
 

@@ -9,7 +9,7 @@
 #include "fuzz/harness/property_rule.hpp"
 #include "inputs/arrays.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/exact/determinant.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::certificate {

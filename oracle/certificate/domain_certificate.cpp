@@ -6,7 +6,7 @@
 
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/judge/domain/polygon_tiling.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::certificate {
 namespace {

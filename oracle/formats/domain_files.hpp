@@ -5,7 +5,7 @@
 #include <string>
 
 #include "oracle/formats/domain_file.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

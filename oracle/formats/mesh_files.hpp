@@ -11,7 +11,7 @@
 #include "oracle/formats/source.hpp"
 #include "oracle/formats/weights.hpp"
 #include "oracle/model/mesh.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

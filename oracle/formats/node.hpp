@@ -9,7 +9,7 @@
 #include "oracle/formats/numbered_lines.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -5,7 +5,7 @@
 
 #include "oracle/formats/format_error.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

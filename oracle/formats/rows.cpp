@@ -1,6 +1,6 @@
 #include "oracle/formats/rows.hpp"
 
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 namespace {

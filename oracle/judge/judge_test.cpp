@@ -10,7 +10,7 @@
 
 #include "oracle/judge/shaken_grid_test.hpp"
 #include "oracle/judge/witness_text_test.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 namespace {

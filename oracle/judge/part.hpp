@@ -9,7 +9,7 @@
 #include "oracle/judge/fast/facet_id.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 

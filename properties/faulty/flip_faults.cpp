@@ -1,7 +1,7 @@
 // Lawson's algorithm, from a lexicographic triangulation, given up too early. Book: Section 4.4.
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
-#include "reference/delaunay/flip_algorithm.hpp"
+#include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 
 namespace circumspect::faulty {

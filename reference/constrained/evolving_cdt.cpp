@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/flip_algorithm.hpp"
+#include "reference/delaunay/flip.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {

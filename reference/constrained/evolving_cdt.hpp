@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::constrained {

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <utility>
 
-#include "reference/delaunay/conflict.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/delaunay/point_location.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {

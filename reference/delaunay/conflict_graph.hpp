@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/statistics.hpp"
+#include "reference/delaunay/point_location.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 

@@ -6,7 +6,6 @@
 #include "inputs/named_complexes.hpp"
 #include "reference/existence/dimacs.hpp"
 #include "reference/existence/refutation.hpp"
-#include "reference/existence/solver.hpp"
 
 namespace circumspect::existence {
 namespace {

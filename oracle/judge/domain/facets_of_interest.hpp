@@ -5,7 +5,7 @@
 
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

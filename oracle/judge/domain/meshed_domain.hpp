@@ -8,7 +8,7 @@
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {

@@ -5,7 +5,7 @@
 
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

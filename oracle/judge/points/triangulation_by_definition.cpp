@@ -1,8 +1,8 @@
 // The definition, word for word. Book: Definition 2.1.
 #include "oracle/judge/points/boundary_facet.hpp"
 #include "oracle/judge/points/triangulation.hpp"
-#include "reference/kernel/complex/facets.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 namespace {

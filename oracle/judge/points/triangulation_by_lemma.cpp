@@ -4,8 +4,8 @@
 
 #include "oracle/judge/points/boundary_facet.hpp"
 #include "oracle/judge/points/triangulation.hpp"
-#include "reference/kernel/complex/facets.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/exact/determinant.hpp"
 
 namespace circumspect {
 

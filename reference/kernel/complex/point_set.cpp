@@ -4,7 +4,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect {

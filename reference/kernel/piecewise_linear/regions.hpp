@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/complex/facets.hpp"
-#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/piecewise_linear/cell_index.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/wall_set.hpp"
 

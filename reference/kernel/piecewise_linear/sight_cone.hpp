@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/exact/affine_hull.hpp"
-#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/piecewise_linear/cell_index.hpp"
 
 namespace circumspect {
 

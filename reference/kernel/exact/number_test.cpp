@@ -1,5 +1,5 @@
-// Exact numbers and text, both ways.
-#include "reference/kernel/exact/number_text.hpp"
+// Numbers in text, and numbers too large for the memory.
+#include "reference/kernel/exact/number.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -8,8 +8,14 @@
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace circumspect {
+
+// ---- Number text ----
+// Exact numbers and text, both ways.
 
 // ---- Reading ----
 
@@ -238,6 +244,32 @@ TEST_CASE("square roots are correctly rounded") {
     RC_PRE(std::isfinite(x));
     RC_ASSERT(std::strtod(square_root_to_decimal(exact_value(x)).c_str(), nullptr) == std::sqrt(x));
   }));
+}
+
+// ---- Exhausted memory ----
+
+// AddressSanitizer takes more address space than any limit.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+#define HAS_LIMITS true
+#else
+#define HAS_LIMITS false
+#endif
+
+TEST_CASE("a number that exhausts the memory ends the process as it was told" *
+          doctest::skip(!HAS_LIMITS)) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit limit = {rlim_t{1} << 30, rlim_t{1} << 30};
+    setrlimit(RLIMIT_AS, &limit);
+    end_where_numbers_exhaust_memory([] { _exit(5); });
+    Integer large = 1;
+    large <<= std::size_t{1} << 35;  // bits
+    _exit(0);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 5);
 }
 
 }  // namespace circumspect
