@@ -16,7 +16,7 @@
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/mesh_difference.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"

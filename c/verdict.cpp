@@ -13,7 +13,7 @@
 #include "c/input.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/judge_within.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"

@@ -7,7 +7,7 @@
 
 #include "oracle/formats/mixed_text.hpp"
 #include "oracle/formats/rows.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

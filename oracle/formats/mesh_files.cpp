@@ -11,7 +11,7 @@
 #include "oracle/formats/neigh.hpp"
 #include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/plain_mesh.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -59,7 +59,7 @@ std::string_view format_of_mesh(const std::string& path, const Source* text, boo
 
 // A mesh, and where it came from.
 struct MeshFile {
-  // Vertices are counted from 0, by taking the index of the first point from each (listed_index.hpp);
+  // Vertices are counted from 0, by taking the index of the first point from each (exact_mesh.hpp);
   // one that names no point still names none. No simplex has more vertices than the points have
   // coordinates, plus one. Faces are, if they were asked for, those of .face and .edge files, of Medit's
   // and of JSON, without those that have as many vertices as a simplex of full dimension.

@@ -8,7 +8,7 @@
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_files.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

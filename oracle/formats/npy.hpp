@@ -11,7 +11,7 @@
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "oracle/model/rows.hpp"
+#include "oracle/model/index_lists.hpp"
 
 namespace circumspect::formats {
 

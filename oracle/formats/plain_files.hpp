@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "oracle/formats/plain_rows.hpp"
-#include "oracle/model/rows.hpp"
+#include "oracle/model/index_lists.hpp"
 
 namespace circumspect::formats {
 

@@ -4,7 +4,7 @@
 
 #include "oracle/formats/ply_header.hpp"
 #include "oracle/formats/rows.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

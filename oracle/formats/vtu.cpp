@@ -6,7 +6,7 @@
 #include "oracle/formats/rows.hpp"
 #include "oracle/formats/vtk_cells.hpp"
 #include "oracle/formats/vtu_arrays.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

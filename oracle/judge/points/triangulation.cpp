@@ -1,14 +1,99 @@
-// Conditions 1–3 of docs/theory/points.md, where it is proved that they suffice.
+#include "oracle/judge/points/triangulation.hpp"
+
 #include <algorithm>
 #include <optional>
 
-#include "oracle/judge/points/boundary_facet.hpp"
-#include "oracle/judge/points/triangulation.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
+
+namespace {
+
+Simplex with_apex(Simplex facet, Vertex apex) {
+  facet.push_back(apex);
+  return facet;
+}
+
+}  // namespace
+
+std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
+                                           const std::vector<FacetUse>& uses) {
+  std::vector<BoundaryFacet> boundary;
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    if (group.size() != 1) return;
+    const FacetUse& use = group.front();
+    boundary.push_back({use.facet, mesh.simplices[use.simplex][use.opposite], use.simplex});
+  });
+  return boundary;
+}
+
+int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q) {
+  return orientation(points, with_apex(facet.facet, q)) *
+         orientation(points, with_apex(facet.facet, facet.apex));
+}
+
+Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
+  Witness witness{
+      .simplices = {mesh.simplices[facet.simplex]}, .face = facet.facet, .vertices = {q}};
+  const Configuration& points = mesh.points.configuration();
+  witness.values = {
+      {"orientation determinant of facet and own apex",
+       orientation_determinant(points, points.axes(), with_apex(facet.facet, facet.apex))},
+      {"orientation determinant of facet and vertex beyond",
+       orientation_determinant(points, points.axes(), with_apex(facet.facet, q))}};
+  return witness;
+}
+
+// ---- Triangulation by definition ----
+// The definition, word for word. Book: Definition 2.1.
+
+namespace {
+
+// "A simplicial complex": any two simplices meet in a common face or not at all. Their faces then do
+// so too, since a face's point has one carrier in either simplex.
+bool judge_pairs(const ExactMesh& mesh, Verdict& verdict) {
+  bool proper = true;
+  for (std::size_t a = 0; a < mesh.simplices.size(); ++a) {
+    for (std::size_t b = a + 1; b < mesh.simplices.size(); ++b) {
+      const Simplex& first = mesh.simplices[a];
+      const Simplex& second = mesh.simplices[b];
+      const auto common = improper_intersection(mesh.points, first, second);
+      if (!common) continue;
+      proper = false;
+      verdict.add(Rule::kOverlap, {.simplices = {first, second}, .point = common});
+    }
+  }
+  return proper;
+}
+
+// "Whose union is conv S". In a complex, a generic path from a covered point of the interior of
+// conv S to an uncovered one leaves the union through the relative interior of a facet that only
+// one simplex has, towards the interior of conv S; so some point of S lies beyond that facet. And
+// nothing outside conv S is covered, because all vertices are points of S.
+void judge_union(const ExactMesh& mesh, Verdict& verdict) {
+  const Configuration& points = mesh.points.configuration();
+  for (const BoundaryFacet& facet : boundary_facets(mesh, facet_uses(mesh.simplices))) {
+    for (Vertex q = 0; mesh.points.names(q); ++q) {
+      if (side_of(points, facet, q) >= 0) continue;
+      verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, q));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+bool judge_complex_by_definition(const ExactMesh& mesh, Verdict& verdict) {
+  if (!judge_pairs(mesh, verdict)) return false;
+  judge_union(mesh, verdict);
+  return true;
+}
+
+// ---- Triangulation by lemma ----
+// Conditions 1–3 of docs/theory/points.md, where it is proved that they suffice.
+
 namespace {
 
 // The witness that two simplices overlap: a point of both off their common face.
@@ -154,6 +239,43 @@ bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& 
   if (judge_ridges(mesh, boundary, facet_uses(facets), verdict))
     judge_sample_point(mesh, boundary, verdict);
   return true;
+}
+
+// ---- Neighbors ----
+
+namespace {
+
+// `across` is the place of the true neighbour in the list of simplices, or −1.
+void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
+  const Vertex expected = across < 0 ? -1 : across + mesh.neighbors->first_index;
+  const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
+  if (listed == expected) return;
+  const Simplex* const simplex =
+      across < 0 ? nullptr : &mesh.simplices[static_cast<std::size_t>(across)];
+  add_wrong_neighbor(mesh, use, simplex, listed, expected, verdict);
+}
+
+}  // namespace
+
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    const bool shared = group.size() == 2;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;
+      judge_link(mesh, group[i], across, verdict);
+    }
+  });
+}
+
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict) {
+  Witness witness{.simplices = {mesh.simplices[use.simplex]},
+                  .face = use.facet,
+                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
+                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+  // The true neighbour by its vertices, so that nobody has to count simplices.
+  if (across != nullptr) witness.simplices.push_back(*across);
+  verdict.add(Rule::kWrongNeighbor, witness);
 }
 
 }  // namespace circumspect::check
