@@ -7,7 +7,7 @@
 #include <map>
 
 #include "corpus/expected_table.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"

@@ -10,7 +10,6 @@
 #include "inputs/run.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/plc_triangulations.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"

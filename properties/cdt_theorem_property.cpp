@@ -8,8 +8,6 @@
 #include "inputs/run.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/plc_triangulations.hpp"
-#include "properties/polygon_triangulations.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"

@@ -16,8 +16,6 @@
 #include "oracle/judge/witness_text_test.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "properties/mutations/mutations.hpp"
-#include "properties/plc_triangulations.hpp"
-#include "properties/polygon_triangulations.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"

@@ -17,7 +17,7 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"

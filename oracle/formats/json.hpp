@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <charconv>
 
+#include "reference/kernel/exact/number.hpp"
+
 namespace circumspect::formats {
+
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -113,6 +116,30 @@ Result<std::vector<Rational>> Lines::numbers(std::size_t first, std::size_t coun
     values.push_back(std::move(*value));
   }
   return values;
+}
+
+// ---- Rows ----
+
+namespace {
+
+template <class Value, class ToText>
+std::string join(const std::vector<Value>& values, ToText to_text) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) text += " ";
+    text += to_text(values[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string joined(const std::vector<Rational>& numbers) {
+  return join(numbers, to_text_of_double_or_fraction);
+}
+
+std::string joined(const std::vector<Vertex>& indices) {
+  return join(indices, [](Vertex v) { return std::to_string(v); });
 }
 
 }  // namespace circumspect::formats

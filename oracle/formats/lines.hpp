@@ -1,4 +1,4 @@
-// The tokens of a text, line by line.
+// The tokens of a text, line by line, and numbers on a line as all text formats write them.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,15 @@
 #include <system_error>
 #include <vector>
 
-#include "oracle/formats/format_error.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
+
+// ---- Lines ----
+// The tokens of a text, line by line.
 
 // A number of more characters is refused: exact arithmetic on it would outlast any patience. Every
 // double has an exact decimal of fewer.
@@ -66,5 +69,12 @@ class Lines {
   std::size_t line_ = 0;
   std::vector<std::string_view> tokens_;
 };
+
+// ---- Rows ----
+// Numbers on a line, as all text formats write them.
+
+// With blanks between them; numbers so that reading them as doubles gives the same ones.
+std::string joined(const std::vector<Rational>& numbers);
+std::string joined(const std::vector<Vertex>& indices);
 
 }  // namespace circumspect::formats

@@ -4,7 +4,6 @@
 #include <cctype>
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/rows.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

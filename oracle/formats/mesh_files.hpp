@@ -7,13 +7,36 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/formats/simplex_file.hpp"
+#include "oracle/formats/point_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "oracle/formats/weights.hpp"
 #include "oracle/model/mesh.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
+
+// ---- Weights ----
+// Points as files hold them, and which of their numbers are weights.
+
+struct RawPoints {
+  PointFile points;
+  std::vector<Rational> weights = {};  // empty, or one a point
+  std::string name = {};               // of the file, for messages
+};
+
+// Which weights the points of a file have.
+enum class Weights {
+  kNone,      // none, whatever there is
+  kListed,    // what the file calls so: the key "weights" of JSON
+  kDemanded,  // these, or the first attributes of .node, as TetGen's option -w has it; it is an error
+              // if there are none
+};
+
+// One weight a point, or none at all.
+Result<std::vector<Rational>> weights_of(RawPoints& points, Weights which);
+
+// ---- Mesh files ----
+// Finds what belongs together the way users name it, and reads it: the points of x.1.ele are in
+// x.1.node. Files are told apart by their extension, or by what they hold if that says nothing.
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);

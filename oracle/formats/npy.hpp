@@ -9,7 +9,6 @@
 
 #include "oracle/formats/npy_header.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "oracle/model/index_lists.hpp"
 

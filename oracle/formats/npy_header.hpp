@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/formats/format_error.hpp"
-#include "oracle/formats/random_access.hpp"
+#include "oracle/formats/source.hpp"
 
 namespace circumspect::formats {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "oracle/formats/rows.hpp"
+#include "oracle/formats/lines.hpp"
 
 namespace circumspect::formats {
 

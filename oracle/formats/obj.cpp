@@ -4,7 +4,6 @@
 #include <array>
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/rows.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

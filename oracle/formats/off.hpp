@@ -12,7 +12,6 @@
 #include <ostream>
 
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "oracle/formats/bytes.hpp"
 #include "oracle/formats/lines.hpp"
+#include "oracle/formats/mixed_text.hpp"
 
 namespace circumspect::formats {
 

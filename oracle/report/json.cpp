@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
-#include "oracle/report/rounded_up.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number.hpp"
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "properties/faulty/fault.hpp"
-#include "properties/faulty/point_arrays.hpp"
+#include "properties/faulty/plain_predicates.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/lexicographic.hpp"
