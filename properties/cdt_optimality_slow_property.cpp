@@ -20,7 +20,7 @@
 namespace circumspect::properties {
 namespace {
 
-// ---- cdt uniqueness ----
+// ---- CDT uniqueness ----
 // C3: edge-protected complexes have one CDT, and three constructions find it; elsewhere gift-
 // wrapping decides whether there is one. Book: Proposition 4.12, Sections 5.6 and 5.8.
 

@@ -143,7 +143,7 @@ TEST_CASE("C1 a segment whose interior meets a polygon's is included in it (Exer
   CHECK(occurs(kept_out));
 }
 
-// ---- cdt theorem ----
+// ---- CDT theorem ----
 // C2: edge-protected complexes have CDTs; C4: what a CDT induces on each polygon is the polygon's
 // own. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem); Proposition 4.11 (Exercise 4 of Chapter
 // 4).

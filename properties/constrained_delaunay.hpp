@@ -10,7 +10,7 @@
 #include "inputs/scalars.hpp"
 #include "reference/existence/existence.hpp"
 #include "reference/existence/matching.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"
@@ -19,7 +19,7 @@
 
 namespace circumspect::properties {
 
-// ---- Plc triangulations ----
+// ---- PLC triangulations ----
 // All triangulations of a small complex, CDTs or not. Book: Definition 4.4.
 
 // Triangulations of the polyhedra of a complex that consist of some of the candidates, each with its

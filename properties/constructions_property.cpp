@@ -16,7 +16,6 @@
 #include "reference/delaunay/lexicographic.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/circumball.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {

@@ -236,7 +236,7 @@ TEST_CASE("inspect: several inputs, the worst exit code, one JSON document") {
 
 }  // namespace
 
-// ---- Another cdt ----
+// ---- Another CDT ----
 // build cdt of domains that have a CDT, but not the canonical one, as its users run it.
 
 TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if there is any") {

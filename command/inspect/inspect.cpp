@@ -23,7 +23,7 @@
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/certificate/accepted_test.hpp"
-#include "oracle/certificate/refutation.hpp"
+#include "oracle/certificate/document.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::certificate {

@@ -178,7 +178,7 @@ namespace {
 
 using Indices = PlainIndices<std::int32_t>;
 
-struct NodeHeader {
+struct PlainNodeHeader {
   std::size_t points = 0;
   std::size_t dimension = 0;
   std::size_t attributes = 0;
@@ -186,8 +186,8 @@ struct NodeHeader {
   std::size_t columns() const { return 1 + dimension + attributes + markers; }
 };
 
-std::optional<NodeHeader> node_header(const PlainHeader& header) {
-  const NodeHeader node{header.numbers[0], header.numbers[1], header.numbers[2], header.numbers[3]};
+std::optional<PlainNodeHeader> node_header(const PlainHeader& header) {
+  const PlainNodeHeader node{header.numbers[0], header.numbers[1], header.numbers[2], header.numbers[3]};
   if (header.size < 2 || node.dimension < 1 || node.dimension > kLargestDimension ||
       node.attributes > kMostPlainColumns || node.markers > 1) {
     return std::nullopt;
@@ -212,7 +212,7 @@ struct IndexColumns {
 std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& reading) {
   const std::optional<PlainHeader> header = read_plain_header(file);
   if (!header) return std::nullopt;
-  const std::optional<NodeHeader> node = node_header(*header);
+  const std::optional<PlainNodeHeader> node = node_header(*header);
   if (!node) return std::nullopt;
   const std::optional<PlainRows> rows =
       plan_rows(file, header->end, node->points, node->columns(), reading.block_size);

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/ply_header.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

@@ -1,6 +1,6 @@
 #include "oracle/formats/poly.hpp"
 
-#include "oracle/formats/numbered_lines.hpp"
+#include "oracle/formats/lines.hpp"
 #include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {

@@ -23,7 +23,7 @@ std::string error_of(const Result<T>& result) {
   return result ? "no error" : result.error().to_string();
 }
 
-// ---- Npy bytes ----
+// ---- NPY bytes ----
 // The bytes of .npy files, as numpy.save writes them.
 
 // `version` 1 counts the header's bytes with two bytes, later ones with four.

@@ -1,11 +1,17 @@
 #include "oracle/formats/tetgen.hpp"
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/numbered_lines.hpp"
 
 namespace circumspect::formats {
 
 namespace {
+
+// How many markers each line ends with, which the header says in this column.
+Result<std::size_t> marker_count(NumberedLines& numbered, std::size_t column) {
+  const Result<std::size_t> markers = numbered.header_count(column, "the number of markers");
+  if (markers && *markers > 1) return numbered.lines().fail_at(column, "0 or 1 markers");
+  return markers;
+}
 
 struct NodeHeader {
   std::size_t dimension = 0;
@@ -27,9 +33,8 @@ Result<NodeHeader> read_header(NumberedLines& numbered, bool may_be_empty) {
   }
   const Result<std::size_t> attributes = numbered.header_count(2, "the number of attributes");
   if (!attributes) return tl::unexpected(attributes.error());
-  const Result<std::size_t> markers = numbered.header_count(3, "the number of markers");
+  const Result<std::size_t> markers = marker_count(numbered, 3);
   if (!markers) return tl::unexpected(markers.error());
-  if (*markers > 1) return numbered.lines().fail_at(3, "0 or 1 markers");
   return NodeHeader{*dimension, *attributes, *markers};
 }
 
@@ -214,9 +219,8 @@ Result<SimplexFile> read_face(const Source& source, std::size_t vertices) {
   NumberedLines numbered(source, is_face ? "face" : "edge", is_face ? "faces" : "edges");
   Status status = numbered.read_header(is_face ? "faces [markers]" : "edges [markers]", 1, 2);
   if (!status) return tl::unexpected(status.error());
-  const Result<std::size_t> markers = numbered.header_count(1, "the number of markers");
+  const Result<std::size_t> markers = marker_count(numbered, 1);
   if (!markers) return tl::unexpected(markers.error());
-  if (*markers > 1) return numbered.lines().fail_at(1, "0 or 1 markers");
   const Columns columns{vertices, *markers};
   numbered.allow_any_columns();
   SimplexFile file;

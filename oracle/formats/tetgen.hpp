@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/formats/numbered_lines.hpp"
+#include "oracle/formats/lines.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"

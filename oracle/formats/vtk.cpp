@@ -106,7 +106,7 @@ Result<std::vector<Vertex>> read_vtk_integers(MixedText& text, NumberType type, 
   return values;
 }
 
-// ---- Vtk ----
+// ---- VTK ----
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 namespace circumspect::formats {
 
-// ---- Vtk cells ----
+// ---- VTK cells ----
 // Cells of VTK, in its legacy files and in XML: lists of vertices and a type of each.
 
 // Cells of no type have that of the list of a surface in which they stand.
@@ -44,7 +44,7 @@ Status read_vtk_points(MixedText& text, NumberType type, std::size_t count,
 Result<std::vector<Vertex>> read_vtk_integers(MixedText& text, NumberType type, std::size_t count,
                                               const std::string& what);
 
-// ---- Vtk ----
+// ---- VTK ----
 // Meshes and surfaces in VTK's legacy format, in text or binary: .vtk.
 //
 //     # vtk DataFile Version 3.0                  5.1: cells as offsets and vertices, else as rows

@@ -10,7 +10,7 @@
 
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/rule.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect {

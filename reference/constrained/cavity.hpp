@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "reference/constrained/evolving_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"

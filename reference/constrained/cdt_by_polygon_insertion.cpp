@@ -232,7 +232,7 @@ tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points,
   return run;
 }
 
-// ---- Cdt by polygon insertion ----
+// ---- CDT by polygon insertion ----
 
 namespace {
 

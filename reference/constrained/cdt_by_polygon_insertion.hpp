@@ -9,7 +9,6 @@
 #include <tl/expected.hpp>
 
 #include "reference/constrained/cavity.hpp"
-#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/kernel/exact/progress.hpp"
@@ -79,7 +78,7 @@ struct PolygonFlips {
 tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points, EvolvingCdt& cdt,
                                                          const Polygon& polygon);
 
-// ---- Cdt by polygon insertion ----
+// ---- CDT by polygon insertion ----
 // Constructing a CDT by inserting polygons. Book: Section 5.8 ("first constructing a Delaunay
 // triangulation of the vertices in P …, then inserting the polygons one by one").
 

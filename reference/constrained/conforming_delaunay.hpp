@@ -8,7 +8,7 @@
 
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {

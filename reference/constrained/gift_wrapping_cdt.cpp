@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "reference/constrained/evolving_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
@@ -148,7 +147,7 @@ InFront first_clear_apex(const PointSet& points, const std::vector<std::size_t>&
   return result;
 }
 
-// ---- Gift wrapping cdt ----
+// ---- Gift wrapping CDT ----
 
 namespace {
 

@@ -66,7 +66,7 @@ InFront first_clear_apex(const PointSet& points, const std::vector<std::size_t>&
                          const OrientedFacet& facet, const std::vector<Vertex>& candidates,
                          const std::function<bool(const Simplex&)>& is_clear);
 
-// ---- Gift wrapping cdt ----
+// ---- Gift wrapping CDT ----
 // The constrained Delaunay triangulation of a PLC in space by gift-wrapping, or why there is none.
 // Book: Section 5.6.
 

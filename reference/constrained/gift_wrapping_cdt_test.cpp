@@ -9,7 +9,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
-#include "reference/constrained/evolving_cdt.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

@@ -108,7 +108,7 @@ tl::expected<RecoveredSegments, SteinerLimitReached> recover_segments(
   return RecoveredSegments{segments.augmented(points), segments.added()};
 }
 
-// ---- Steiner cdt ----
+// ---- Steiner CDT ----
 
 namespace {
 

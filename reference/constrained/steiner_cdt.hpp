@@ -85,7 +85,7 @@ std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& p
                                                                const SplitSegments& segments,
                                                                SubsegmentCondition condition);
 
-// ---- Steiner cdt ----
+// ---- Steiner CDT ----
 // A Steiner CDT of any complex. Book: Sections 4.5.2 and 4.5.3.
 
 enum class CdtAlgorithm { kGiftWrapping, kPolygonFlips, kPolygonCavities };

@@ -9,7 +9,6 @@
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/point_location.hpp"
-#include "reference/delaunay/triggers_and_stoppers.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 #include "reference/kernel/predicates/perturbation.hpp"

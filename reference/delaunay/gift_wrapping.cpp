@@ -7,7 +7,6 @@
 #include <set>
 
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/complex/circumball.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/polytope.hpp"

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/complex/circumball.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 

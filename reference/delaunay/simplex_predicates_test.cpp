@@ -6,7 +6,7 @@
 #include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::delaunay {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 
 namespace circumspect::check {

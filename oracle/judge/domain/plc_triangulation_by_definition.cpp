@@ -142,7 +142,7 @@ PiecewiseLinearComplex augmented_complex(const ExactMesh& mesh,
   return augmented;
 }
 
-// ---- Plc triangulation by definition ----
+// ---- PLC triangulation by definition ----
 // Definitions 4.4 and 4.5, word for word, with measures for "is a union of".
 
 namespace {

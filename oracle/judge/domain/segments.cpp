@@ -1,10 +1,9 @@
-#include "oracle/judge/domain/segments.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <set>
 
 #include "oracle/judge/domain/meshed_domain.hpp"
+#include "oracle/judge/domain/plc_triangulation.hpp"
 
 namespace circumspect::check {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "oracle/judge/points/simplices.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/exact/point_search.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

@@ -8,7 +8,6 @@
 #include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
 #include "inputs/scalars.hpp"
-#include "reference/kernel/complex/circumball.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 
