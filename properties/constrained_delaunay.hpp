@@ -81,7 +81,7 @@ inline std::vector<Simplex> any_triangulation_of(const PointSet& points, const P
   return {index.simplices().begin(), index.simplices().end()};
 }
 
-// ---- Constrained delaunay ----
+// ---- Constrained Delaunay ----
 // "Constrained Delaunay" and "locally Delaunay" from their definitions, with real visibility, for
 // holding constructions and lemmas against them. Book: Definition 4.6, Lemma 4.10.
 

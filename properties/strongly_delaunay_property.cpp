@@ -17,7 +17,7 @@
 
 namespace circumspect::properties {
 
-// ---- Strongly delaunay property ----
+// ---- Strongly Delaunay property ----
 // D3: strongly Delaunay simplices of all dimensions. Book: Section 4.2, Propositions 4.2 and 4.3,
 // Exercise 2 of Chapter 4.
 

@@ -22,7 +22,6 @@ std::size_t argument_count(PredicateKind kind, std::size_t dimension);
 int exact_sign(PredicateKind kind, std::size_t dimension, const std::vector<double>& coordinates);
 
 // ---- Predicate arguments ----
-// Arguments on which floating-point predicates go wrong.
 
 struct ArgumentFamily {
   std::string_view name;

@@ -10,7 +10,6 @@
 namespace circumspect::certificate {
 
 // ---- Refutation acceptor ----
-// What each rule takes as evidence.
 
 class RefutationAcceptor {
  public:

@@ -50,8 +50,6 @@ void for_each_face(std::vector<FaceUse>& uses, const auto& visit) {
 }
 
 // ---- Certificate ----
-// What proves that a mesh is a triangulation, Delaunay or not: the mesh with everything that a proved
-// checker needs to see it in linear time. proofs/CERTIFICATE.md says what it has to fulfil.
 
 // What lies across a facet or a ridge, and the place of its vertex that the facet or ridge leaves out.
 // A facet of the hull has a hull facet there, which leaves out no vertex.

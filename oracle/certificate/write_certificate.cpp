@@ -91,7 +91,6 @@ void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certific
 }
 
 // ---- Write domain ----
-// Numbers count from 1, places of vertices in their simplex from 0: proofs/CERTIFICATE.md.
 
 namespace {
 

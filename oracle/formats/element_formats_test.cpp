@@ -136,7 +136,7 @@ TEST_CASE("points of one height are those of the plane, unless there are cells o
 
 // ---- Gmsh ----
 // Gmsh's .msh: what is read over, what is refused and with which words. The forms of the same mesh are in
-// first part of this file.
+// the first part of this file.
 
 namespace {
 
@@ -270,9 +270,9 @@ TEST_CASE("gmsh: elements of second order and other shapes") {
   CHECK(domain->input.polygons.size() == 1);
 }
 
-// ---- Tet ----
+// ---- .tet ----
 // .tet: inner and outer tetrahedra, exact coordinates, what is refused. The binary form is in
-// first part of this file.
+// the first part of this file.
 
 namespace {
 

@@ -16,7 +16,6 @@
 namespace circumspect::formats {
 
 // ---- Lines ----
-// The tokens of a text, line by line.
 
 // A number of more characters is refused: exact arithmetic on it would outlast any patience. Every
 // double has an exact decimal of fewer.
@@ -72,7 +71,6 @@ class Lines {
 };
 
 // ---- Rows ----
-// Numbers on a line, as all text formats write them.
 
 // With blanks between them; numbers so that reading them as doubles gives the same ones.
 std::string joined(const std::vector<Rational>& numbers);

@@ -35,8 +35,6 @@ enum class Weights {
 Result<std::vector<Rational>> weights_of(RawPoints& points, Weights which);
 
 // ---- Mesh files ----
-// Finds what belongs together the way users name it, and reads it: the points of x.1.ele are in
-// x.1.node. Files are told apart by their extension, or by what they hold if that says nothing.
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);

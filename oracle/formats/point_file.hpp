@@ -12,7 +12,6 @@
 namespace circumspect::formats {
 
 // ---- Point file ----
-// What a file of points holds, in any format.
 
 // Points of more coordinates than this are refused.
 inline constexpr std::size_t kLargestDimension = 16;
@@ -28,7 +27,6 @@ struct PointFile {
 };
 
 // ---- Simplex file ----
-// What a list of simplices holds, in any format.
 
 struct SimplexFile {
   std::vector<Simplex> simplices = {};  // indices of points exactly as in the file

@@ -12,7 +12,6 @@
 namespace circumspect::formats {
 
 // ---- Format error ----
-// What a reader answers when a file is not what it should be: an error for people, in one line.
 
 struct FormatError {
   std::string file;

@@ -221,7 +221,7 @@ TEST_CASE("ply: what is refused") {
         "f:10: expected face 1 of 1, found the end of the file");
 }
 
-// ---- Obj ----
+// ---- OBJ ----
 // Wavefront's .obj: what is read over, what is refused and with which words.
 
 namespace {

@@ -111,7 +111,7 @@ void write_node(std::ostream& out, const PointFile& file) {
   }
 }
 
-// ---- Ele ----
+// ---- .ele ----
 
 namespace {
 
@@ -183,7 +183,7 @@ void write_ele(std::ostream& out, const SimplexFile& file) {
   write_numbered(out, file.first_index, file.simplices);
 }
 
-// ---- Face ----
+// ---- .face and .edge ----
 
 namespace {
 
@@ -249,7 +249,7 @@ void write_face(std::ostream& out, const SimplexFile& file) {
   write_numbered(out, file.first_index, file.simplices);
 }
 
-// ---- Neigh ----
+// ---- .neigh ----
 
 namespace {
 

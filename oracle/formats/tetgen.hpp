@@ -15,7 +15,7 @@
 
 namespace circumspect::formats {
 
-// ---- Node ----
+// ---- .node ----
 // Points as Triangle and TetGen write them: .node.
 //
 //     points dimension [attributes [markers]]       markers: 0 or 1
@@ -34,7 +34,7 @@ Result<PointFile> read_node_list(NumberedLines& numbered, NumberReading reading)
 // point, all rows of attributes have one length.
 void write_node(std::ostream& out, const PointFile& file);
 
-// ---- Ele ----
+// ---- .ele ----
 // Triangles and tetrahedra as Triangle and TetGen write them: .ele.
 //
 //     simplices k [attributes]                      k: vertices of each
@@ -48,7 +48,7 @@ Result<SimplexFile> read_ele(const Source& source, NumberReading reading = Numbe
 // Requires: every simplex has vertices_per_simplex vertices, at least 1.
 void write_ele(std::ostream& out, const SimplexFile& file);
 
-// ---- Face ----
+// ---- .face and .edge ----
 // Triangles and edges as Triangle and TetGen write them beside a mesh: .face and .edge.
 //
 //     faces [markers]                             markers: 0 or 1
@@ -63,7 +63,7 @@ Result<SimplexFile> read_face(const Source& source, std::size_t vertices);
 // Without markers. Requires: all simplices have one number of vertices.
 void write_face(std::ostream& out, const SimplexFile& file);
 
-// ---- Neigh ----
+// ---- .neigh ----
 // Which simplices are neighbours, as Triangle and TetGen write it: .neigh.
 //
 //     simplices k                                   k: neighbours of each

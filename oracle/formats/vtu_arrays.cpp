@@ -44,7 +44,7 @@ std::optional<std::string> decode_base64(std::string_view text, std::size_t coun
   return bytes;
 }
 
-// ---- Vtu arrays ----
+// ---- VTU arrays ----
 
 namespace {
 

@@ -23,7 +23,7 @@ namespace circumspect::formats {
 // other. None: a character of no meaning comes first, or the text ends among four.
 std::optional<std::string> decode_base64(std::string_view text, std::size_t count);
 
-// ---- Vtu arrays ----
+// ---- VTU arrays ----
 // Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind the
 // document, as they are or in base 64, compressed by zlib or not.
 

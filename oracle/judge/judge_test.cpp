@@ -1,5 +1,5 @@
-// Triangulations with many facets that are not locally Delaunay: grids, each cube cut alike, whose inner
-// points are moved a little, and get weights.
+// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast engine does
+// not take: what it says is what the exact checkers say. On the corpus: corpus/judge_test.cpp.
 #include "oracle/judge/judge.hpp"
 
 #include <algorithm>
@@ -16,6 +16,9 @@
 #include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
+
+// Triangulations with many facets that are not locally Delaunay: grids, each cube cut alike, whose inner
+// points are moved a little, and get weights.
 
 // `side` points along each axis, two at least; coordinates and weights are doubles. By no more than
 // `steps` / 1024 each coordinate moves: up to 50 keep every simplex as it is oriented.
@@ -60,8 +63,6 @@ inline ExactMesh shaken_grid(std::size_t dimension, std::size_t side, bool weigh
 }
 
 // ---- Judge ----
-// The one judge, on grids with facets that are not locally Delaunay and on meshes that the fast engine does
-// not take: what it says is what the exact checkers say. On the corpus: corpus/judge_test.cpp.
 
 namespace {
 

@@ -119,7 +119,6 @@ Verdict verdict_of_facts(Claim claim, const fast::MeshView<kDimension, Index>& m
                          const fast::Facts& facts, const Options& options);
 
 // ---- Verdict of faults ----
-// From the places of a mesh that are at fault to the verdict that judge_points() gives on it.
 
 // What judge_points() says of the mesh, word for word: the exact checkers look again, in their order, at the
 // places that are at fault, on no more of the mesh than they need. `neighbors`: those that the mesh lists, if

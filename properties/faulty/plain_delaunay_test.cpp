@@ -91,7 +91,7 @@ TEST_CASE("each mistake in arithmetic gives a wrong sign") {
   CHECK(signs(clockwise, {}) == Signs{-1, 1});
 }
 
-// ---- Plain delaunay ----
+// ---- Plain Delaunay ----
 // Plain Bowyer–Watson without a mistake, and what each mistake does to a few points.
 
 SimplexArray in_order(SimplexArray simplices) {

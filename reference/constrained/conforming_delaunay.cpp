@@ -103,7 +103,7 @@ bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& 
          sign(turn(axes, c, d, a)) * sign(turn(axes, c, d, b)) <= 0;
 }
 
-// ---- Conforming delaunay ----
+// ---- Conforming Delaunay ----
 
 namespace {
 

@@ -37,8 +37,7 @@ Point near_circumcentre(const PointSet& points, const Polygon& polygon, const Ba
 bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& b, const Point& c,
              const Point& d);
 
-// ---- Conforming delaunay ----
-// A conforming (Steiner) Delaunay triangulation. Book: Definition 4.5, Section 4.5.3.
+// ---- Conforming Delaunay ----
 
 struct ConformingDelaunay {
   PiecewiseLinearComplex complex;  // the augmented complex: the original points come first

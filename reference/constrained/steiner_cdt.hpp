@@ -86,7 +86,6 @@ std::vector<PointOnSegment> points_for_unprotected_subsegments(const PointSet& p
                                                                SubsegmentCondition condition);
 
 // ---- Steiner CDT ----
-// A Steiner CDT of any complex. Book: Sections 4.5.2 and 4.5.3.
 
 enum class CdtAlgorithm { kGiftWrapping, kPolygonFlips, kPolygonCavities };
 

@@ -16,7 +16,6 @@
 namespace circumspect::delaunay {
 
 // ---- Conflicts ----
-// Conflicts, the conflict graph, and point location by walking. Book: Sections 5.2, 5.4 and 5.5.
 
 namespace {
 

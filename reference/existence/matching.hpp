@@ -24,8 +24,6 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
                                                      const Regions& regions);
 
 // ---- Matching ----
-// Triangulations of a complex as the solutions of a propositional formula.
-// Book: Section 4.5.1, Definition 4.4.
 
 // Variable i + 1 says that tetrahedron i is chosen. The formula is true iff the chosen ones are a
 // triangulation of the polyhedra of the complex (Definition 4.4). Its clauses:

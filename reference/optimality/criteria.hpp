@@ -9,7 +9,7 @@
 
 namespace circumspect::optimality {
 
-// ---- Barycentric ----
+// ---- Barycentric coordinates ----
 // Barycentric coordinates in a simplex of any dimension.
 
 // The λ with Σ λ_i v_i = p and Σ λ_i = 1; nothing if p is outside the affine hull of the simplex or
@@ -31,7 +31,6 @@ Point combination(const PointSet& points, const Simplex& simplex,
 bool is_convex(const std::vector<Rational>& coefficients);
 
 // ---- Criteria ----
-// What Delaunay triangulations make small. Book: Section 4.3.
 
 // 𝒯⁺(p): the height over p of the triangulation lifted to |v|² − weight(v) at each vertex v;
 // nothing if p is in none of its simplices.

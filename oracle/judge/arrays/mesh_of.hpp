@@ -10,13 +10,13 @@
 
 namespace circumspect::arrays {
 
-// ---- Claim named ----
+// ---- Claims by name ----
 // Claims by their names.
 
 // One of the claims that need no domain. Throws std::invalid_argument for any other name.
 Claim claim_named(const std::string& claim);
 
-// ---- Mesh of ----
+// ---- Meshes of arrays ----
 // From arrays to a mesh that can be judged.
 
 // The mesh of these points, on the memory of their array, which has to outlive it, with weights if they are

@@ -53,7 +53,7 @@ void judge_constrained_delaunay_by_definition(const ExactMesh& mesh,
   }
 }
 
-// ---- Constrained delaunay by lemma ----
+// ---- Constrained Delaunay by lemma ----
 
 namespace {
 
@@ -147,7 +147,7 @@ void judge_constrained_delaunay_by_lemma(const MeshedDomain& in,
   ties.conclude(verdict);
 }
 
-// ---- Conforming delaunay ----
+// ---- Conforming Delaunay ----
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 namespace circumspect::check {
 
-// ---- Constrained delaunay ----
+// ---- Constrained Delaunay ----
 // Is a triangulation of a domain constrained Delaunay? Book: Definitions 4.6 and 4.7, Lemma 4.10.
 
 // Both require a triangulation of the domain, or of the domain with every vertex of the mesh added.
@@ -26,7 +26,7 @@ void judge_constrained_delaunay_by_definition(const ExactMesh& mesh,
                                               const PiecewiseLinearComplex& complex,
                                               Verdict& verdict);
 
-// ---- Conforming delaunay ----
+// ---- Conforming Delaunay ----
 // Is every simplex of a triangulation of a domain Delaunay? Book: Definition 4.5 ("a conforming
 // Delaunay triangulation").
 

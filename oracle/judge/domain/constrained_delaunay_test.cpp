@@ -6,8 +6,7 @@
 
 namespace circumspect::check {
 
-// ---- Constrained delaunay ----
-// Constrained Delaunay and conforming Delaunay in space.
+// ---- Constrained Delaunay ----
 
 namespace {
 

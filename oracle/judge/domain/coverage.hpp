@@ -10,7 +10,6 @@
 namespace circumspect::check {
 
 // ---- Coverage ----
-// Do the simplices cover the inside of a domain once, and nothing else?
 
 // All require matched facets, and pieces that tile the walls, in order of their vertices.
 

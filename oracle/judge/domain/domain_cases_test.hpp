@@ -135,7 +135,6 @@ inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMes
 }
 
 // ---- Domain cases ----
-// Meshes and domains for tests.
 
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
 

@@ -25,8 +25,6 @@ class VertexIndex {
 };
 
 // ---- Empty circumball ----
-// Has a simplex of lower dimension an empty circumball? Book: Section 4.1 (Delaunay simplices of any
-// dimension).
 
 // Some or all of the vertices in a closed ball; at least one strictly inside, if there is any.
 using VerticesNear = std::function<std::vector<Vertex>(const Ball&)>;

@@ -26,7 +26,6 @@ std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLin
                                        const VertexPlaces& places, const fast::SimplexFacts& known);
 
 // ---- Listed faces ----
-// The triangles and edges that a program lists beside its simplices.
 
 // triangulation.unknown-vertex, simplex.wrong-dimension (triangles and edges in space, edges in the
 // plane), simplex.repeated-vertex, simplex.degenerate. True if all can be worked with.

@@ -12,7 +12,6 @@
 namespace circumspect::check {
 
 // ---- Coplanar ----
-// Points of space in a plane.
 
 // Is the vertex in the plane of the triangle? Requires: points of space; three vertices that span a plane.
 inline bool is_coplanar(const Configuration& points, const Simplex& triangle, Vertex v) {

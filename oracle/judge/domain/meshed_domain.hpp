@@ -16,7 +16,6 @@
 namespace circumspect::check {
 
 // ---- Segment chains ----
-// The segments of a domain as chains of mesh vertices.
 
 // For each segment its ends and the vertices of the mesh inside it, in order from its first end to
 // its second. Links are pairs of consecutive ones.
@@ -57,7 +56,6 @@ class SegmentChains {
 };
 
 // ---- Meshed domain ----
-// A mesh and the domain it is held against, with what was found out about both.
 
 struct MeshedDomain {
   const ExactMesh& mesh;

@@ -12,7 +12,6 @@
 namespace circumspect::check {
 
 // ---- PLC triangulation ----
-// Is a mesh a triangulation of a domain? Book: Definitions 4.4 and 4.5.
 
 // What remains to be asked of a mesh that is a triangulation, Steiner points aside.
 using OfTriangulation =
@@ -45,7 +44,6 @@ bool is_triangulation_so_far(const Verdict& verdict);
 void judge_against_empty_domain(const ExactMesh& mesh, Verdict& verdict);
 
 // ---- Segments ----
-// Are the segments and the lone vertices of a domain in the mesh?
 
 // domain.vertex-in-edge: an edge of the mesh whose ends are on one segment, but not next to each
 // other. domain.segment-missing: a link that is no edge of the mesh, or one inside a polyhedron that
@@ -56,7 +54,6 @@ bool judge_segments(const MeshedDomain& in, Verdict& verdict);
 bool judge_inner_vertices(const MeshedDomain& in, Verdict& verdict);
 
 // ---- Polygon tiling ----
-// Which facets of a mesh tile the polygons of a domain?
 
 // The pieces of all walls, in order of their vertices; nothing if a polygon is not tiled exactly,
 // edge to edge, by facets of simplices and listed triangles: domain.polygon-not-tiled, complex.overlap

@@ -1,4 +1,4 @@
-// Which simplices of a mesh a segment or a polygon of the domain contains, by looking at every one.
+// Definitions 4.4 and 4.5, word for word, with measures for "is a union of".
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -36,6 +36,7 @@ std::set<Simplex> faces_of_size(const ExactMesh& mesh, std::size_t size);
 void insert_faces(const Simplex& simplex, std::size_t size, std::set<Simplex>& faces);
 
 // ---- Contained cells ----
+// Which simplices of a mesh a segment or a polygon of the domain contains, by looking at every one.
 
 namespace {
 
@@ -143,7 +144,6 @@ PiecewiseLinearComplex augmented_complex(const ExactMesh& mesh,
 }
 
 // ---- PLC triangulation by definition ----
-// Definitions 4.4 and 4.5, word for word, with measures for "is a union of".
 
 namespace {
 

@@ -56,7 +56,6 @@ LargeArray<T> large_array(std::size_t count) {
 }
 
 // ---- Facet matching ----
-// Which simplices share a facet, where nobody says so.
 
 // Links with the memory for them.
 struct OwnedLinks {

@@ -37,7 +37,6 @@ inline constexpr double kLargestScale = 0x1p190;
 inline constexpr double kLargestHeight = 0x1p380;
 
 // ---- Filter ----
-// The first stage: polynomials with doubles, and when their signs are certain.
 
 inline constexpr int kUncertain = 2;
 

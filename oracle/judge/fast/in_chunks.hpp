@@ -85,7 +85,7 @@ void in_chunks(std::size_t count, std::size_t size, unsigned threads, const Work
 #endif
 }
 
-// ---- Finite ----
+// ---- Finite numbers ----
 // Are numbers finite?
 
 inline bool are_finite(std::span<const double> numbers, unsigned threads) {

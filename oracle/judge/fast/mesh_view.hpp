@@ -12,7 +12,7 @@
 
 namespace circumspect::fast {
 
-// ---- Facet id ----
+// ---- Names of facets ----
 // The name of a facet of a mesh.
 
 // A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many. A
@@ -33,7 +33,6 @@ class FacetId {
 };
 
 // ---- Mesh view ----
-// A mesh where it lies: arrays of a user's, which nothing here copies.
 
 // The answer to a question about a mesh is one of these, or none (judge.hpp).
 enum class Question { kTriangulation, kDelaunay, kWeightedDelaunay };

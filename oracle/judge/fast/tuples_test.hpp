@@ -16,7 +16,6 @@
 namespace circumspect::fast {
 
 // ---- Tuples ----
-// Tuples of points that are hard on predicates.
 
 // The kinds of numbers that a tuple may have.
 enum class Kind {

@@ -49,8 +49,6 @@ struct Ambiguity {
 };
 
 // ---- Delaunay ----
-// Is every simplex Delaunay, or weighted Delaunay? Book: Definition 4.1, Lemma 4.1 (the Delaunay
-// Lemma), Section 5.2 (weights).
 
 // A facet of two simplices of a list.
 struct SharedFacet {

@@ -31,8 +31,6 @@ int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q);
 Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 
 // ---- Triangulation ----
-// Are sound simplices a complex that covers the convex hull of the points?
-// Book: Definition 2.1 and Section 4.1.
 
 // All require that judge_simplices found nothing wrong, and say whether every facet lies in one
 // or two simplices, two being on opposite sides of it.

@@ -9,7 +9,6 @@
 namespace circumspect {
 
 // ---- Point ----
-// Points with exact rational coordinates, of any dimension.
 
 // Cartesian coordinates. std::vector's operator< is the lexicographic order of the perturbation.
 using Point = std::vector<Rational>;

@@ -43,7 +43,6 @@ bool interiors_meet(const Configuration& points, std::span<const std::size_t> ax
                     const Simplex& a, const Simplex& b);
 
 // ---- Piecewise linear complex ----
-// Piecewise linear complexes. Book: Section 4.5.1, Definition 4.3.
 
 // Which part of space a complex is meant to fill. `kEnclosed`: its polyhedra are the bounded
 // components of the complement of its polygons (in the plane: its polygons those of the complement of

@@ -130,7 +130,6 @@ void find_polygon_pair_breaches(const PiecewiseLinearComplex& complex, const Pro
 void find_hole_seed_breaches(const PiecewiseLinearComplex& complex, BreachList& found);
 
 // ---- Validity ----
-// Is an input a piecewise linear complex? Book: Section 4.5.1, Definition 4.3.
 
 // Who waits for `validated`.
 struct ValidityWatch {
