@@ -187,7 +187,8 @@ struct PlainNodeHeader {
 };
 
 std::optional<PlainNodeHeader> node_header(const PlainHeader& header) {
-  const PlainNodeHeader node{header.numbers[0], header.numbers[1], header.numbers[2], header.numbers[3]};
+  const PlainNodeHeader node{header.numbers[0], header.numbers[1], header.numbers[2],
+                             header.numbers[3]};
   if (header.size < 2 || node.dimension < 1 || node.dimension > kLargestDimension ||
       node.attributes > kMostPlainColumns || node.markers > 1) {
     return std::nullopt;
