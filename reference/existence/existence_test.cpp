@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
-#include "reference/existence/dimacs.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::existence {

@@ -1,4 +1,4 @@
-// Formulas, and proofs that one is false whatever the variables.
+// Formulas, proofs that one is false whatever the variables, and the files of both.
 #pragma once
 
 #include <string>
@@ -70,5 +70,16 @@ struct ProofFault {
 // propagation is forced; so when the empty clause passes, as a step or after the last one, nothing satisfies the formula. Deletions
 // only save time; one of a clause that is not there is ignored.
 tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation);
+
+// ---- DIMACS ----
+// Formulas as files: DIMACS, the format of SAT solvers.
+
+// The formula, after comments of one line each.
+std::string to_dimacs(const Formula& formula, const std::vector<std::string>& comments = {});
+
+// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces, each
+// of literals and a 0, on lines as they like. The header's counts are not trusted: they must agree
+// with what follows, and nothing is reserved for them.
+tl::expected<Formula, MalformedProof> read_dimacs(std::string_view text);
 
 }  // namespace circumspect::existence

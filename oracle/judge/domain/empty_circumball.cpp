@@ -22,8 +22,8 @@ std::vector<Box> boxes_of(const PointSet& points) {
 
 // A box around the ball along the axes; its edges are not cut off. Every operation on doubles is
 // followed by one step outward, more than it can have rounded inward.
-Box box_around(const Ball& ball) {
-  Box box = circumspect::box_around(ball.centre);
+Box box_of_ball(const Ball& ball) {
+  Box box = box_around(ball.centre);
   const double radius = std::nextafter(std::sqrt(upper_double(ball.squared_radius)), kInfinity);
   for (std::size_t i = 0; i < box.low.size(); ++i) {
     const bool along_axis = i < ball.centre.size() && std::isfinite(radius);
@@ -39,7 +39,7 @@ VertexIndex::VertexIndex(const PointSet& points) : index_(boxes_of(points)) {}
 
 std::vector<Vertex> VertexIndex::near(const Ball& ball) const {
   std::vector<Vertex> vertices;
-  for (const std::size_t place : index_.meeting(box_around(ball))) {
+  for (const std::size_t place : index_.meeting(box_of_ball(ball))) {
     vertices.push_back(static_cast<Vertex>(place));
   }
   return vertices;

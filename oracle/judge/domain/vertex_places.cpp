@@ -30,14 +30,14 @@ Rational product(const Point& a, const Point& b) {
 }
 
 // A box around all points no further along any axis than `radius` from a point.
-Box box_around(const Point& centre, const Rational& radius) {
-  Box box = circumspect::box_around(centre);
+Box box_of_radius(const Point& centre, const Rational& radius) {
+  Box box = box_around(centre);
   for (std::size_t corner = 0; corner < std::size_t{1} << centre.size(); ++corner) {
     Point at = centre;
     for (std::size_t i = 0; i < at.size(); ++i) {
       at[i] += (corner >> i) % 2 == 0 ? radius : Rational(-radius);
     }
-    box = circumspect::box_around(box, circumspect::box_around(at));
+    box = box_around(box, box_around(at));
   }
   return box;
 }
@@ -64,11 +64,11 @@ struct VertexSearch::Target {
   // Boxes that hold every point within a distance of it.
   std::vector<Box> boxes_around(const Rational& radius) const {
     std::vector<Box> ends;
-    for (const Point& point : points) ends.push_back(box_around(point, radius));
+    for (const Point& point : points) ends.push_back(box_of_radius(point, radius));
     if (is_point()) return ends;
     std::vector<Box> pieces;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      pieces.push_back(circumspect::box_around(ends[i], ends[i + 1]));
+      pieces.push_back(box_around(ends[i], ends[i + 1]));
     }
     return pieces;
   }
@@ -100,7 +100,7 @@ void VertexSearch::make_index() {
       low_[i] = std::min(low_[i], point[i]);
       high_[i] = std::max(high_[i], point[i]);
     }
-    boxes.push_back(circumspect::box_around(point));
+    boxes.push_back(box_around(point));
     indexed_.push_back(v);
   }
   index_ = std::make_unique<const BoxIndex>(boxes);
