@@ -127,19 +127,19 @@ class Recipe {
 
 using harness::Dice;
 
-using Step = std::array<std::uint8_t, kStep>;
+using RecipeStep = std::array<std::uint8_t, kStep>;
 
 std::uint8_t random_byte(Dice& dice) { return static_cast<std::uint8_t>(dice.below(256)); }
 
-Step random_step(Dice& dice) {
-  Step step{};
+RecipeStep random_step(Dice& dice) {
+  RecipeStep step{};
   for (std::uint8_t& byte : step) byte = random_byte(dice);
   // Degeneracies more often than chance brings them.
   if (dice.below(2) == 0) step[0] = std::array<std::uint8_t, 4>{0, 2, 4, 7}[dice.below(4)];
   return step;
 }
 
-void mutate_once(std::vector<Step>& steps, std::size_t most, Dice& dice) {
+void mutate_once(std::vector<RecipeStep>& steps, std::size_t most, Dice& dice) {
   const std::size_t at = steps.empty() ? 0 : dice.below(steps.size());
   const auto place = steps.begin() + static_cast<std::ptrdiff_t>(at);
   const bool has_room = steps.size() < most;
@@ -178,7 +178,7 @@ PointArray points_from_bytes(const std::uint8_t* data, std::size_t size, std::si
 std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t max_size,
                          unsigned int seed) {
   Dice dice(seed);
-  std::vector<Step> steps(std::min(size, max_size) / kStep);
+  std::vector<RecipeStep> steps(std::min(size, max_size) / kStep);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::copy_n(data + i * kStep, kStep, steps[i].begin());
   }
