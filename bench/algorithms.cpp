@@ -1,10 +1,8 @@
 #include "bench/algorithms.hpp"
 
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::bench {

@@ -10,7 +10,6 @@
 #include "bench/processor_time.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/constrained/segment_recovery.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 

@@ -16,7 +16,7 @@
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/mesh_difference.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
@@ -24,7 +24,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/genericity.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

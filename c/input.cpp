@@ -11,7 +11,7 @@
 
 #include "c/guard.hpp"
 #include "oracle/model/printable.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 

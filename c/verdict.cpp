@@ -13,12 +13,12 @@
 #include "c/input.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/judge_within.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::c {
 

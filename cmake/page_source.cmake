@@ -1,11 +1,11 @@
-# Puts page.built.html into the layer `picture`, as page_source() (oracle/picture/page_source.hpp). The page is
+# Puts page.built.html into the layer `picture`, as page_source() (oracle/picture/page.hpp). The page is
 # committed as it was bundled, so that building the command needs neither Node nor a network.
 set(page "${PROJECT_SOURCE_DIR}/oracle/picture/page/page.built.html")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
 file(READ "${page}" CIRCUMSPECT_PAGE)
 set(page_source "${PROJECT_BINARY_DIR}/page_source.cpp")
 file(CONFIGURE OUTPUT "${page_source}" @ONLY CONTENT [=[
-#include "oracle/picture/page_source.hpp"
+#include "oracle/picture/page.hpp"
 
 #pragma GCC diagnostic ignored "-Woverlength-strings"  // no compiler that is supported has such a limit
 

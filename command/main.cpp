@@ -17,9 +17,8 @@
 #include "command/subcommands.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
-#include "reference/existence/solver.hpp"
-#include "reference/kernel/exact/exhausted_memory.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/existence/existence.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace {
 

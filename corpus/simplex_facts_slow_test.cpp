@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
-#include "oracle/judge/domain/verdict_text_test.hpp"
+#include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/report/text.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "inputs/scalars.hpp"
 #include "inputs/set_parts.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::generators {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::generators {

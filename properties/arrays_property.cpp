@@ -11,7 +11,7 @@
 #include "oracle/judge/arrays/arrays_of_test.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "properties/mutations/catalogue.hpp"
 

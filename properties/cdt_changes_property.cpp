@@ -140,7 +140,7 @@ TEST_CASE(
   CHECK(occurs(inserted, 51));
 }
 
-// ---- vertex in cdt ----
+// ---- vertex in CDT ----
 // C9: a vertex is inserted into a CDT, or it is said why not and nothing has changed; deletion
 // undoes insertion, of vertices and of polygons. Book: Sections 5.6 and 5.7.
 

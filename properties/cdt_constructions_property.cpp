@@ -11,8 +11,7 @@
 #include "inputs/scalars.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/complex/simplex.hpp"
@@ -25,7 +24,7 @@
 namespace circumspect::properties {
 namespace {
 
-// ---- gift wrapping cdt ----
+// ---- gift wrapping CDT ----
 // C1, C3: gift-wrapping finds the constrained Delaunay tetrahedra of the definition, all of them
 // and no other; where it says that there is no CDT, these do not fill the domain. No construction
 // is held against another here. Book: Definition 4.6, Proposition 4.12, Section 5.6.
@@ -147,7 +146,7 @@ TEST_CASE("C1 C3 gift-wrapping makes a simplicial complex that holds every cell 
   }));
 }
 
-// ---- planar cdt ----
+// ---- planar CDT ----
 // Constrained Delaunay triangulations in the plane. Book: Sections 3.10, 3.11, 4.5 and 5.6.
 
 using constrained::planar_cdt;

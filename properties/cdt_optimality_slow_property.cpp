@@ -10,18 +10,17 @@
 #include "inputs/run.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/plc_triangulations.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/existence/candidates.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/existence/existence.hpp"
+#include "reference/existence/matching.hpp"
 #include "reference/optimality/criteria.hpp"
 
 namespace circumspect::properties {
 namespace {
 
-// ---- cdt uniqueness ----
+// ---- CDT uniqueness ----
 // C3: edge-protected complexes have one CDT, and three constructions find it; elsewhere gift-
 // wrapping decides whether there is one. Book: Proposition 4.12, Sections 5.6 and 5.8.
 

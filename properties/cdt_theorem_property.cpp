@@ -8,13 +8,11 @@
 #include "inputs/run.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/constrained_delaunay.hpp"
-#include "properties/plc_triangulations.hpp"
-#include "properties/polygon_triangulations.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/existence/candidates.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/existence/matching.hpp"
 
 namespace circumspect::properties {
 namespace {
@@ -145,7 +143,7 @@ TEST_CASE("C1 a segment whose interior meets a polygon's is included in it (Exer
   CHECK(occurs(kept_out));
 }
 
-// ---- cdt theorem ----
+// ---- CDT theorem ----
 // C2: edge-protected complexes have CDTs; C4: what a CDT induces on each polygon is the polygon's
 // own. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem); Proposition 4.11 (Exercise 4 of Chapter
 // 4).

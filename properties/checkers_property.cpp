@@ -9,7 +9,7 @@
 #include "oracle/judge/points/check.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::properties {
 namespace {

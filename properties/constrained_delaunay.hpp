@@ -1,17 +1,89 @@
-// "Constrained Delaunay" and "locally Delaunay" from their definitions, with real visibility, for
-// holding constructions and lemmas against them. Book: Definition 4.6, Lemma 4.10.
+// Triangulations of polygons and of complexes, all of them, and which are constrained Delaunay,
+// by definition.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <vector>
 
-#include "reference/kernel/complex/circumball.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "inputs/scalars.hpp"
+#include "reference/existence/existence.hpp"
+#include "reference/existence/matching.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
+
+// ---- PLC triangulations ----
+// All triangulations of a small complex, CDTs or not. Book: Definition 4.4.
+
+// Triangulations of the polyhedra of a complex that consist of some of the candidates, each with its
+// tetrahedra ascending, in no particular order: all of them, or as many as `limit`. Each is a solution
+// of the formula; a clause that forbids it lets the solver find the next.
+// Requires: every candidate respects the complex.
+inline std::vector<std::vector<Simplex>> plc_triangulations(const PiecewiseLinearComplex& complex,
+                                                            const Regions& regions,
+                                                            const std::vector<Simplex>& candidates,
+                                                            std::size_t limit) {
+  existence::Formula formula = existence::matching_formula(complex, regions, candidates);
+  std::vector<std::vector<Simplex>> all;
+  while (all.size() < limit) {
+    const auto answer = existence::solve(formula);
+    const auto* satisfied = std::get_if<existence::Satisfied>(&answer);
+    if (satisfied == nullptr) break;
+    std::vector<Simplex> tetrahedra;
+    existence::Clause another;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!satisfied->assignment[i]) continue;
+      tetrahedra.push_back(candidates[i]);
+      another.push_back(-static_cast<existence::Literal>(i) - 1);
+    }
+    all.push_back(std::move(tetrahedra));
+    formula.clauses.push_back(std::move(another));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// ---- Polygon triangulations ----
+// Random triangulations of a polygon. Book: Section 4.5.1.
+
+// Some triangulation of the polygon that has its segments for edges, Delaunay or not, after up to
+// five random flips. Within a property or rc::gen::exec.
+inline std::vector<Simplex> any_triangulation_of(const PointSet& points, const Polygon& polygon) {
+  std::vector<Simplex> triangles = polygon.triangles;
+  for (Simplex& triangle : triangles) triangle = sorted(triangle);
+  StarIndex index(triangles);
+  for (long i = *generators::below(6); i > 0; --i) {
+    std::vector<Simplex> edges = facets_of({index.simplices().begin(), index.simplices().end()});
+    std::erase_if(edges, [&](const Simplex& edge) {
+      if (std::binary_search(polygon.segments.begin(), polygon.segments.end(), edge)) return true;
+      const auto star = index.star(edge);
+      const Vertex a = without(star[0], edge)[0], b = without(star[1], edge)[0];
+      const int at_one_end =
+          orientation(points.configuration(), polygon.axes, Simplex{a, b, edge[0]});
+      const int at_other =
+          orientation(points.configuration(), polygon.axes, Simplex{a, b, edge[1]});
+      return at_one_end * at_other >= 0;
+    });
+    if (edges.empty()) break;
+    const Simplex edge =
+        edges[static_cast<std::size_t>(*generators::below(static_cast<long>(edges.size())))];
+    const auto star = index.star(edge);
+    const Simplex apexes = join(without(star[0], edge), without(star[1], edge));
+    index.replace(star, {join(apexes, {edge[0]}), join(apexes, {edge[1]})});
+  }
+  return {index.simplices().begin(), index.simplices().end()};
+}
+
+// ---- Constrained Delaunay ----
+// "Constrained Delaunay" and "locally Delaunay" from their definitions, with real visibility, for
+// holding constructions and lemmas against them. Book: Definition 4.6, Lemma 4.10.
 
 inline Point barycentre_of(const PointSet& points, const Simplex& simplex) {
   return barycentre(coordinates(points, simplex));

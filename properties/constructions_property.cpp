@@ -12,12 +12,10 @@
 #include "oracle/judge/points/check.hpp"
 #include "properties/every_construction.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lexicographic.hpp"
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {

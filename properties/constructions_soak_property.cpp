@@ -8,7 +8,7 @@
 #include "inputs/run.hpp"
 #include "properties/every_construction.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::properties {
 namespace {

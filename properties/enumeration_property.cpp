@@ -10,14 +10,12 @@
 #include "inputs/scalars.hpp"
 #include "inputs/triangulated/random_flips.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/faces.hpp"
 #include "reference/optimality/flip_graph.hpp"
-#include "reference/optimality/regularity.hpp"
 
 namespace circumspect::properties {
 namespace {

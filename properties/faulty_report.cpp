@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "properties/faulty/report.hpp"
+#include "properties/faulty/hunt.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include "properties/faulty/hunt.hpp"
-#include "properties/faulty/report.hpp"
 
 namespace circumspect::properties {
 namespace {

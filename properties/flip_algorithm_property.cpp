@@ -11,8 +11,8 @@
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/flip.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -8,12 +8,10 @@
 #include "inputs/point_sets.hpp"
 #include "inputs/run.hpp"
 #include "inputs/scalars.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/barycentric.hpp"
 #include "reference/optimality/criteria.hpp"
-#include "reference/optimality/faces.hpp"
 
 namespace circumspect::properties {
 namespace {

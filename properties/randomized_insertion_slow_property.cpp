@@ -12,8 +12,8 @@
 #include "inputs/point_sets.hpp"
 #include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/delaunay/triggers_and_stoppers.hpp"
+#include "reference/delaunay/conflict_graph.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

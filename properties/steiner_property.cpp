@@ -11,7 +11,6 @@
 #include "properties/constrained_delaunay.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"
-#include "reference/constrained/segment_recovery.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

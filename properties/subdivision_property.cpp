@@ -10,10 +10,9 @@
 #include "inputs/run.hpp"
 #include "inputs/scalars.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
+#include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::properties {

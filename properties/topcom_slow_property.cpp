@@ -12,7 +12,7 @@
 
 #include "inputs/point_sets.hpp"
 #include "inputs/run.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/flip_graph.hpp"
 

@@ -7,8 +7,8 @@
 #include "inputs/any_case.hpp"
 #include "inputs/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/vertex_deletion.hpp"
+#include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {

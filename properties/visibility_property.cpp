@@ -6,9 +6,9 @@
 
 #include "inputs/complexes.hpp"
 #include "inputs/run.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/determinant.hpp"
 #include "reference/kernel/exact/linear_program.hpp"
-#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 

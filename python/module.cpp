@@ -19,7 +19,7 @@
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace py = pybind11;
 

@@ -14,14 +14,14 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/formats/ele.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/lexicographic.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -13,7 +13,6 @@
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/regularity.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -1,4 +1,4 @@
-// circumspect build and inspect, as their users run them.
+// The command `build`: what it writes, other CDTs, and Steiner points.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -7,6 +7,10 @@
 #include "command/run_command.hpp"
 
 namespace circumspect::cli {
+
+// ---- Build ----
+// circumspect build and inspect, as their users run them.
+
 namespace {
 
 std::string cube(int first_index) {
@@ -231,4 +235,88 @@ TEST_CASE("inspect: several inputs, the worst exit code, one JSON document") {
 }
 
 }  // namespace
+
+// ---- Another CDT ----
+// build cdt of domains that have a CDT, but not the canonical one, as its users run it.
+
+TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if there is any") {
+  const ScratchFolder folder;
+  for (const std::string name : {"cube-with-diagonal", "cube-with-diagonal-and-floor"}) {
+    const std::string domain = std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/" + name + ".poly";
+    CHECK(has(run({"inspect", domain}).out, "triangulation: another (proved)\n"));
+    const std::string mesh = folder.path(name + ".1.ele");
+    const Run built = run({"build", "cdt", domain, "-o", mesh});
+    CHECK_MESSAGE(built.exit_code == 0, (built.out + built.err));
+    CHECK(has(built.out, "note: there is no canonical CDT, for segment 1 6 is no edge; "));
+    CHECK(has(built.out, "\nbuilt: cdt " + domain + " "));
+    CHECK(has(built.out, " not-canonical\n"));
+    for (const std::string by : {"lemma", "definition"}) {
+      const Run checked = run({"check", mesh, "--domain", domain, "--claim", "cdt", "--by", by});
+      CHECK_MESSAGE(checked.exit_code == 0, checked.out);
+    }
+    // As JSON it is the mesh alone; so the note is on the standard error.
+    const Run json = run({"build", "cdt", domain, "--format", "json"});
+    CHECK(document(json)["circumspect"] == 1);
+    CHECK(has(json.err, "note: there is no canonical CDT, for "));
+    // An algorithm makes the canonical one or none, and does not say that there is no other.
+    for (const char* algorithm : {"gift-wrapping", "polygon-flips", "polygon-cavities"}) {
+      const Run none =
+          run({"build", "cdt", domain, "--algorithm", algorithm, "-o", folder.path("none.1.ele")});
+      CHECK(none.exit_code == 4);
+      CHECK(has(none.out, "undecided: cdt " + domain + ": there is one, but no canonical"));
+    }
+    const Run limited =
+        run({"build", "cdt", domain, "--search-vertices", "7", "-o", folder.path("none.1.ele")});
+    CHECK(limited.exit_code == 4);
+    CHECK(has(limited.out, "undecided: cdt " + domain + ": there is no canonical one, and "));
+    CHECK(has(limited.out, "more than 7 vertices; --search-vertices"));
+    CHECK(!std::filesystem::exists(folder.path("none.1.ele")));
+  }
+}
+
+// ---- Steiner points ----
+// build steiner-cdt: which algorithm makes it, and how many Steiner points it takes.
+
+namespace {
+
+const std::string kDomains = std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/";
+
+}  // namespace
+
+TEST_CASE("build steiner-cdt: all algorithms give the same files") {
+  const ScratchFolder folder;
+  const std::string domain = kDomains + "figure-4-13-chazelle-2.poly";
+  const std::string usual = folder.path("usual.ele");
+  CHECK(run({"build", "steiner-cdt", domain, "-o", usual}).exit_code == 0);
+  for (const std::string algorithm : {"gift-wrapping", "polygon-flips", "polygon-cavities"}) {
+    const std::string mesh = folder.path(algorithm + ".ele");
+    CHECK(run({"build", "steiner-cdt", domain, "--algorithm", algorithm, "-o", mesh}).exit_code ==
+          0);
+    CHECK(contents(mesh) == contents(usual));
+  }
+}
+
+TEST_CASE("build steiner-cdt: a needle takes few Steiner points, and a limit ends in exit code 4") {
+  const ScratchFolder folder;
+  const std::string domain = kDomains + "needle.poly";
+  const std::string mesh = folder.path("needle.1.ele");
+  const std::vector<std::string> build = {"build", "steiner-cdt", domain, "--domain-kind",
+                                          "hull",  "-o",          mesh,   "--steiner-points"};
+  const auto with_limit = [&](const std::string& limit) {
+    std::vector<std::string> arguments = build;
+    arguments.push_back(limit);
+    return run(arguments);
+  };
+  const Run limited = with_limit("1");
+  CHECK(limited.exit_code == 4);
+  CHECK(limited.out == "undecided: steiner-cdt " + domain +
+                           ": 1 Steiner points do not suffice; --steiner-points allows more\n");
+  CHECK(!std::filesystem::exists(mesh));
+  const Run built = with_limit("8");
+  CHECK_MESSAGE(built.exit_code == 0, built.out);
+  const Run checked =
+      run({"check", mesh, "--domain", domain, "--domain-kind", "hull", "--claim", "steiner-cdt"});
+  CHECK_MESSAGE(checked.exit_code == 0, checked.out);
+}
+
 }  // namespace circumspect::cli

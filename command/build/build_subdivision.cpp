@@ -12,7 +12,7 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
+#include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::cli {

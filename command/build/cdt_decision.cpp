@@ -13,7 +13,7 @@
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::cli {

@@ -1,9 +1,7 @@
 #include "command/build/constructions.hpp"
 
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::cli {

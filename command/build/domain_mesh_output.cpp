@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include "command/output/output.hpp"
-#include "oracle/formats/ele.hpp"
-#include "oracle/formats/face.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/formats/node.hpp"
 #include "oracle/formats/obj.hpp"
 #include "oracle/formats/ply.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtu.hpp"
 #include "oracle/report/wording.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/formats/mesh_files.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::cli {
 namespace {

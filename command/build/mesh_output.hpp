@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "oracle/formats/json.hpp"
-#include "oracle/formats/neigh.hpp"
-#include "oracle/formats/simplex_file.hpp"
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 

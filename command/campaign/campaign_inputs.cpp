@@ -10,7 +10,7 @@
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::cli {

@@ -11,7 +11,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::cli {
 namespace {

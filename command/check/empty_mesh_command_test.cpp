@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
-#include "oracle/formats/npy_bytes_test.hpp"
+#include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::cli {
 namespace {

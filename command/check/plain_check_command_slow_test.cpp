@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
-#include "oracle/formats/npy_bytes_test.hpp"
 #include "oracle/formats/plain_mesh.hpp"
+#include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::cli {
 namespace {

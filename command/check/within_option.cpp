@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "oracle/report/rounded_up.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

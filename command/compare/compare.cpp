@@ -22,7 +22,7 @@
 #include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/formats/json.hpp"
-#include "oracle/formats/node.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
 

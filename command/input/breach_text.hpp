@@ -5,7 +5,7 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/report/json.hpp"
-#include "reference/kernel/piecewise_linear/breach.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
 

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include "command/input/breach_text.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"
-#include "oracle/report/rounded_up.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
 

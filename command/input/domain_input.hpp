@@ -13,7 +13,6 @@
 #include "command/options/domain_options.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/model/domain.hpp"
-#include "reference/kernel/piecewise_linear/breach.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "command/options/one_of.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace CLI {
 class App;
@@ -56,7 +56,7 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
 // What is wrong with points that are equal, where they are not to be merged.
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated);
 
-// Merges equal points (oracle/model/equal_points.hpp says how), or returns what is wrong with them if
+// Merges equal points (oracle/model/mesh.hpp says how), or returns what is wrong with them if
 // they are refused; empty if all is well.
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 

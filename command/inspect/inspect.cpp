@@ -17,14 +17,14 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/genericity.hpp"
-#include "reference/kernel/complex/circumball.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/delaunay/simplex_predicates.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

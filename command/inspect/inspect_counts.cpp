@@ -1,6 +1,6 @@
 #include "command/inspect/inspect_counts.hpp"
 
-#include "reference/optimality/faces.hpp"
+#include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::cli {
 namespace {

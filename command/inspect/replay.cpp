@@ -10,7 +10,7 @@
 #include "oracle/formats/source.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/existence/dimacs.hpp"
+#include "reference/existence/refutation.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "oracle/formats/rows.hpp"
+#include "oracle/formats/lines.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::campaign {

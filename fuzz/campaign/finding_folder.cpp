@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "fuzz/process/folders.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"

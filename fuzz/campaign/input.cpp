@@ -5,10 +5,10 @@
 
 #include "fuzz/campaign/domain_text.hpp"
 #include "oracle/formats/json.hpp"
-#include "oracle/formats/node.hpp"
+#include "oracle/formats/lines.hpp"
 #include "oracle/formats/off.hpp"
-#include "oracle/formats/qhull.hpp"
-#include "oracle/formats/rows.hpp"
+#include "oracle/formats/point_lists.hpp"
+#include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::campaign {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"

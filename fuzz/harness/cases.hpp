@@ -1,13 +1,55 @@
-// The inputs of a run in process: which case comes how, and from which family.
+// The inputs of a run in process: points drawn from a family, as text, and sequences of
+// insertions and deletions.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include <circumspect/sequences.hpp>
+#include <circumspect/subject.hpp>
+
 #include "inputs/families.hpp"
+#include "inputs/mixed.hpp"
+#include "inputs/points_case.hpp"
 
 namespace circumspect::harness {
+
+// ---- Dice ----
+// Random numbers that are the same on every machine.
+
+// Splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() {
+    const std::uint64_t bits = generators::mixed(state_);
+    state_ += generators::kMixingStep;
+    return bits;
+  }
+  // In [0, count). Requires: count > 0.
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
+  // In [first, last]. Requires: first <= last.
+  int within(int first, int last) {
+    return first + static_cast<int>(below(static_cast<std::size_t>(last - first) + 1));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+// ---- Node text ----
+// Points as the text of a .node file that any reader turns back into the same doubles.
+
+std::string node_text(const PointArray& points);
+
+// Is every number a double?
+bool are_doubles(const generators::PointsCase& set);
+
+// ---- Cases ----
+// The inputs of a run in process: which case comes how, and from which family.
 
 // The families with these names; of none, all those of the dimension that have distinct points, and
 // weights if they are claimed. Throws std::invalid_argument: a name that is unknown, or a family that
@@ -27,5 +69,21 @@ DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std
 
 // A number made of two that is unlike those of their neighbours.
 std::uint64_t mixed_seed(std::uint64_t run_seed, std::uint64_t index);
+
+// ---- Sequence cases ----
+// Random sequences of insertions and deletions, and ways to make them shorter.
+
+// Sequence number `index` of a run: at most max_steps steps, which insert points of one set of a
+// family in its order and, if asked for, remove some in between, or all of them in the end.
+struct DrawnSequence {
+  std::string family;
+  std::vector<Step> steps;
+};
+DrawnSequence drawn_sequence(const std::vector<const generators::Family*>& families,
+                             const SequenceOptions& options, std::uint64_t index);
+
+// Without the steps whose mark is false; a removal whose insertion is left out goes too. Numbers are
+// given anew, in the order of insertion.
+std::vector<Step> kept_steps(const std::vector<Step>& steps, const std::vector<bool>& marks);
 
 }  // namespace circumspect::harness

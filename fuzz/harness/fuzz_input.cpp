@@ -15,13 +15,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include <circumspect/fuzz.hpp>
+#include <fmt/format.h>
 
-#include "fuzz/harness/dice.hpp"
+#include "fuzz/harness/answer.hpp"
+#include "fuzz/harness/cases.hpp"
+#include "inputs/arrays.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {
+
 namespace {
 
 constexpr std::size_t kStep = 5;
@@ -120,19 +127,19 @@ class Recipe {
 
 using harness::Dice;
 
-using Step = std::array<std::uint8_t, kStep>;
+using RecipeStep = std::array<std::uint8_t, kStep>;
 
 std::uint8_t random_byte(Dice& dice) { return static_cast<std::uint8_t>(dice.below(256)); }
 
-Step random_step(Dice& dice) {
-  Step step{};
+RecipeStep random_step(Dice& dice) {
+  RecipeStep step{};
   for (std::uint8_t& byte : step) byte = random_byte(dice);
   // Degeneracies more often than chance brings them.
   if (dice.below(2) == 0) step[0] = std::array<std::uint8_t, 4>{0, 2, 4, 7}[dice.below(4)];
   return step;
 }
 
-void mutate_once(std::vector<Step>& steps, std::size_t most, Dice& dice) {
+void mutate_once(std::vector<RecipeStep>& steps, std::size_t most, Dice& dice) {
   const std::size_t at = steps.empty() ? 0 : dice.below(steps.size());
   const auto place = steps.begin() + static_cast<std::ptrdiff_t>(at);
   const bool has_room = steps.size() < most;
@@ -171,7 +178,7 @@ PointArray points_from_bytes(const std::uint8_t* data, std::size_t size, std::si
 std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t max_size,
                          unsigned int seed) {
   Dice dice(seed);
-  std::vector<Step> steps(std::min(size, max_size) / kStep);
+  std::vector<RecipeStep> steps(std::min(size, max_size) / kStep);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::copy_n(data + i * kStep, kStep, steps[i].begin());
   }
@@ -181,6 +188,32 @@ std::size_t mutate_bytes(std::uint8_t* data, std::size_t size, std::size_t max_s
     std::copy(steps[i].begin(), steps[i].end(), data + i * kStep);
   }
   return steps.size() * kStep;
+}
+
+// ---- Fuzz target ----
+
+namespace {
+
+bool is_wanted(const FuzzOptions& options, const PointArray& points) {
+  if (points.size() < std::max<std::size_t>(options.min_points, 1)) return false;
+  return options.flat_sets || affine_hull(generators::from(points).points).dimension ==
+                                  static_cast<int>(options.dimension);
+}
+
+}  // namespace
+
+int fuzz_once(const Triangulator& subject, const FuzzOptions& options, const std::uint8_t* data,
+              std::size_t size) {
+  const bool weighted = options.claim == "weighted-delaunay";
+  const PointArray points = points_from_bytes(data, size, options.dimension, weighted);
+  if (!is_wanted(options, points)) return 0;
+  const harness::Answer given = harness::answer(subject, points);
+  Judgement judgement{false, given.failure, "the program threw: " + given.text + "\n"};
+  if (given.failure.empty()) judgement = judge(options.claim, points, given.simplices);
+  if (judgement.holds) return 0;
+  fmt::print(stderr, "{}: {} on {}\n{}{}", options.claim, judgement.rule,
+             report::counted(points.size(), "point"), harness::node_text(points), judgement.report);
+  std::abort();
 }
 
 }  // namespace circumspect

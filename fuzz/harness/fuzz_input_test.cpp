@@ -7,7 +7,7 @@
 #include <circumspect/fuzz.hpp>
 #include <doctest/doctest.h>
 
-#include "fuzz/harness/dice.hpp"
+#include "fuzz/harness/cases.hpp"
 
 namespace circumspect {
 namespace {

@@ -1,14 +1,27 @@
-// Arguments on which floating-point predicates go wrong.
+// Arguments on which floating-point predicates go wrong, and the exact signs to hold them
+// against.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 #include <circumspect/predicates.hpp>
 
-#include "fuzz/harness/dice.hpp"
+#include "fuzz/harness/cases.hpp"
 
 namespace circumspect::harness {
+
+// ---- Exact signs ----
+// What floating-point predicates are held against.
+
+// How many points a predicate takes.
+std::size_t argument_count(PredicateKind kind, std::size_t dimension);
+
+// The sign that predicates.hpp defines. Requires: finite coordinates of argument_count points.
+int exact_sign(PredicateKind kind, std::size_t dimension, const std::vector<double>& coordinates);
+
+// ---- Predicate arguments ----
 
 struct ArgumentFamily {
   std::string_view name;

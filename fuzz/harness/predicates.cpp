@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "fuzz/harness/cases.hpp"
-#include "fuzz/harness/exact_signs.hpp"
 #include "fuzz/harness/predicate_arguments.hpp"
 
 namespace circumspect {

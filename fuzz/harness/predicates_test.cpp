@@ -8,7 +8,6 @@
 #include <circumspect/predicates.hpp>
 #include <doctest/doctest.h>
 
-#include "fuzz/harness/exact_signs.hpp"
 #include "fuzz/harness/predicate_arguments.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

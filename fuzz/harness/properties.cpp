@@ -1,17 +1,171 @@
+// One property of one program on one set of points.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <circumspect/properties.hpp>
 
 #include "fuzz/campaign/minimise.hpp"
+#include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
-#include "fuzz/harness/node_text.hpp"
-#include "fuzz/harness/property_rule.hpp"
 #include "inputs/arrays.hpp"
+#include "inputs/points_case.hpp"
+#include "oracle/judge/arrays/mesh_of.hpp"
+#include "oracle/judge/judge.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
+#include "reference/kernel/exact/point.hpp"
+
+namespace circumspect::harness {
+
+// What is broken, and how; an empty rule if nothing is.
+struct Broken {
+  std::string rule = {};
+  std::string report = {};
+};
+
+// The properties beside the claim compare answers, and only where the first one is right: a wrong
+// answer is the claim's business. `seed` is for the order in which the points are handed over.
+// Requires: the numbers of `set` are doubles.
+Broken broken_rule(const Triangulator& subject, Property property, const PropertyOptions& options,
+                   const generators::PointsCase& set, std::uint64_t seed);
+
+// ---- Property rule ----
+
+namespace {
+
+Answer answer_to(const Triangulator& subject, const PropertyOptions& options,
+                 const PointArray& points) {
+  return options.isolated ? isolated_answer(subject, points, options.time_limit)
+                          : answer(subject, points);
+}
+
+Broken broken_by_ending(const Answer& given) {
+  return {given.failure, given.text.empty() ? "the program ended by: " + given.failure + "\n"
+                                            : "the program threw: " + given.text + "\n"};
+}
+
+Broken broken_claim(const PropertyOptions& options, const PointArray& points, const Answer& given) {
+  if (!given.failure.empty()) return broken_by_ending(given);
+  const Judgement judgement = judge(options.claim, points, given.simplices);
+  return {judgement.rule, judgement.report};
+}
+
+// Rows and indices in ascending order, under other numbers for the points.
+SimplexArray as_a_set(SimplexArray simplices, const std::vector<std::int64_t>& numbers) {
+  for (auto& simplex : simplices) {
+    for (std::int64_t& v : simplex) {
+      if (v >= 0 && v < static_cast<std::int64_t>(numbers.size())) {
+        v = numbers[static_cast<std::size_t>(v)];
+      }
+    }
+    std::sort(simplex.begin(), simplex.end());
+  }
+  std::sort(simplices.begin(), simplices.end());
+  return simplices;
+}
+
+std::vector<std::int64_t> same_numbers(const PointArray& points) {
+  std::vector<std::int64_t> numbers(points.size());
+  std::iota(numbers.begin(), numbers.end(), std::int64_t{0});
+  return numbers;
+}
+
+// The points in another order; numbers[i] is the old number of the new point i.
+PointArray reordered(const PointArray& points, const std::vector<std::int64_t>& numbers) {
+  PointArray moved{points.dimension, {}, {}};
+  for (const std::int64_t old : numbers) {
+    const double* point = points.point(static_cast<std::size_t>(old));
+    moved.coordinates.insert(moved.coordinates.end(), point, point + points.dimension);
+    if (!points.weights.empty()) {
+      moved.weights.push_back(points.weights[static_cast<std::size_t>(old)]);
+    }
+  }
+  return moved;
+}
+
+std::vector<std::int64_t> shuffled(std::vector<std::int64_t> numbers, std::uint64_t seed) {
+  for (std::size_t left = numbers.size(); left > 1; --left) {
+    std::swap(numbers[left - 1], numbers[mixed_seed(seed, left) % left]);
+  }
+  return numbers;
+}
+
+bool survives(double value, int exponent) {
+  const double image = std::ldexp(value, exponent);
+  return std::isfinite(image) && std::ldexp(image, -exponent) == value;
+}
+
+// The axes moved on by one, every length times 8 (weights, which are squared lengths, times 64): exact,
+// or the points themselves where a number would overflow.
+PointArray similar(const PointArray& points) {
+  PointArray image = points;
+  for (std::size_t i = 0; i < points.coordinates.size(); ++i) {
+    const std::size_t row = i / points.dimension * points.dimension;
+    const std::size_t axis = (i - row + 1) % points.dimension;
+    if (!survives(points.coordinates[i], 3)) return points;
+    image.coordinates[row + axis] = std::ldexp(points.coordinates[i], 3);
+  }
+  for (double& weight : image.weights) {
+    if (!survives(weight, 6)) return points;
+    weight = std::ldexp(weight, 6);
+  }
+  return image;
+}
+
+// Is what was answered right, and the only right answer? Book: Theorem 4.4; sets that are not generic
+// have only one, too, if their Delaunay subdivision is simplicial (Section 4.2).
+bool is_the_only_answer(const PropertyOptions& options, const PointArray& points,
+                        const Answer& given) {
+  if (!given.failure.empty() || options.claim == "triangulation") return false;
+  const bool weighted = options.claim == "weighted-delaunay";
+  Mesh mesh = arrays::mesh_of(points, given.simplices, weighted);
+  const Claim claim = weighted ? Claim::kWeightedDelaunay : Claim::kDelaunay;
+  const Verdict verdict = check::judge_merged(claim, mesh, nullptr, {.threads = 1});
+  return verdict.holds() && verdict.unique.value_or(false);
+}
+
+Broken compared(Property property, const Answer& first, const Answer& again,
+                const PointArray& points, const std::vector<std::int64_t>& numbers) {
+  if (!again.failure.empty()) return broken_by_ending(again);
+  if (as_a_set(first.simplices, same_numbers(points)) == as_a_set(again.simplices, numbers)) {
+    return {};
+  }
+  return {std::string(name(property)),
+          "two answers differ: " + report::counted(first.simplices.size(), "simplex", "simplices") +
+              " and " + std::to_string(again.simplices.size()) + ", not the same ones\n"};
+}
+
+}  // namespace
+
+Broken broken_rule(const Triangulator& subject, Property property, const PropertyOptions& options,
+                   const generators::PointsCase& set, std::uint64_t seed) {
+  const PointArray points = generators::array(set, options.dimension);
+  const Answer given = answer_to(subject, options, points);
+  if (property == Property::kClaim) return broken_claim(options, points, given);
+  if (!given.failure.empty()) return {};
+  const std::vector<std::int64_t> numbers = same_numbers(points);
+  if (property == Property::kDeterministic) {
+    return compared(property, given, answer_to(subject, options, points), points, numbers);
+  }
+  if (!is_the_only_answer(options, points, given)) return {};
+  if (property == Property::kSimilarity) {
+    return compared(property, given, answer_to(subject, options, similar(points)), points, numbers);
+  }
+  const std::vector<std::int64_t> order = shuffled(numbers, seed);
+  return compared(property, given, answer_to(subject, options, reordered(points, order)), points,
+                  order);
+}
+
+}  // namespace circumspect::harness
 
 namespace circumspect {
+
+// ---- Properties ----
+
 namespace {
 
 using generators::PointsCase;

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "fuzz/harness/cases.hpp"
-#include "fuzz/harness/sequence_cases.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect {

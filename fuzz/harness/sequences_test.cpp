@@ -9,7 +9,7 @@
 #include <circumspect/sequences.hpp>
 #include <doctest/doctest.h>
 
-#include "fuzz/harness/sequence_cases.hpp"
+#include "fuzz/harness/cases.hpp"
 
 namespace circumspect {
 namespace {

@@ -2,10 +2,8 @@
 // Book: Sections 5.2 to 5.5. Input: a byte with dimension (bit 0) and weights (bit 1), then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::fuzz {

@@ -7,13 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/formats/ele.hpp"
-#include "oracle/formats/face.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/medit.hpp"
-#include "oracle/formats/neigh.hpp"
-#include "oracle/formats/node.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/obj.hpp"
 #include "oracle/formats/off.hpp"
@@ -21,9 +17,9 @@
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_lists.hpp"
 #include "oracle/formats/poly.hpp"
-#include "oracle/formats/qhull.hpp"
 #include "oracle/formats/stl.hpp"
 #include "oracle/formats/tet.hpp"
+#include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu.hpp"
 

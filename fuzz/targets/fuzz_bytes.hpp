@@ -13,7 +13,7 @@
 
 #include <circumspect/fuzz.hpp>
 
-#include "fuzz/harness/node_text.hpp"
+#include "fuzz/harness/cases.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 
 namespace circumspect::fuzz {

@@ -11,7 +11,6 @@
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/star_index.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 

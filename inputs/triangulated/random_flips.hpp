@@ -9,7 +9,7 @@
 #include "inputs/points_case.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::properties {
 

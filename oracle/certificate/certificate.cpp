@@ -1,15 +1,43 @@
 #include "oracle/certificate/certificate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
 #include <numeric>
 
-#include "oracle/certificate/face_uses.hpp"
-#include "oracle/certificate/point_location.hpp"
-#include "oracle/certificate/sidedness.hpp"
+#include "oracle/certificate/scaled_points.hpp"
+#include "reference/kernel/exact/point_search.hpp"
 
 namespace circumspect::certificate {
+
+FaceUse face_use(std::span<const std::uint32_t> vertices, std::size_t cell, std::size_t place) {
+  FaceUse use{{0, 0, 0}, static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(place)};
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i == place) continue;
+    std::size_t at = size++;
+    for (; at > 0 && use.face[at - 1] > vertices[i]; --at) use.face[at] = use.face[at - 1];
+    use.face[at] = vertices[i];
+  }
+  return use;
+}
+
+std::vector<FaceUse> facets(const ExactMesh& mesh) {
+  std::vector<FaceUse> uses;
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    const std::vector<std::uint32_t> vertices(mesh.simplices[s].begin(), mesh.simplices[s].end());
+    for (std::size_t place = 0; place < vertices.size(); ++place) {
+      uses.push_back(face_use(vertices, s, place));
+    }
+  }
+  return uses;
+}
+
+void sort(std::vector<FaceUse>& uses) { std::sort(uses.begin(), uses.end()); }
+
+// ---- Certificate ----
+
 namespace {
 
 std::vector<Vertex> lexicographic_order(const ScaledPoints& points) {
@@ -148,6 +176,52 @@ Certificate certificate_of(const ExactMesh& mesh, Claim claim, ScaledPoints poin
   find_incidences(certificate);
   choose_sample(certificate);
   return certificate;
+}
+
+// ---- Point location ----
+
+namespace {
+
+// A certificate as the search for points wants it.
+class Located {
+ public:
+  explicit Located(const Certificate& certificate)
+      : certificate_(certificate), sidedness_(certificate.points) {}
+
+  std::size_t size() const { return certificate_.simplices.size(); }
+  std::size_t row_size() const { return certificate_.points.dimension + 1; }
+  std::size_t points() const { return certificate_.points.size(); }
+  std::size_t vertex(std::size_t s, std::size_t place) const {
+    return static_cast<std::size_t>(certificate_.simplices[s].vertices[place]);
+  }
+  // Simplices of a certificate are positively oriented.
+  int side(std::size_t s, std::size_t place, std::size_t point) const {
+    std::array<Vertex, 4> moved = certificate_.simplices[s].vertices;
+    moved[place] = static_cast<Vertex>(point);
+    return sidedness_.orientation(std::span<const Vertex>(moved).first(row_size()));
+  }
+  std::size_t across(std::size_t s, std::size_t place) const {
+    const Across& beyond = certificate_.simplices[s].across[place];
+    return beyond.place == Across::kHull ? kNoSimplex : beyond.cell;
+  }
+
+ private:
+  const Certificate& certificate_;
+  mutable Sidedness sidedness_;  // keeps the memory of its numbers
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> simplices_that_contain(const Certificate& certificate,
+                                                  std::span<const std::size_t> points) {
+  const Located located(certificate);
+  std::vector<std::uint32_t> simplices;
+  simplices.reserve(points.size());
+  for (const std::size_t s : PointSearch(located).simplices_with(points)) {
+    assert(s != kNoSimplex);
+    simplices.push_back(static_cast<std::uint32_t>(s));
+  }
+  return simplices;
 }
 
 }  // namespace circumspect::certificate

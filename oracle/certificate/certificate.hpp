@@ -1,11 +1,14 @@
-// What proves that a mesh is a triangulation, Delaunay or not: the mesh with everything that a proved
-// checker needs to see it in linear time. proofs/CERTIFICATE.md says what it has to fulfil.
+// What proves that a mesh is a triangulation, Delaunay or not: the mesh with everything that a
+// proved checker needs to see it in linear time. proofs/CERTIFICATE.md says what it has to
+// fulfil.
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <vector>
 
 #include "oracle/certificate/lines.hpp"
@@ -14,6 +17,39 @@
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::certificate {
+
+// ---- Face uses ----
+// Which cells share a face: facets of simplices, and ridges of hull facets.
+
+// One cell's use of a face: a tuple without memory of its own, of which there are millions.
+struct FaceUse {
+  std::array<std::uint32_t, 3> face;  // its vertices, ascending; what is left over is 0
+  std::uint32_t cell;
+  std::uint32_t place;  // of the cell's vertex that the face leaves out
+
+  auto operator<=>(const FaceUse&) const = default;
+};
+
+// The use of the face opposite vertex number `place`. Requires: at most four vertices.
+FaceUse face_use(std::span<const std::uint32_t> vertices, std::size_t cell, std::size_t place);
+
+// The uses of the facets of a mesh. Requires: simplices of at most four vertices, which are points.
+std::vector<FaceUse> facets(const ExactMesh& mesh);
+
+void sort(std::vector<FaceUse>& uses);
+
+// Sorts by face, so that the uses of one stand together, and calls `visit` once a face with them.
+void for_each_face(std::vector<FaceUse>& uses, const auto& visit) {
+  sort(uses);
+  for (std::size_t first = 0; first < uses.size();) {
+    std::size_t last = first;
+    while (last < uses.size() && uses[last].face == uses[first].face) ++last;
+    visit(std::span<const FaceUse>(uses).subspan(first, last - first));
+    first = last;
+  }
+}
+
+// ---- Certificate ----
 
 // What lies across a facet or a ridge, and the place of its vertex that the facet or ridge leaves out.
 // A facet of the hull has a hull facet there, which leaves out no vertex.
@@ -68,5 +104,13 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const Certificate& certific
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certificate);
+
+// ---- Point location ----
+// In which simplices of a triangulation do points lie? Book: Section 5.5 (walking).
+
+// For each of the points a simplex that contains it (reference/kernel/exact/point_search.hpp). Requires:
+// simplices and what is across their facets; each of the points is in one of the simplices.
+std::vector<std::uint32_t> simplices_that_contain(const Certificate& certificate,
+                                                  std::span<const std::size_t> points);
 
 }  // namespace circumspect::certificate

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "oracle/certificate/domain_part.hpp"
-#include "oracle/judge/domain/polygon_tiling.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "oracle/judge/domain/plc_triangulation.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::certificate {
 namespace {

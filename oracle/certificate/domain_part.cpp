@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/certificate/sidedness.hpp"
+#include "oracle/certificate/scaled_points.hpp"
 #include "reference/kernel/exact/determinant.hpp"
 
 namespace circumspect::certificate {

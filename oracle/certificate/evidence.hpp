@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/certificate/sidedness.hpp"
+#include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 

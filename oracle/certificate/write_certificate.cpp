@@ -1,8 +1,10 @@
 // Numbers count from 1, positions of vertices in their simplex from 0: proofs/CERTIFICATE.md.
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/lines.hpp"
 
 namespace circumspect::certificate {
+
 namespace {
 
 void write_points(Lines& lines, const ExactMesh& mesh, const Certificate& certificate) {
@@ -84,6 +86,125 @@ void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certific
   write_first_line(lines, "circumspect-certificate 1", certificate.claim,
                    certificate.points.dimension, certificate.standing);
   write_mesh(lines, mesh, certificate);
+  lines << "end";
+  lines.end_line();
+}
+
+// ---- Write domain ----
+
+namespace {
+
+// By the vertices, their numbers in the certificate.
+std::vector<std::size_t> numbers_of(const Certificate& certificate) {
+  std::vector<std::size_t> number(certificate.order.size());
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    number[static_cast<std::size_t>(certificate.order[i])] = i + 1;
+  }
+  return number;
+}
+
+void begin_section(Lines& lines, std::string_view name, std::size_t count) {
+  lines << name << count;
+  lines.end_line();
+}
+
+void write_mark(Lines& lines, const Mark& mark, std::size_t size) {
+  lines << (mark.rank == 0 ? "+" : "-");
+  for (std::size_t i = 0; i < size; ++i) {
+    if (mark.flags[i]) {
+      lines << mark.flags[i]->first + 1 << mark.flags[i]->second + 1;
+    } else {
+      lines << "-";
+    }
+  }
+  if (mark.rank != 0) {
+    if (mark.hole) {
+      lines << "hole" << *mark.hole + 1;
+    } else {
+      lines << (mark.rank == 1 ? "out" : "across") << mark.place;
+    }
+    lines << mark.rank;
+  }
+  lines.end_line();
+}
+
+void write_part(Lines& lines, const Certificate& mesh, const DomainPart& part) {
+  const std::vector<std::size_t> number = numbers_of(mesh);
+  const auto of = [&](Vertex v) { return number[static_cast<std::size_t>(v)]; };
+  begin_section(lines, "roles", mesh.order.size());
+  for (const Vertex v : mesh.order) {
+    const Role& role = part.roles[static_cast<std::size_t>(v)];
+    if (role.corner_of) {
+      lines << *role.corner_of + 1;
+    } else {
+      lines << "-";
+      for (const auto& [weight, vertex] : role.weights) lines << weight << of(vertex);
+    }
+    lines.end_line();
+  }
+  begin_section(lines, "segments", part.segments.size());
+  for (const SegmentSteps& segment : part.segments) {
+    lines << of(segment.from);
+    for (const Step& step : segment.steps) {
+      lines.gap() << of(step.reached) << step.simplex + 1 << step.place;
+    }
+    lines.end_line();
+  }
+  begin_section(lines, "holes", part.holes.size());
+  for (const Hole& hole : part.holes) {
+    lines << hole.simplex + 1;
+    write_point(lines, hole.seed);
+    lines.end_line();
+  }
+  begin_section(lines, "marks", part.marks.size());
+  for (const Mark& mark : part.marks) write_mark(lines, mark, mesh.points.dimension + 1);
+}
+
+void write_polygon(Lines& lines, const std::vector<std::size_t>& number,
+                   const PolygonCertificate& polygon) {
+  lines << "polygon";
+  for (const Integer& x : polygon.normal) lines << x;
+  lines << polygon.offset << polygon.axis;
+  lines.end_line();
+  write_mesh(lines, polygon.mesh, polygon.plane);
+  write_part(lines, polygon.plane, polygon.part);
+  begin_section(lines, "above", polygon.plane.order.size());
+  for (const Vertex v : polygon.plane.order) {
+    lines << number[static_cast<std::size_t>(polygon.above[static_cast<std::size_t>(v)])];
+    lines.end_line();
+  }
+  begin_section(lines, "tiles", polygon.plane.simplices.size());
+  for (std::size_t t = 0; t < polygon.plane.simplices.size(); ++t) {
+    if (t < polygon.tiles.size()) {
+      lines << polygon.tiles[t].first + 1 << polygon.tiles[t].second;
+    } else {
+      lines << "-";
+    }
+    lines.end_line();
+  }
+  begin_section(lines, "seeds", polygon.seeds.size());
+  for (const HomogeneousPoint& seed : polygon.seeds) {
+    write_point(lines, seed);
+    lines.end_line();
+  }
+}
+
+}  // namespace
+
+void write(std::ostream& out, const DomainCertificate& certificate) {
+  Lines lines(out);
+  const std::size_t dimension = certificate.mesh.points.dimension;
+  write_first_line(lines, "circumspect-certificate 1", certificate.claim, dimension,
+                   certificate.kind == DomainKind::kHull ? "hull" : "enclosed");
+  write_mesh(lines, certificate.whole, certificate.mesh);
+  write_part(lines, certificate.mesh, certificate.part);
+  if (dimension == 3) {
+    begin_section(lines, "polygons", certificate.polygons.size());
+    const std::vector<std::size_t> number = numbers_of(certificate.mesh);
+    for (const PolygonCertificate& polygon : certificate.polygons) {
+      write_polygon(lines, number, polygon);
+    }
+  }
   lines << "end";
   lines.end_line();
 }

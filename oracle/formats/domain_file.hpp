@@ -1,17 +1,20 @@
-// What a file of a domain holds, in any format: a piecewise linear complex as it was handed in, and
-// where each of its parts stands.
+// Files of domains: what each holds in any format, and how they are found and read.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "oracle/formats/format_error.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::formats {
+
+// ---- Domain file ----
+// What a file of a domain holds, in any format: a piecewise linear complex as it was handed in, and
+// where each of its parts stands.
 
 struct DomainFile {
   std::size_t dimension = 0;   // 2 or 3, of every point
@@ -51,5 +54,17 @@ DomainFile with_duplicates_merged(DomainFile file);
 // Adds the faces of a surface: in space they are polygons, in the plane their edges are segments,
 // each once. Vertices are the indices of the file.
 Status add_faces(DomainFile& file, const SimplexFile& faces);
+
+// ---- Domain files ----
+// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in two,
+// as users of Triangle and TetGen keep it.
+
+// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh, .msh, .vtk,
+// .vtu, .vtp; a file of another name by what it holds. "-" is standard input.
+Result<DomainFile> read_domain(const std::string& path, NumberReading reading);
+
+// Does the name of this file say that it is a domain? (.off is a list of points as well, and so is a .ply
+// without faces, which is read for that.)
+bool is_domain_file(const std::string& path);
 
 }  // namespace circumspect::formats

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/medit.hpp"
 #include "oracle/formats/poly.hpp"
 #include "oracle/formats/reading_test.hpp"

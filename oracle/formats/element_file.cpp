@@ -4,10 +4,11 @@
 #include <iterator>
 #include <span>
 
-#include "reference/kernel/complex/facets.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
+
 namespace {
 
 void add_to(SimplexFile& list, Simplex vertices, std::size_t line, std::optional<Vertex> label) {
@@ -148,6 +149,108 @@ void take_for_plane(ElementFile& file, const std::string& name) {
   file.points.dimension = 2;
   file.notes.push_back(name + ": the third coordinate, " + to_text_of_double_or_fraction(height) +
                        " for all points, was left out");
+}
+
+// ---- Element domain ----
+// The domain among the elements of a mesh.
+
+namespace {
+
+Status add_edges(DomainFile& domain, const SimplexFile& edges) {
+  for (std::size_t i = 0; i < edges.simplices.size(); ++i) {
+    const std::size_t line = edges.lines[i];
+    Simplex segment;
+    for (const Vertex index : edges.simplices[i]) {
+      const Result<Vertex> place = place_of(domain, index, line);
+      if (!place) return tl::unexpected(place.error());
+      segment.push_back(*place);
+    }
+    if (segment[0] == segment[1]) {
+      return tl::unexpected(
+          FormatError{domain.name, line, "an edge with two ends", "the same end twice"});
+    }
+    add_segment(domain, segment, line);
+  }
+  return {};
+}
+
+// Whether each point belongs to a segment or a polygon.
+std::vector<bool> points_in_use(const DomainFile& domain) {
+  std::vector<bool> used(domain.input.points.size());
+  const auto use = [&used](const std::vector<Vertex>& vertices) {
+    for (const Vertex v : vertices) used[static_cast<std::size_t>(v)] = true;
+  };
+  for (const auto& segment : domain.input.segments) use(segment);
+  for (const PolygonLines& polygon : domain.input.polygons) {
+    for (const auto& line : polygon.lines) use(line);
+  }
+  return used;
+}
+
+// Those points of cells that nothing else uses.
+std::vector<bool> points_of_cells_alone(const DomainFile& domain,
+                                        const std::vector<const SimplexFile*>& lists) {
+  const std::vector<bool> used = points_in_use(domain);
+  std::vector<bool> alone(used.size());
+  for (const SimplexFile* const cells : lists) {
+    for (const Simplex& cell : cells->simplices) {
+      for (const Vertex index : cell) {
+        const Result<Vertex> place = place_of(domain, index, 0);
+        if (!place) continue;
+        const auto v = static_cast<std::size_t>(*place);
+        alone[v] = !used[v];
+      }
+    }
+  }
+  return alone;
+}
+
+void drop_points(DomainFile& domain, const std::vector<bool>& dropped) {
+  std::vector<Vertex> place(dropped.size());
+  std::vector<Point> kept;
+  for (std::size_t v = 0; v < dropped.size(); ++v) {
+    if (dropped[v]) continue;
+    place[v] = static_cast<Vertex>(kept.size());
+    kept.push_back(std::move(domain.input.points[v]));
+    domain.labels.push_back(static_cast<Vertex>(v) + domain.first_index);
+  }
+  domain.notes.push_back(domain.name + ": " + std::to_string(dropped.size() - kept.size()) +
+                         " vertices of cells alone left out of the domain");
+  domain.input.points = std::move(kept);
+  const auto renumber = [&place](std::vector<Vertex>& vertices) {
+    for (Vertex& v : vertices) v = place[static_cast<std::size_t>(v)];
+  };
+  for (auto& segment : domain.input.segments) renumber(segment);
+  for (PolygonLines& polygon : domain.input.polygons) {
+    for (auto& line : polygon.lines) renumber(line);
+  }
+}
+
+}  // namespace
+
+Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name) {
+  if (elements.first_curved) {
+    return tl::unexpected(FormatError{name, elements.first_curved->line, "elements of first order",
+                                      elements.first_curved->name});
+  }
+  DomainFile domain;
+  domain.name = name;
+  domain.notes = elements.notes;
+  Status status = take_points(domain, elements.points, 0);
+  if (status) status = add_edges(domain, elements.edges);
+  if (domain.dimension == 3 || elements.edges.simplices.empty()) {
+    if (status) status = add_faces(domain, elements.triangles);
+    if (status) status = add_faces(domain, elements.polygons);
+  }
+  if (!status) return tl::unexpected(status.error());
+  const std::vector<bool> dropped =
+      domain.dimension == 2
+          ? points_of_cells_alone(domain, {&elements.triangles, &elements.polygons})
+          : points_of_cells_alone(domain, {&elements.tetrahedra, &elements.other_solids});
+  if (std::find(dropped.begin(), dropped.end(), true) != dropped.end()) {
+    drop_points(domain, dropped);
+  }
+  return domain;
 }
 
 }  // namespace circumspect::formats

@@ -9,7 +9,6 @@
 
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
 
 namespace circumspect::formats {
 

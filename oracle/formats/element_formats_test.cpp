@@ -1,11 +1,17 @@
-// A mesh of elements is the same in every form of every format, and its numbers are to the last bit.
+// Elements of all dimensions: what Medit, Gmsh and others write, and .tet.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/tet.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
+
+// ---- Element formats ----
+// A mesh of elements is the same in every form of every format, and its numbers are to the last bit.
+
 namespace {
 
 const WrittenMesh kTwoTetrahedra = {
@@ -126,6 +132,191 @@ TEST_CASE("points of one height are those of the plane, unless there are cells o
   CHECK(dimension_of(7, {0, 1, 2}) == 2);
   CHECK(dimension_of(7.5, {0, 1, 2}) == 3);
   CHECK(dimension_of(7, {0, 1, 2, 3}) == 3);
+}
+
+// ---- Gmsh ----
+// Gmsh's .msh: what is read over, what is refused and with which words. The forms of the same mesh are in
+// the first part of this file.
+
+namespace {
+
+Result<ElementFile> gmsh(const std::string& text) {
+  return read_gmsh({"f", text}, NumberReading::kDouble);
+}
+
+const std::string kHeader2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+const std::string kHeader4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+const std::string kNodes2 = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
+const std::string kNodes4 =
+    "$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n";
+
+std::string elements_2(const std::string& lines, int count = 1) {
+  return kHeader2 + kNodes2 + "$Elements\n" + std::to_string(count) + "\n" + lines +
+         "$EndElements\n";
+}
+
+}  // namespace
+
+TEST_CASE("gmsh: comments in front, sections that are read over, elements of points") {
+  const auto file = gmsh(
+      "$Comments\n$Nodes\nwhatever\n$EndComments\n" + kHeader2 +
+      "$PhysicalNames\n1\n3 1 \"$EndPhysicalNames is no end here\"\n$EndPhysicalNames\n" + kNodes2 +
+      "$Elements\n4\n1 15 2 0 1 1\n2 1 2 0 1 1 2\n3 2 0 1 2 3\n4 4 3 0 1 5 1 2 3 4\n"
+      "$EndElements\n$NodeData\n1\n\"a\"\n$EndNodeData\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.first_index == 1);
+  CHECK(file->edges.simplices == std::vector<Simplex>{{1, 2}});
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
+  CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{1, 2, 3, 4}});
+  CHECK(file->tetrahedra.lines == std::vector<std::size_t>{24});
+}
+
+TEST_CASE("gmsh: tags in a row are indices, in whatever order; gaps are noted") {
+  const std::string elements = "$Elements\n1\n1 1 0 8 7\n$EndElements\n";
+  const auto in_a_row = gmsh(kHeader2 + "$Nodes\n2\n8 1 0 0\n7 0 0 0\n$EndNodes\n" + elements);
+  REQUIRE_MESSAGE(in_a_row, error_of(in_a_row));
+  CHECK(in_a_row->points.first_index == 7);
+  CHECK(in_a_row->points.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}});
+  CHECK(in_a_row->edges.simplices == std::vector<Simplex>{{8, 7}});
+  CHECK(in_a_row->notes.empty());
+  const std::string with_gaps = "$Nodes\n3\n100 5 0 0\n8 1 0 0\n7 0 0 0\n$EndNodes\n";
+  const auto gaps = gmsh(kHeader2 + with_gaps + elements);
+  REQUIRE_MESSAGE(gaps, error_of(gaps));
+  CHECK(gaps->points.first_index == 1);
+  CHECK(gaps->points.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {5, 0, 0}});
+  CHECK(gaps->edges.simplices == std::vector<Simplex>{{2, 1}});
+  CHECK(gaps->notes.size() == 1);
+  CHECK(error_of(gmsh(kHeader2 + with_gaps + "$Elements\n1\n1 1 0 8 9\n$EndElements\n")) ==
+        "f:12: expected the tag of a node in $Nodes, found 9");
+  CHECK(error_of(gmsh(kHeader2 + "$Nodes\n2\n7 1 0 0\n7 0 0 0\n$EndNodes\n" + elements)) ==
+        "f: expected a tag of its own for each node, found tag 7 twice");
+  // A tag that no node has is the mesh's fault where tags are indices.
+  CHECK(gmsh(kHeader2 + "$Nodes\n1\n7 1 0 0\n$EndNodes\n" + elements));
+}
+
+TEST_CASE("gmsh: headers that are refused") {
+  CHECK(error_of(gmsh("")) == "f:1: expected \"$MeshFormat\", found the end of the file");
+  CHECK(error_of(gmsh("$MeshFormat\n4 0 8\n")) ==
+        "f:2: expected version 4.1 or 2 of the format (gmsh writes it with -format msh41), found "
+        "\"4\"");
+  CHECK(error_of(gmsh("$MeshFormat\n2.2 2 8\n")) ==
+        "f:2: expected 0 (text) or 1 (binary), found \"2\"");
+  CHECK(error_of(gmsh("$MeshFormat\n2.2 0 4\n")) ==
+        "f:2: expected 8, the size of a number, found \"4\"");
+  CHECK(error_of(gmsh("$MeshFormat\n2.2 1 8\n\2\1\1\1\n$EndMeshFormat\n")) ==
+        "f: expected the number 1, in either byte order, found 16843010 at byte 20");
+  CHECK(error_of(gmsh("$MeshFormat\n2.2 1 8\n\1")) ==
+        "f: expected the number 1, found the end of the data at byte 20");
+  CHECK(error_of(gmsh(kHeader2)) == "f:3: expected the section $Nodes, found the end of the file");
+  CHECK(error_of(gmsh(kHeader2 + kNodes2)) ==
+        "f:10: expected the section $Elements, found the end of the file");
+  CHECK(error_of(gmsh(kHeader2 + kNodes2 + kNodes2)) ==
+        "f:11: expected one section $Nodes, found \"$Nodes\"");
+  CHECK(error_of(gmsh(kHeader2 + "Nodes")) ==
+        "f:4: expected a section, as $Nodes, found \"Nodes\"");
+  CHECK(error_of(gmsh(kHeader2 + "$Periodic\n1\n")) ==
+        "f:4: expected $EndPeriodic behind $Periodic, found the end of the file");
+}
+
+TEST_CASE("gmsh 2: what is refused") {
+  CHECK(error_of(gmsh(kHeader2 + "$Nodes\n99999999999\n1 0 0 0\n")) ==
+        "f:6: expected node 2 of 99999999999, found the end of the file");
+  CHECK(error_of(gmsh(kHeader2 + "$Nodes\n1\n1 0 0 nan\n")) ==
+        "f:6: expected a coordinate of node 1 of 1, a finite number, found \"nan\"");
+  CHECK(error_of(gmsh(kHeader2 + "$Nodes\n-1\n")) ==
+        "f:5: expected the number of nodes, 0 or more, found -1");
+  CHECK(error_of(gmsh(kHeader2 + "$Nodes\n1\n1 0 0 0\n2 0 0 0\n$EndNodes\n")) ==
+        "f:7: expected \"$EndNodes\", found \"2\"");
+  CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 x\n"))) ==
+        "f:13: expected a node of an edge, an integer, found \"x\"");
+  CHECK(error_of(gmsh(elements_2("1 99 2 0 1 1 2\n"))) ==
+        "f:13: expected a type of elements from 1 to 31, found 99");
+  CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n", 2))) ==
+        "f:14: expected element 2 of 2, an integer, found \"$EndElements\"");
+  CHECK(error_of(gmsh(elements_2("1 1 2 0 1 1 2\n2 1 2 0 1 1 2\n"))) ==
+        "f:14: expected \"$EndElements\", found \"2\"");
+}
+
+TEST_CASE("gmsh 4.1: what is refused") {
+  CHECK(error_of(gmsh(kHeader4 + "$Nodes\n1 2 1 2\n0 1 0 1\n1\n0 0 0\n$EndNodes\n")) ==
+        "f:8: expected 2 nodes in all blocks, found 1");
+  CHECK(error_of(gmsh(kHeader4 + "$Nodes\n1 1 1 1\n4 1 0 1\n")) ==
+        "f:6: expected the dimension of an entity, 3 at most, found 4");
+  CHECK(error_of(gmsh(kHeader4 + "$Nodes\n1 999999999999 1 1\n0 1 0 999999999999\n1\n")) ==
+        "f:7: expected node 2 of 999999999999, found the end of the file");
+  CHECK(error_of(
+            gmsh(kHeader4 + kNodes4 + "$Elements\n1 3 1 3\n3 1 4 1\n1 1 2 3 4\n$EndElements\n")) ==
+        "f:19: expected 3 elements in all blocks, found 1");
+  // In binary a count is a promise, too.
+  std::string binary = gmsh_4({{{0, 0, 0}}, {}}, ByteOrder::kLittleEndian);
+  const std::size_t count = binary.rfind("$Nodes") + 7 + 32 + 12 + 32;
+  CHECK(error_of(gmsh(binary)) == "no error");
+  const std::size_t block = binary.rfind("$Nodes\n") + 7 + 32 + 12;
+  REQUIRE(count > block);
+  binary.replace(block, 8, std::string(7, '\xff') + "\x7f");
+  CHECK(error_of(gmsh(binary)).starts_with("f: expected "));
+}
+
+TEST_CASE("gmsh: elements of second order and other shapes") {
+  const auto curved = gmsh(elements_2("1 8 2 0 1 1 2 3\n"));
+  REQUIRE_MESSAGE(curved, error_of(curved));
+  CHECK(check_simplices(*curved, "f").error().to_string() ==
+        "f:13: expected edges, triangles and tetrahedra, found an edge of second order");
+  const auto quadrilateral = gmsh(elements_2("1 3 2 0 1 1 2 3 4\n"));
+  REQUIRE_MESSAGE(quadrilateral, error_of(quadrilateral));
+  CHECK(check_simplices(*quadrilateral, "f").error().found == "a quadrilateral");
+  const auto domain = domain_of(*quadrilateral, "f");
+  REQUIRE(domain);
+  CHECK(domain->input.polygons.size() == 1);
+}
+
+// ---- .tet ----
+// .tet: inner and outer tetrahedra, exact coordinates, what is refused. The binary form is in
+// the first part of this file.
+
+namespace {
+
+Result<ElementFile> tet(const std::string& text) {
+  return read_tet({"f", text}, NumberReading::kDouble);
+}
+
+const std::string kFourPoints = "0 0 0\n1 0 0\n0 2/3 0\n0 0 0.1\n";
+
+}  // namespace
+
+TEST_CASE("tet: outer tetrahedra are left out, and that is noted") {
+  const auto file = tet("4 vertices\n1 inner tets\n2 outer tets\n" + kFourPoints +
+                        "4 0 1 2 3\n4 0 1 2 3\n4 3 2 1 0\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->points.points ==
+        std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, Rational(2, 3), 0}, {0, 0, exact_value(0.1)}});
+  CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{0, 1, 2, 3}});
+  CHECK(file->tetrahedra.lines == std::vector<std::size_t>{8});
+  CHECK(file->notes == std::vector<std::string>{"f: 2 outer tetrahedra were left out"});
+}
+
+TEST_CASE("tet: what is refused") {
+  const std::string header = "4 vertices\n1 tets\n";
+  CHECK(error_of(tet("")) == "f:1: expected the number of vertices, found the end of the file");
+  CHECK(error_of(tet("4 points\n")) == "f:1: expected \"vertices\", found \"points\"");
+  CHECK(error_of(tet("4 vertices\n1 cells\n")) ==
+        "f:2: expected \"tets\" or \"inner tets\", found \"cells\"");
+  CHECK(error_of(tet("4 vertices\n1 inner tets\n1 tets\n")) ==
+        "f:3: expected \"outer\", found \"tets\"");
+  CHECK(error_of(tet(header + kFourPoints)) ==
+        "f:6: expected the number of vertices of tetrahedron 1 of 1, found the end of the file");
+  CHECK(error_of(tet(header + kFourPoints + "3 0 1 2\n")) ==
+        "f:7: expected 4, the number of vertices of tetrahedron 1 of 1, found \"3\"");
+  CHECK(error_of(tet(header + kFourPoints + "4 0 1 2 3\n4 0 1 2 3\n")) ==
+        "f:8: expected the end of the file after the last tetrahedron, found \"4\"");
+  CHECK(error_of(tet("999999999999 vertices\n1 tets\n0 0 0\n")) ==
+        "f:3: expected a coordinate of vertex 2 of 999999999999, found the end of the file");
+  const std::string zeros(4 * 24 + 15, '\0');
+  CHECK(error_of(tet(header + zeros)) ==
+        "f: expected a vertex of tetrahedron 1 of 1, found the end of the data at byte 126");
+  CHECK(error_of(tet(header + zeros + std::string(3, '\0'))) ==
+        "f: expected the end of the file after the last tetrahedron, found 2 more bytes at byte "
+        "126");
 }
 
 }  // namespace circumspect::formats

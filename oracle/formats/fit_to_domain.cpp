@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "oracle/formats/lines.hpp"
 #include "oracle/formats/mixed_text.hpp"
-#include "oracle/formats/rows.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

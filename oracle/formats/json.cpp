@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "oracle/formats/json_events.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 namespace {

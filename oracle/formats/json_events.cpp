@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

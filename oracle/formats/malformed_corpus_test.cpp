@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/formats/domain_files.hpp"
+#include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::formats {

@@ -3,17 +3,35 @@
 #include <algorithm>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
-#include "oracle/formats/face.hpp"
 #include "oracle/formats/fit_to_domain.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_formats.hpp"
-#include "oracle/formats/neigh.hpp"
-#include "oracle/formats/other_kinds.hpp"
 #include "oracle/formats/plain_mesh.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/formats/tetgen.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
+
+Result<std::vector<Rational>> weights_of(RawPoints& points, Weights which) {
+  if (which == Weights::kNone) return {};
+  if (which == Weights::kListed || !points.weights.empty() || points.points.points.empty()) {
+    return std::move(points.weights);
+  }
+  std::vector<Rational> first_attributes;
+  for (const std::vector<Rational>& attributes : points.points.attributes) {
+    if (!attributes.empty()) first_attributes.push_back(attributes.front());
+  }
+  if (first_attributes.size() == points.points.points.size()) return first_attributes;
+  return tl::unexpected(FormatError{
+      points.name, 0,
+      "a weight for each point (the first attribute of a .node file, the key \"weights\" of JSON)",
+      "none"});
+}
+
+// ---- Mesh files ----
+
 namespace {
 
 std::string with_extension(const std::string& path, std::string_view extension_beside) {

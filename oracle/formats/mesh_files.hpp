@@ -7,13 +7,34 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/formats/simplex_file.hpp"
+#include "oracle/formats/point_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "oracle/formats/weights.hpp"
 #include "oracle/model/mesh.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
+
+// ---- Weights ----
+// Points as files hold them, and which of their numbers are weights.
+
+struct RawPoints {
+  PointFile points;
+  std::vector<Rational> weights = {};  // empty, or one a point
+  std::string name = {};               // of the file, for messages
+};
+
+// Which weights the points of a file have.
+enum class Weights {
+  kNone,      // none, whatever there is
+  kListed,    // what the file calls so: the key "weights" of JSON
+  kDemanded,  // these, or the first attributes of .node, as TetGen's option -w has it; it is an error
+              // if there are none
+};
+
+// One weight a point, or none at all.
+Result<std::vector<Rational>> weights_of(RawPoints& points, Weights which);
+
+// ---- Mesh files ----
 
 // The end of a file's name from its last '.', in lower case: ".ele"; empty if it has none.
 std::string extension(const std::string& path);
@@ -59,7 +80,7 @@ std::string_view format_of_mesh(const std::string& path, const Source* text, boo
 
 // A mesh, and where it came from.
 struct MeshFile {
-  // Vertices are counted from 0, by taking the index of the first point from each (listed_index.hpp);
+  // Vertices are counted from 0, by taking the index of the first point from each (exact_mesh.hpp);
   // one that names no point still names none. No simplex has more vertices than the points have
   // coordinates, plus one. Faces are, if they were asked for, those of .face and .edge files, of Medit's
   // and of JSON, without those that have as many vertices as a simplex of full dimension.

@@ -1,5 +1,4 @@
-// The formats of meshes and of points: which reader reads the files of an extension, and which format a file
-// is of whose name does not say it.
+// The formats of meshes and of points, and files of other programs that are not read.
 #pragma once
 
 #include <optional>
@@ -10,6 +9,17 @@
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::formats {
+
+// ---- Other kinds ----
+// Files of other programs that are not read, and how to make one of them that is.
+
+// What a file of this extension (".step") is and which command converts it, for a message "found …"; none
+// if nothing is known of it.
+std::optional<std::string> other_kind(std::string_view extension);
+
+// ---- Mesh formats ----
+// The formats of meshes and of points: which reader reads the files of an extension, and which format a file
+// is of whose name does not say it.
 
 // What one file of a mesh holds.
 struct Contents {

@@ -1,19 +1,48 @@
-// A file whose words stand in text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
-// arrays of its XML files. Words and numbers follow one another, wherever lines end.
+// A file whose words stand in text and whose numbers may be binary: Gmsh's .msh, VTK's legacy
+// files, the arrays of its XML files.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "oracle/formats/bytes.hpp"
-#include "oracle/formats/format_error.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
+
+// ---- Bytes ----
+// The bytes of a binary file, taken from the front: nothing beyond the end is ever touched.
+
+enum class ByteOrder { kLittleEndian, kBigEndian };
+
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes, ByteOrder order) : rest_(bytes), order_(order) {}
+
+  std::size_t left() const { return rest_.size(); }
+  // False if there are not as many.
+  bool skip(std::size_t count);
+  // An unsigned integer of 1, 2, 4 or 8 bytes; none if there are not as many.
+  std::optional<std::uint64_t> unsigned_integer(std::size_t size);
+
+ private:
+  std::string_view rest_;
+  ByteOrder order_;
+};
+
+// The same bits as a number in two's complement.
+std::int64_t as_signed(std::uint64_t bits, std::size_t size);
+
+// The exact value of an IEEE number of 4 or 8 bytes; none if it is not finite.
+std::optional<Rational> as_floating(std::uint64_t bits, std::size_t size);
+
+// ---- Mixed text ----
+// A file whose words stand in text and whose numbers may be binary: Gmsh's .msh, VTK's legacy files, the
+// arrays of its XML files. Words and numbers follow one another, wherever lines end.
 
 // How a number is stored where it is binary; in text it says whether it is an integer.
 struct NumberType {

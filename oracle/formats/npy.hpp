@@ -1,19 +1,43 @@
-// Arrays as NumPy saves them: .npy. Points are an array n × d of float64 or float32, simplices one m × k of
-// integers, row after row or column after column (Fortran order), in either byte order. Each number is taken
-// exactly. Vertices are counted from 0.
+// Arrays as NumPy saves them, and the header with which their files begin.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
-#include "oracle/formats/npy_header.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "oracle/model/rows.hpp"
+#include "oracle/model/index_lists.hpp"
 
 namespace circumspect::formats {
+
+// ---- NPY header ----
+// How an .npy file of NumPy begins (its format versions 1.0, 2.0 and 3.0): eight bytes, the length of
+// the header, and the header, a dictionary of Python:
+//
+//     {'descr': '<f8', 'fortran_order': False, 'shape': (4, 3), }
+
+struct NpyHeader {
+  std::string type = {};  // as written: "<f8"; structured types in brackets
+  bool fortran_order = false;
+  std::vector<std::size_t> shape = {};
+  std::size_t end = 0;  // where the numbers begin
+
+  std::string shape_in_words() const;  // "(4, 3)"
+};
+
+// Does a file begin as one of NumPy does?
+bool is_npy(std::string_view beginning);
+
+// `name` stands for the file in errors, which say what in the header is not as it should be.
+Result<NpyHeader> read_npy_header(const RandomAccess& file, const std::string& name);
+
+// ---- NPY ----
+// Arrays as NumPy saves them: .npy. Points are an array n × d of float64 or float32, simplices one m × k of
+// integers, row after row or column after column (Fortran order), in either byte order. Each number is taken
+// exactly. Vertices are counted from 0.
 
 // Of 32 bits where the file has such or shorter ones, else of 64.
 using NpySimplices = std::variant<Rows<std::int32_t>, Rows<std::int64_t>>;

@@ -1,10 +1,10 @@
-#include "oracle/formats/npy_header.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <optional>
+
+#include "oracle/formats/npy.hpp"
 
 namespace circumspect::formats {
 namespace {

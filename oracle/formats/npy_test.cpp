@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "oracle/formats/npy_bytes_test.hpp"
 #include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {

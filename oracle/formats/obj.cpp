@@ -4,8 +4,7 @@
 #include <array>
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/rows.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

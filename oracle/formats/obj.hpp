@@ -12,7 +12,7 @@
 
 #include "oracle/formats/element_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

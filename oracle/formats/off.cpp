@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/rows.hpp"
 
 namespace circumspect::formats {
 namespace {

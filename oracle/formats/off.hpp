@@ -12,9 +12,8 @@
 #include <ostream>
 
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/simplex_file.hpp"
 #include "oracle/formats/source.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

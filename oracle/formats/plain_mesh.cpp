@@ -3,9 +3,9 @@
 #include <new>
 #include <utility>
 
-#include "oracle/formats/face.hpp"
 #include "oracle/formats/fit_to_domain.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "inputs/scratch_folder_test.hpp"
-#include "oracle/formats/npy_bytes_test.hpp"
+#include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <array>
 
-#include "oracle/formats/ply_header.hpp"
-#include "oracle/formats/rows.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/formats/lines.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

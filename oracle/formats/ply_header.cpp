@@ -1,7 +1,7 @@
-#include "oracle/formats/ply_header.hpp"
-
 #include <algorithm>
 #include <map>
+
+#include "oracle/formats/ply.hpp"
 
 namespace circumspect::formats {
 namespace {

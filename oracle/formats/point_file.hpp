@@ -1,14 +1,17 @@
-// What a file of points holds, in any format.
+// What a file of points or a list of simplices holds, in any format.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
+
+// ---- Point file ----
 
 // Points of more coordinates than this are refused.
 inline constexpr std::size_t kLargestDimension = 16;
@@ -22,5 +25,23 @@ struct PointFile {
 
   friend bool operator==(const PointFile&, const PointFile&) = default;
 };
+
+// ---- Simplex file ----
+
+struct SimplexFile {
+  std::vector<Simplex> simplices = {};  // indices of points exactly as in the file
+  std::vector<std::size_t> lines = {};  // the line on which each stands, for messages
+  std::vector<Vertex> labels = {};  // what the file says each belongs to; empty if it does not say
+  std::size_t vertices_per_simplex = 0;  // 0 if they differ
+  Vertex first_index = 0;                // the user's index of the first simplex
+};
+
+// The number of vertices that all simplices have; 0 if they differ or there are none.
+inline std::size_t size_of_each(const std::vector<Simplex>& simplices) {
+  for (const Simplex& simplex : simplices) {
+    if (simplex.size() != simplices.front().size()) return 0;
+  }
+  return simplices.empty() ? 0 : simplices.front().size();
+}
 
 }  // namespace circumspect::formats

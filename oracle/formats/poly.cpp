@@ -1,7 +1,7 @@
 #include "oracle/formats/poly.hpp"
 
-#include "oracle/formats/node.hpp"
-#include "oracle/formats/numbered_lines.hpp"
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -4,10 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/formats/ele.hpp"
-#include "oracle/formats/neigh.hpp"
-#include "oracle/formats/node.hpp"
 #include "oracle/formats/plain_files.hpp"
+#include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {
 

@@ -1,11 +1,41 @@
-// The text of a file, and the name under which messages speak of it.
+// The text of a file, its bytes at any place, and what a reader answers when it is not what it
+// should be: an error for people, in one line.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
-#include "oracle/formats/format_error.hpp"
+#include <tl/expected.hpp>
 
 namespace circumspect::formats {
+
+// ---- Format error ----
+
+struct FormatError {
+  std::string file;
+  std::size_t line = 0;  // from 1; 0: the file as a whole
+  std::string expected;
+  std::string found;
+
+  // "file:line: expected X, found Y": always one line, whatever bytes the parts hold.
+  std::string to_string() const;
+};
+
+template <class T>
+using Result = tl::expected<T, FormatError>;
+
+// Success, or what is wrong.
+using Status = Result<void>;
+
+// Bytes of a file as a message may show them: in quotes, cut after kLongestQuote characters, and
+// everything that is not printable ASCII written as \xNN.
+inline constexpr std::size_t kLongestQuote = 40;
+std::string quote(std::string_view bytes);
+
+// ---- Source ----
+// The text of a file, and the name under which messages speak of it.
 
 struct Source {
   std::string name;
@@ -21,5 +51,38 @@ bool exists(const std::string& path);
 
 // Is it one whose bytes stay where they are: no pipe, device or folder?
 bool is_regular(const std::string& path);
+
+// ---- Random access ----
+// The bytes of a file at any place: what lets several threads read one file at once.
+
+// A regular file, or a text in memory. Bytes are copied out, not mapped: a file that another program
+// cuts off or changes meanwhile is then a failed read or other bytes, never a signal.
+class RandomAccess {
+ public:
+  // None if it is no regular file, or may not be read. Who wants to know why asks load().
+  static std::optional<RandomAccess> open(const std::string& path);
+  // Requires: the text outlives this object.
+  explicit RandomAccess(std::string_view text) : text_(text), size_(text.size()) {}
+
+  RandomAccess(RandomAccess&& other) noexcept;
+  RandomAccess(const RandomAccess&) = delete;
+  RandomAccess& operator=(const RandomAccess&) = delete;
+  RandomAccess& operator=(RandomAccess&&) = delete;
+  ~RandomAccess();
+
+  // As it was when the file was opened.
+  std::size_t size() const { return size_; }
+
+  // Copies `count` bytes from `offset` on; false if there are not as many. Any number of threads may
+  // call this at once. Requires: `to` has room.
+  bool read(std::size_t offset, std::size_t count, char* to) const;
+
+ private:
+  RandomAccess(int descriptor, std::size_t size) : descriptor_(descriptor), size_(size) {}
+
+  int descriptor_ = -1;  // -1: the text
+  std::string_view text_;
+  std::size_t size_ = 0;
+};
 
 }  // namespace circumspect::formats

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <map>
 
-#include "oracle/formats/bytes.hpp"
 #include "oracle/formats/lines.hpp"
+#include "oracle/formats/mixed_text.hpp"
 
 namespace circumspect::formats {
 namespace {

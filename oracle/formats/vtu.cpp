@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "oracle/formats/rows.hpp"
-#include "oracle/formats/vtk_cells.hpp"
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu_arrays.hpp"
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {

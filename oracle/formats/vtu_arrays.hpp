@@ -1,8 +1,10 @@
-// Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind the
-// document, as they are or in base 64, compressed by zlib or not.
+// Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind
+// the document.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +14,18 @@
 #include "oracle/formats/source.hpp"
 
 namespace circumspect::formats {
+
+// ---- Base64 ----
+// Bytes in base 64, as many as are wanted.
+
+// The first `count` bytes, or fewer if the text ends before. Blanks and ends of lines are skipped.
+// Padding ends four characters early and others may follow, as where two texts stand one behind the
+// other. None: a character of no meaning comes first, or the text ends among four.
+std::optional<std::string> decode_base64(std::string_view text, std::size_t count);
+
+// ---- VTU arrays ----
+// Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind the
+// document, as they are or in base 64, compressed by zlib or not.
 
 // The document, and the bytes that are behind it.
 class VtuDocument {

@@ -10,9 +10,8 @@
 #include <variant>
 
 #include "oracle/judge/fast/judge.hpp"
-#include "oracle/judge/verdict_of_facts.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
 namespace {

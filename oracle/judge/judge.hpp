@@ -12,7 +12,7 @@
 
 namespace circumspect::check {
 
-// Why a mesh could not be judged: it has points that are equal (see equal_points.hpp).
+// Why a mesh could not be judged: it has points that are equal (see mesh.hpp).
 struct EqualPoints {
   std::vector<Duplicate> repeated;
 };

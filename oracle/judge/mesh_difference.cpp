@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "oracle/judge/points/cells.hpp"
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -1,9 +1,9 @@
-// Are two meshes the same complex, up to numbering? What difference.hpp says, of meshes in arrays.
+// Are two meshes the same complex, up to numbering? What cells.hpp says, of meshes in arrays.
 #pragma once
 
 #include <optional>
 
-#include "oracle/judge/points/difference.hpp"
+#include "oracle/judge/points/cells.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::check {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/model/listed_index.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect {

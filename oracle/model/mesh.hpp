@@ -1,5 +1,4 @@
-// What a user hands in, as it was read: points and a list of simplices that some program made of them, in
-// arrays. exact() makes of it what the exact checkers judge.
+// What a user hands in, as it was read, and how points of it that are equal are made one.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +9,12 @@
 
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/index_lists.hpp"
-#include "oracle/model/listed_index.hpp"
-#include "oracle/model/rows.hpp"
 
 namespace circumspect {
+
+// ---- Mesh ----
+// What a user hands in, as it was read: points and a list of simplices that some program made of them, in
+// arrays. exact() makes of it what the exact checkers judge.
 
 // Doubles, all finite, where all numbers are; else exact ones.
 using Numbers = std::variant<Rows<double>, Rows<Rational>>;
@@ -65,7 +66,7 @@ struct Mesh {
   Vertex first_index = 0;           // the user's index of the first point
   std::optional<ListedNeighbors> neighbors = {};
   std::vector<Simplex> faces = {};  // as ExactMesh has them
-  AsListed as_listed = {};          // empty unless points were merged: equal_points.hpp
+  AsListed as_listed = {};          // empty unless points were merged: see below
 
   std::size_t points() const { return rows_of(coordinates); }
   // How many coordinates a point has.
@@ -88,10 +89,23 @@ struct Mesh {
   Simplex listed(const Simplex& simplex, std::optional<std::size_t> place = {}) const;
 };
 
-// The same mesh in exact numbers and lists. Requires: no two points are equal (equal_points.hpp).
+// The same mesh in exact numbers and lists. Requires: no two points are equal (below).
 ExactMesh exact(const Mesh& mesh);
 
 // The same mesh in arrays.
 Mesh in_rows(const ExactMesh& mesh);
+
+// ---- Equal points ----
+// Points of a mesh that are equal: which, and how they are made one.
+
+// Every point that repeats an earlier one, in order of `again`. On doubles, by sorting indices.
+std::vector<Duplicate> equal_points(const Mesh& mesh);
+
+// Makes equal points one: the first of them, or the heaviest (of these the first) if they have weights,
+// since the others are submerged below it. It stands where the first stood, and keeps its own index and
+// its weight. Simplices and faces that name another of them name that one instead, and Mesh::as_listed
+// knows what they named. Returns what equal_points said.
+// Requires: nothing has been merged before.
+std::vector<Duplicate> merge_equal_points(Mesh& mesh);
 
 }  // namespace circumspect

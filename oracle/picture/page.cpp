@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
-#include "oracle/picture/page_source.hpp"
 #include "oracle/picture/picture.hpp"
 #include "oracle/report/text.hpp"
 #include "oracle/report/wording.hpp"

@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracle/judge/points/check.hpp"
@@ -43,5 +44,11 @@ class Page {
   std::string title_;
   std::size_t cards_ = 0;
 };
+
+// ---- Page source ----
+// The page without its data, with {{title}}, {{text}} and {{data}} where these belong, in this order:
+// page/page.built.html, which the build puts into the library.
+
+std::string_view page_source();
 
 }  // namespace circumspect::picture

@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/picture/page_source.hpp"
-
 namespace circumspect::picture {
 namespace {
 

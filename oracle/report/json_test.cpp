@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/points/check.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 namespace {

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
-#include "oracle/report/rounded_up.hpp"
 #include "oracle/report/wording.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 namespace {

@@ -10,6 +10,7 @@
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 
@@ -44,5 +45,12 @@ std::string labels(const AnyMesh& mesh, const Simplex& simplex) {
 }
 
 std::string name(check::By by);
+
+// ---- Rounded up ----
+// Distances for people, never less than they are.
+
+// The square root in two significant digits, rounded up: "2.1e-14"; "0" for zero. As a number it is at least
+// the square root. Requires: squared >= 0.
+std::string square_root_rounded_up(const Rational& squared);
 
 }  // namespace circumspect::report

@@ -11,7 +11,7 @@ if [ "${1:-}" = --certificates ]; then
 fi
 here=$(cd "$(dirname "$0")" && pwd)
 scripts=${1:-$here}
-header=${2:-$here/../../oracle/judge/fast/filter_bounds.hpp}
+header=${2:-$here/../../oracle/judge/fast/filter.hpp}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 faults=0

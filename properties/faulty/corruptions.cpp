@@ -5,11 +5,11 @@
 #include <set>
 
 #include "properties/faulty/fault.hpp"
-#include "properties/faulty/point_arrays.hpp"
+#include "properties/faulty/plain_predicates.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/lexicographic.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

@@ -11,7 +11,7 @@
 #include "properties/faulty/fault.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

@@ -5,7 +5,6 @@
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/constrained/segment_recovery.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
 
 namespace circumspect::faulty {

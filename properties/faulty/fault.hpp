@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <circumspect/subject.hpp>
@@ -47,5 +48,13 @@ std::vector<Fault> domain_faults();
 
 // Programs without any fault, for the same inputs: nothing may be found in them.
 std::vector<Fault> right_programs();
+
+// ---- Implementation fault ----
+// Faults of programs that triangulate points without weights.
+
+inline Fault implementation_fault(std::string name, std::string about, Triangulator triangulate) {
+  return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
+          std::move(triangulate)};
+}
 
 }  // namespace circumspect::faulty

@@ -1,13 +1,17 @@
-// How many inputs it takes until a fault shows, and how small it can be made.
+// Hunting planted faults, and the table of what found them.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "properties/faulty/fault.hpp"
 
 namespace circumspect::faulty {
+
+// ---- Hunt ----
+// How many inputs it takes until a fault shows, and how small it can be made.
 
 struct Catch {
   std::size_t inputs = 0;        // drawn, the last of which failed
@@ -26,5 +30,19 @@ struct HuntOptions {
 
 // The first of the random inputs on which the fault is found; nothing if it never is.
 std::optional<Catch> hunt(const Fault& fault, const HuntOptions& options = {});
+
+// ---- Report ----
+// The table of faults: what each is, and how it was found.
+
+struct Found {
+  const Fault* fault;
+  std::optional<Catch> caught;
+};
+
+// Every fault, hunted.
+std::vector<Found> hunt_all(const HuntOptions& options = {});
+
+// As Markdown, with the sum of it. The same on every machine.
+std::string table(const std::vector<Found>& all);
 
 }  // namespace circumspect::faulty

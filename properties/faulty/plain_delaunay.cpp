@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {

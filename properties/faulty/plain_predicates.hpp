@@ -1,12 +1,36 @@
-// Orientation and in-ball tests as people write them, over the number type of one's choice and with
-// the mistake of one's choice.
+// Arrays of points, and predicates on them with doubles, as people write them.
 #pragma once
 
 #include <span>
 
-#include "properties/faulty/point_arrays.hpp"
+#include <circumspect/subject.hpp>
+
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::faulty {
+
+// ---- Point arrays ----
+// From the doubles that a program takes to the exact points that judge it, and right answers to begin
+// with.
+
+// The exact points, weights included. Requires: no duplicates.
+PointSet exact_points(const PointArray& points);
+
+// The canonical (weighted) Delaunay triangulation. Of points that coincide, the first stands for all.
+SimplexArray right_answer(const PointArray& points);
+
+// The same points without, or with only, some of them.
+PointArray selection(const PointArray& points, const std::vector<Vertex>& kept);
+
+// The simplices of a selection, in the numbers of the whole.
+SimplexArray renumbered(SimplexArray simplices, const std::vector<Vertex>& kept);
+
+// All indices of the points, ascending.
+std::vector<Vertex> every_index(const PointArray& points);
+
+// ---- Plain predicates ----
+// Orientation and in-ball tests as people write them, over the number type of one's choice and with
+// the mistake of one's choice.
 
 enum class Numbers { kExact, kLongDouble, kDouble, kFloat };
 

@@ -7,8 +7,7 @@
 #include <map>
 
 #include "properties/faulty/fault.hpp"
-#include "properties/faulty/implementation_fault.hpp"
-#include "properties/faulty/point_arrays.hpp"
+#include "properties/faulty/plain_predicates.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -1,4 +1,5 @@
-// A conforming (Steiner) Delaunay triangulation. Book: Definition 4.5, Section 4.5.3.
+// A conforming (Steiner) Delaunay triangulation, and the triangles of which its polygons are
+// unions. Book: Definition 4.5, Section 4.5.3.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,36 @@
 
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
+
+// ---- Subfacets ----
+// The triangles of which a polygon is to be the union. Book: Section 4.5.3 ("every polygon is a union
+// of Delaunay (preferably strongly Delaunay) triangles").
+
+// The triangles of the canonical Delaunay triangulation of some points of the polygon that are in it.
+// If the segments of the polygon are unions of edges, so is the polygon of these; and a triangulation
+// of more points under the canonical perturbation, of which the polygon is a union of triangles, has
+// these and no other triangles in it.
+// Requires: `vertices` are the polygon's, and others that have been added in it.
+std::vector<Simplex> subfacets(const PointSet& points, const Polygon& polygon,
+                               const std::vector<Vertex>& vertices);
+
+// Does the polygon contain this point of its plane?
+bool is_in_polygon(const PointSet& points, const Polygon& polygon, const Point& point);
+
+// A point in the plane of the polygon, a quarter of the circumradius or less from the circumcentre of
+// the triangle. Its coordinates on the polygon's axes are dyadic and as short as that allows: exact
+// circumcentres of triangles of circumcentres would soon have thousands of digits.
+Point near_circumcentre(const PointSet& points, const Polygon& polygon, const Ball& circumball);
+
+// Do two segments in the plane of the polygon have a point in common?
+bool do_meet(const std::vector<std::size_t>& axes, const Point& a, const Point& b, const Point& c,
+             const Point& d);
+
+// ---- Conforming Delaunay ----
 
 struct ConformingDelaunay {
   PiecewiseLinearComplex complex;  // the augmented complex: the original points come first
@@ -22,7 +51,7 @@ struct ConformingDelaunay {
 // Delaunay.) Then what of that triangulation is in the domain is a Steiner Delaunay triangulation
 // of the complex.
 //
-// In the plane, splitting segments as in segment_recovery.hpp is all there is to it, and always
+// In the plane, splitting segments as in steiner_cdt.hpp is all there is to it, and always
 // ends.
 //
 // In space, that comes first. Then a polygon is a union of the Delaunay triangles of the vertices
@@ -33,7 +62,7 @@ struct ConformingDelaunay {
 // polygon, then the subsegment that is in the way is split instead.
 //
 // That ends where no two cells meet at an angle below 90°. Let the subsegments of the polygon's
-// segments have empty diametral balls; sooner or later they do, see segment_recovery.hpp. A
+// segments have empty diametral balls; sooner or later they do, see steiner_cdt.hpp. A
 // subfacet is only missing if its smallest circumball contains a vertex v off the polygon. v is not
 // on a cell that meets the polygon: beyond a common segment or vertex, v would be in the diametral
 // ball of a subsegment of the polygon's boundary. So subfacets that are smaller than the distance

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/exact/progress.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 

@@ -9,9 +9,8 @@
 
 #include "inputs/named_complexes.hpp"
 #include "reference/constrained/cavity.hpp"
-#include "reference/constrained/clear_apex.hpp"
-#include "reference/constrained/evolving_cdt.hpp"
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/constrained/plc_triangulation.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {

@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
-#include "reference/constrained/clear_apex.hpp"
+#include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/star_index.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 #include "reference/kernel/predicates/perturbation.hpp"

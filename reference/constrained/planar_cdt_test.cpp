@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::constrained {
 namespace {

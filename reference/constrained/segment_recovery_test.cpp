@@ -1,12 +1,11 @@
 // Segments: which are strongly Delaunay, Delaunay, or neither; the shells about their ends; and how many
 // points recover them.
-#include "reference/constrained/segment_recovery.hpp"
-
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
 #include "reference/constrained/edge_protection.hpp"
-#include "reference/constrained/protecting_shells.hpp"
+#include "reference/constrained/split_segments.hpp"
+#include "reference/constrained/steiner_cdt.hpp"
 
 namespace circumspect::constrained {
 namespace {

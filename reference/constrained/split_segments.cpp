@@ -2,11 +2,162 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <utility>
 
 #include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
 
 namespace circumspect::constrained {
+
+namespace {
+
+Rational power_of_four(long exponent) {
+  const Integer power = Integer(1) << static_cast<unsigned long>(2 * std::abs(exponent));
+  return exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
+}
+
+// The largest k with 4^k ≤ value. Requires: value > 0.
+long logarithm_base_four(const Rational& value) {
+  const long bits = static_cast<long>(bit_length(value.get_num())) -
+                    static_cast<long>(bit_length(value.get_den()));
+  long k = bits / 2 - 2;
+  while (power_of_four(k + 1) <= value) ++k;
+  return k;
+}
+
+Rational squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Rational t = inner_product(p - a, b - a) / squared_distance(a, b);
+  if (sign(t) <= 0) return squared_distance(p, a);
+  if (t >= 1) return squared_distance(p, b);
+  return squared_distance(p, a + t * (b - a));
+}
+
+BoxIndex boxes_of(const PiecewiseLinearComplex& complex) {
+  std::vector<Box> at_vertices;
+  for (const Point& point : complex.points.points()) at_vertices.push_back(box_around(point));
+  std::vector<Box> boxes;
+  for (const Simplex& segment : complex.segments) {
+    boxes.push_back(box_around(at_vertices[static_cast<std::size_t>(segment[0])],
+                               at_vertices[static_cast<std::size_t>(segment[1])]));
+  }
+  boxes.insert(boxes.end(), at_vertices.begin(), at_vertices.end());
+  return BoxIndex(boxes);
+}
+
+Vertex other_end(const Simplex& segment, Vertex end) {
+  return segment[0] == end ? segment[1] : segment[0];
+}
+
+}  // namespace
+
+ProtectingShells::ProtectingShells(const PiecewiseLinearComplex& complex)
+    : complex_(complex), segments_at_(complex.points.size()), boxes_(boxes_of(complex)) {
+  for (std::size_t i = 0; i < complex.segments.size(); ++i) {
+    for (const Vertex end : complex.segments[i]) {
+      segments_at_[static_cast<std::size_t>(end)].push_back(i);
+    }
+  }
+}
+
+bool ProtectingShells::is_acute(std::size_t segment, Vertex apex) const {
+  return around(apex).acute.contains(segment);
+}
+
+Rational ProtectingShells::where_to_split(std::size_t segment, Vertex apex,
+                                          const Rational& squared_length) const {
+  const Apex& here = around(apex);
+  const Simplex& ends = complex_.segments[segment];
+  const Rational whole = squared_distance(complex_.points[ends[0]], complex_.points[ends[1]]);
+  const Rational two_thirds = Rational(4, 9) * squared_length;
+  const Rational squared_shell =
+      power_of_four(std::max(logarithm_base_four(two_thirds), here.least_shell));
+  // The least fraction numerator / 2^j that is not inside the shell, for rising j.
+  const Rational low = squared_shell / whole;
+  const Rational high = here.squared_width * low;
+  assert(low <= 1);
+  Rational fraction = 1;
+  Rational step = 1;
+  while (fraction * fraction > high) {
+    step /= 2;
+    const Rational smaller = fraction - step;
+    if (smaller * smaller >= low) fraction = smaller;
+  }
+  assert(fraction * fraction * whole < squared_length);
+  return fraction;
+}
+
+Rational ProtectingShells::squared_least_shell(Vertex apex) const {
+  return power_of_four(around(apex).least_shell);
+}
+
+const ProtectingShells::Apex& ProtectingShells::around(Vertex apex) const {
+  const auto [entry, is_new] = apexes_.try_emplace(apex);
+  if (is_new) {
+    measure_angles(apex, entry->second);
+    entry->second.least_shell = logarithm_base_four(squared_distance_to_others(apex) / 16);
+  }
+  return entry->second;
+}
+
+// m is half-way between 1 and the least 1/cos² θ, but at most (9/8)².
+void ProtectingShells::measure_angles(Vertex apex, Apex& around) const {
+  const std::vector<std::size_t>& segments = segments_at_[static_cast<std::size_t>(apex)];
+  std::vector<Point> directions;
+  for (const std::size_t i : segments) {
+    directions.push_back(complex_.points[other_end(complex_.segments[i], apex)] -
+                         complex_.points[apex]);
+  }
+  around.squared_width = Rational(81, 64);
+  bool is_narrow = false;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Rational product = inner_product(directions[i], directions[j]);
+      if (sign(product) <= 0) continue;
+      around.acute.insert({segments[i], segments[j]});
+      const Rational inverse_squared_cosine =
+          squared_length(directions[i]) * squared_length(directions[j]) / (product * product);
+      assert(inverse_squared_cosine > 1);
+      is_narrow = is_narrow || inverse_squared_cosine < 16;
+      const Rational half_way = (1 + inverse_squared_cosine) / 2;
+      around.squared_width = std::min(around.squared_width, half_way);
+    }
+  }
+  if (!is_narrow) around.acute.clear();
+}
+
+// The squared distance to the nearest vertex or segment that does not end at the apex. The boxes to
+// look at are those that come as near as the nearest vertex on a segment of the apex.
+// Requires: a segment ends at the apex.
+Rational ProtectingShells::squared_distance_to_others(Vertex apex) const {
+  const Point& centre = complex_.points[apex];
+  const std::vector<std::size_t>& own = segments_at_[static_cast<std::size_t>(apex)];
+  assert(!own.empty());
+  Rational least = -1;
+  const auto take = [&](const Rational& distance) {
+    if (sign(least) < 0 || distance < least) least = distance;
+  };
+  for (const std::size_t i : own) {
+    take(squared_distance(centre, complex_.points[other_end(complex_.segments[i], apex)]));
+  }
+  Rational reach = 1;
+  while (reach * reach < least) reach *= 2;
+  while (reach * reach / 4 >= least) reach /= 2;
+  for (const std::size_t place : boxes_.meeting(cube(centre, reach))) {
+    if (place < complex_.segments.size()) {
+      const Simplex& segment = complex_.segments[place];
+      if (contains(segment, apex)) continue;
+      take(squared_distance_to_segment(centre, complex_.points[segment[0]],
+                                       complex_.points[segment[1]]));
+    } else {
+      const auto vertex = static_cast<Vertex>(place - complex_.segments.size());
+      if (vertex != apex) take(squared_distance(centre, complex_.points[vertex]));
+    }
+  }
+  return least;
+}
+
+// ---- Split segments ----
+
 namespace {
 
 // The number with the least power of two for its denominator in an open interval; the first of them.

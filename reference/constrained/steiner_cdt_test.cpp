@@ -6,7 +6,6 @@
 #include "inputs/named_complexes.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"
-#include "reference/constrained/subfacets.hpp"
 
 namespace circumspect::constrained {
 namespace {

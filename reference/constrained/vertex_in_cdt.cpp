@@ -5,7 +5,7 @@
 #include <map>
 
 #include "reference/constrained/cavity.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 #include "reference/kernel/predicates/perturbation.hpp"
 

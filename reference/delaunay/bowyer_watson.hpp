@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/delaunay/conflict.hpp"
 #include "reference/delaunay/insertion_order.hpp"
-#include "reference/delaunay/statistics.hpp"
+#include "reference/delaunay/point_location.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/triangulation.hpp"

@@ -7,9 +7,9 @@
 #include <doctest/doctest.h>
 
 #include "inputs/laws.hpp"
-#include "reference/delaunay/by_definition.hpp"
-#include "reference/delaunay/conflict.hpp"
-#include "reference/delaunay/vertex_deletion.hpp"
+#include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
+#include "reference/delaunay/point_location.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {

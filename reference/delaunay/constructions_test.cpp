@@ -4,10 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/delaunay/gift_wrapping_cells.hpp"
-#include "reference/delaunay/least_vertex.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 

@@ -3,10 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/delaunay/flip_algorithm.hpp"
-#include "reference/delaunay/flip_insertion.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -1,14 +1,71 @@
 #include "reference/delaunay/lifted_hull.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
-#include "reference/delaunay/least_vertex.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
+
+namespace {
+
+// Is there an open circumball of the simplex that contains no point of S? Book: Section 4.2.
+bool is_delaunay(const PointSet& points, const Simplex& simplex) {
+  for (Vertex q = 0; points.names(q); ++q) {
+    if (contains(simplex, q)) continue;
+    if (perturbed_in_ball(points.configuration(), simplex, q) > 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Triangulation by_definition(const PointSet& points) {
+  const int k = points.dimension();
+  std::vector<Simplex> simplices;
+  if (points.empty()) return Triangulation(k, simplices);
+  Simplex subset = first_subset(static_cast<std::size_t>(k) + 1);
+  do {
+    if (orientation(points.configuration(), subset) == 0) continue;
+    if (is_delaunay(points, subset)) simplices.push_back(subset);
+  } while (next_subset(subset, points.size()));
+  return Triangulation(k, std::move(simplices));
+}
+
+// ---- Least vertex ----
+
+Triangulation least_vertex_triangulation(const PointSet& points, const PolyhedralComplex& complex) {
+  const Configuration& configuration = points.configuration();
+  std::map<Face, std::vector<Simplex>> triangulated;
+  for (int j = 0; j <= complex.dimension(); ++j) {
+    for (const Face& face : complex.faces(j)) {
+      const Vertex least = *std::min_element(face.begin(), face.end(), [&](Vertex a, Vertex b) {
+        return configuration.rank(a) < configuration.rank(b);
+      });
+      std::vector<Simplex>& simplices = triangulated[face];
+      if (j == 0) simplices = {{least}};
+      for (const Face& facet : complex.facets_of(face)) {
+        if (contains(facet, least)) continue;
+        for (Simplex simplex : triangulated.at(facet)) {
+          simplex.push_back(least);
+          simplices.push_back(std::move(simplex));
+        }
+      }
+    }
+  }
+  std::vector<Simplex> all;
+  for (const Face& cell : complex.cells()) {
+    all.insert(all.end(), triangulated.at(cell).begin(), triangulated.at(cell).end());
+  }
+  return Triangulation(complex.dimension(), std::move(all));
+}
+
+// ---- Lifted hull ----
+
 namespace {
 
 // All points whose lifted companions lie on the witness plane of the simplex; none if one of them

@@ -1,11 +1,34 @@
-// The Delaunay subdivision as the lower convex hull of the lifted points, and the canonical
-// triangulation of it. Book: Section 4.2.
+// The Delaunay triangulation by its definition and by lifting. Book: Section 4.2.
 #pragma once
 
-#include "reference/kernel/complex/polyhedral_complex.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/polytope.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
+
+// ---- By definition ----
+// The Delaunay triangulation from its definition. Book: Definition 4.1.
+
+// The canonical Delaunay triangulation (weighted: the canonical weighted one): all (k+1)-subsets
+// that are no flat simplex and whose (perturbed) open circumball holds no point of the set. Under
+// the canonical perturbation every set is generic, so these simplices are a triangulation
+// (Theorem 4.4). Any number of points, any dimension; takes n^(k+2) predicates.
+Triangulation by_definition(const PointSet& points);
+
+// ---- Least vertex ----
+// The least-vertex triangulation of a polyhedral complex. Book: Section 4.2, Figure 4.4.
+
+// Triangulates the faces in order of increasing dimension, each by joining its lexicographically
+// minimum vertex to the simplices on its subdivided boundary that do not contain that vertex. Faces
+// that two cells share are thereby triangulated alike. A face of a weighted subdivision may also hold
+// points that are not extreme. They remain unused: the lexicographic minimum of a set is a vertex of
+// its convex hull. The canonical perturbation, which pulls the first point down most, agrees.
+Triangulation least_vertex_triangulation(const PointSet& points, const PolyhedralComplex& complex);
+
+// ---- Lifted hull ----
+// The Delaunay subdivision as the lower convex hull of the lifted points, and the canonical
+// triangulation of it. Book: Section 4.2.
 
 // The Delaunay subdivision (weighted: the regular subdivision of the heights |p|² − w), each face
 // with all the points whose lifted companions lie on it. No perturbation takes part. Any number of

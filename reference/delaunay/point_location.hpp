@@ -1,14 +1,54 @@
-// Point location: by looking at every simplex (Book: Section 5.2), by walking (Section 5.5). By the
-// conflict graph: conflict_graph.hpp.
+// Conflicts, and the search for a simplex that is in conflict with a point. Book: Sections 5.2,
+// 5.4 and 5.5.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
-#include "reference/delaunay/statistics.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::delaunay {
+
+// ---- Statistics ----
+// What an incremental insertion did, in numbers. Book: Sections 5.2, 5.4 and 5.5.
+
+// The simplices of the start count as created. "The total running time of the algorithm is
+// proportional to the number of tetrahedra created plus the number of conflicts created" (proof of
+// Theorem 5.4); walking has its steps in place of the conflicts.
+struct Statistics {
+  std::uint64_t solid_simplices_created = 0;
+  std::uint64_t ghost_simplices_created = 0;
+  std::uint64_t solid_simplices_deleted = 0;
+  std::uint64_t ghost_simplices_deleted = 0;
+  // How often the conflict graph filed a vertex with a simplex.
+  std::uint64_t conflicts_created = 0;
+  // How often a walk went from one simplex to the next.
+  std::uint64_t walk_steps = 0;
+  // Questions whether a vertex and a simplex are in conflict, whoever asked them.
+  std::uint64_t conflict_tests = 0;
+
+  bool operator==(const Statistics&) const = default;
+};
+
+// ---- Conflict ----
+// Conflicts between simplices of a triangulation with ghosts and vertices yet to insert.
+// Book: Sections 5.2 (ghost tetrahedra) and 5.4 (conflicts).
+
+// Does q lie in the (perturbed) open circumball of the simplex or, if it is a ghost, in the outer
+// halfspace of its solid facet? Requires: the simplex positively oriented, q not its vertex.
+bool is_in_conflict(const PointSet& points, const Simplex& simplex, Vertex q);
+
+// The same without the perturbation: a point on the sphere, or in the facet's plane on its
+// circumsphere, is not in conflict. Book: Chapter 5, Exercise 3 (Del S beside Del S[ω]).
+bool is_in_unperturbed_conflict(const PointSet& points, const Simplex& simplex, Vertex q);
+
+using ConflictTest = bool (*)(const PointSet& points, const Simplex& simplex, Vertex q);
+
+// ---- Point location ----
+// Point location: by looking at every simplex (Book: Section 5.2), by walking (Section 5.5). By the
+// conflict graph: conflict_graph.hpp.
 
 // Some simplex of the dictionary, solid or ghost, in conflict with q; nothing if there is none,
 // because q is submerged. Requires: q is not a vertex of the dictionary's simplices.

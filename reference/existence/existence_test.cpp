@@ -4,9 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
-#include "reference/existence/dimacs.hpp"
 #include "reference/existence/refutation.hpp"
-#include "reference/existence/solver.hpp"
 
 namespace circumspect::existence {
 namespace {

@@ -1,11 +1,29 @@
-// Triangulations of a complex as the solutions of a propositional formula.
-// Book: Section 4.5.1, Definition 4.4.
+// Triangulations of a complex as the solutions of a propositional formula. Book: Section 4.5.1,
+// Definition 4.4.
 #pragma once
 
-#include "reference/existence/formula.hpp"
+#include <vector>
+
+#include "reference/existence/refutation.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
+#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect::existence {
+
+// ---- Candidates ----
+// The tetrahedra that a triangulation of a complex can consist of.
+
+// Every tetrahedron with vertices of the complex that respects it, ascending, in lexicographic order.
+// A triangulation has no others (Definition 4.4), whatever its vertices' order.
+// Requires: the complex is in space.
+std::vector<Simplex> respecting_tetrahedra(const PiecewiseLinearComplex& complex,
+                                           const Regions& regions);
+
+// Those of them that are constrained Delaunay, without any perturbation. Book: Definition 4.6.
+std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComplex& complex,
+                                                     const Regions& regions);
+
+// ---- Matching ----
 
 // Variable i + 1 says that tetrahedron i is chosen. The formula is true iff the chosen ones are a
 // triangulation of the polyhedra of the complex (Definition 4.4). Its clauses:

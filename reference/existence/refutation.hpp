@@ -1,6 +1,4 @@
-// Refutations: proofs that a formula is false whatever the variables, and a checker of them that
-// shares nothing with the solver that found them.
-// E. Goldberg and Y. Novikov, Verification of proofs of unsatisfiability for CNF formulas, DATE 2003.
+// Formulas, proofs that one is false whatever the variables, and the files of both.
 #pragma once
 
 #include <string>
@@ -9,9 +7,29 @@
 
 #include <tl/expected.hpp>
 
-#include "reference/existence/formula.hpp"
-
 namespace circumspect::existence {
+
+// ---- Formula ----
+// Propositional formulas in conjunctive normal form.
+
+// A variable v > 0 or its negation −v, as SAT solvers write them.
+using Literal = int;
+// True iff one of its literals is.
+using Clause = std::vector<Literal>;
+
+// True iff every clause is. Variables are 1 … variables.
+struct Formula {
+  int variables = 0;
+  std::vector<Clause> clauses;
+};
+
+// Is every clause true where exactly the variables v with assignment[v − 1] are?
+bool is_satisfied(const Formula& formula, const std::vector<bool>& assignment);
+
+// ---- Refutation ----
+// Refutations: proofs that a formula is false whatever the variables, and a checker of them that
+// shares nothing with the solver that found them.
+// E. Goldberg and Y. Novikov, Verification of proofs of unsatisfiability for CNF formulas, DATE 2003.
 
 // One line of a proof in the format DRAT: a clause that follows from those before it, or one that is
 // not needed any more.
@@ -52,5 +70,16 @@ struct ProofFault {
 // propagation is forced; so when the empty clause passes, as a step or after the last one, nothing satisfies the formula. Deletions
 // only save time; one of a clause that is not there is ignored.
 tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation);
+
+// ---- DIMACS ----
+// Formulas as files: DIMACS, the format of SAT solvers.
+
+// The formula, after comments of one line each.
+std::string to_dimacs(const Formula& formula, const std::vector<std::string>& comments = {});
+
+// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces, each
+// of literals and a 0, on lines as they like. The header's counts are not trusted: they must agree
+// with what follows, and nothing is reserved for them.
+tl::expected<Formula, MalformedProof> read_dimacs(std::string_view text);
 
 }  // namespace circumspect::existence

@@ -8,9 +8,38 @@
 
 #include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/exact/linear_program.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
+#include "reference/optimality/criteria.hpp"
 
 namespace circumspect::optimality {
+
+std::vector<Simplex> faces(const Simplex& simplex) {
+  std::vector<Simplex> all;
+  for (std::size_t size = 1; size <= simplex.size(); ++size) {
+    Simplex places = first_subset(size);
+    do {
+      Simplex face;
+      for (const Vertex place : places) face.push_back(simplex[static_cast<std::size_t>(place)]);
+      all.push_back(face);
+    } while (next_subset(places, simplex.size()));
+  }
+  return all;
+}
+
+std::vector<Simplex> simplicial_complex(const Triangulation& triangulation) {
+  const auto by_dimension = [](const Simplex& a, const Simplex& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  };
+  std::set<Simplex, decltype(by_dimension)> all(by_dimension);
+  for (const Simplex& simplex : triangulation.simplices()) {
+    for (const Simplex& face : faces(simplex)) all.insert(face);
+  }
+  return {all.begin(), all.end()};
+}
+
+// ---- All triangulations ----
+
 namespace {
 
 // Where a point is with respect to a closed simplex of full dimension.
@@ -184,6 +213,72 @@ std::vector<Triangulation> all_triangulations(const PointSet& points, VertexUse 
     return a.simplices() < b.simplices();
   });
   return all;
+}
+
+// ---- Regularity ----
+
+namespace {
+
+// A point q that must be above the plane through a lifted simplex: h_q − Σ λ_i h_i ≥ 1 for q's
+// barycentric coordinates λ. (Any positive bound would do: heights can be scaled.)
+std::vector<Rational> height_above(const PointSet& points, const Simplex& simplex, Vertex q) {
+  const auto coefficients = barycentric_coordinates(points, simplex, points[q]);
+  assert(coefficients.has_value());
+  std::vector<Rational> row(points.size(), Rational(0));
+  row[static_cast<std::size_t>(q)] = 1;
+  for (std::size_t i = 0; i < simplex.size(); ++i) {
+    row[static_cast<std::size_t>(simplex[i])] = -(*coefficients)[i];
+  }
+  return row;
+}
+
+bool is_vertex(const Triangulation& triangulation, Vertex v) {
+  for (const Simplex& simplex : triangulation.simplices()) {
+    if (contains(simplex, v)) return true;
+  }
+  return false;
+}
+
+// One row for each interior facet and for each point that is no vertex.
+RationalMatrix heights_that_must_be_positive(const PointSet& points,
+                                             const Triangulation& triangulation) {
+  RationalMatrix rows;
+  for (const auto& [facet, apexes] : apexes_by_facet(triangulation)) {
+    if (apexes.size() != 2) continue;
+    Simplex simplex = facet;
+    simplex.push_back(apexes[0]);
+    rows.push_back(height_above(points, simplex, apexes[1]));
+  }
+  for (Vertex q = 0; points.names(q); ++q) {
+    if (is_vertex(triangulation, q)) continue;
+    for (const Simplex& simplex : triangulation.simplices()) {
+      const auto coefficients = barycentric_coordinates(points, simplex, points[q]);
+      if (!coefficients || !is_convex(*coefficients)) continue;
+      rows.push_back(height_above(points, simplex, q));
+      break;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+// Heights may be taken ≥ 0, since adding a constant to all changes nothing, and as low as possible.
+std::optional<std::vector<Rational>> heights_of_regular(const PointSet& points,
+                                                        const Triangulation& triangulation) {
+  LinearProgram program;
+  program.equations = heights_that_must_be_positive(points, triangulation);
+  program.objective.assign(points.size(), Rational(-1));
+  program.objective.resize(points.size() + program.equations.size(), Rational(0));
+  program.right_sides.assign(program.equations.size(), Rational(1));
+  for (std::size_t row = 0; row < program.equations.size(); ++row) {
+    program.equations[row].resize(program.objective.size(), Rational(0));
+    program.equations[row][points.size() + row] = -1;
+  }
+  LinearProgramAnswer answer = maximize(program);
+  if (answer.status == LinearProgramStatus::kInfeasible) return std::nullopt;
+  answer.solution.resize(points.size());
+  return answer.solution;
 }
 
 }  // namespace circumspect::optimality

@@ -1,13 +1,28 @@
-// All triangulations of a small point set, by exhaustive search. Book: Section 4.1; "compared with
-// all other triangulations of the same points", Section 4.3.
+// All triangulations of a small point set, their faces, and which of them are regular. Book:
+// Sections 4.1 to 4.3.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::optimality {
+
+// ---- Faces ----
+// The faces of a simplex, and the simplicial complex that a triangulation is.
+// Book: Section 4.1 ("its total number of simplices of all dimensions").
+
+// Every non-empty set of vertices of the simplex, in its order, the simplex itself last.
+std::vector<Simplex> faces(const Simplex& simplex);
+
+// The simplices of all dimensions, each once: ascending vertices, small dimensions first.
+std::vector<Simplex> simplicial_complex(const Triangulation& triangulation);
+
+// ---- All triangulations ----
+// All triangulations of a small point set, by exhaustive search. Book: Section 4.1; "compared with
+// all other triangulations of the same points", Section 4.3.
 
 // A triangulation of S has all of S for its vertices (Definition 2.1). Where the flips of weighted
 // triangulations count (Section 4.4), the vertices may be only some of the points, those that are
@@ -18,5 +33,17 @@ enum class VertexUse { kAllPoints, kSomePoints };
 // has at most C(n, k+1) simplices to choose from; intended for n ≤ 9.
 std::vector<Triangulation> all_triangulations(const PointSet& points,
                                               VertexUse use = VertexUse::kAllPoints);
+
+// ---- Regularity ----
+// Which triangulations are regular: the weighted Delaunay triangulations for some weights.
+// Book: Section 4.2 by way of Definition 2.5 (weighted Delaunay triangulations, of which Section 4.3
+// says that they are the optimal ones for some function).
+
+// Heights, one a point, over which the triangulation is the whole lower hull: every interior facet
+// is strictly convex, every point that is no vertex strictly above. Nothing if there are none: the
+// triangulation is not regular. By a linear program in the heights.
+// Requires: a triangulation of the points, or of some of them.
+std::optional<std::vector<Rational>> heights_of_regular(const PointSet& points,
+                                                        const Triangulation& triangulation);
 
 }  // namespace circumspect::optimality

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "reference/kernel/complex/simplex.hpp"
-#include "reference/optimality/barycentric.hpp"
+#include "reference/optimality/criteria.hpp"
 
 namespace circumspect::optimality {
 

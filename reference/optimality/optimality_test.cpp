@@ -1,14 +1,11 @@
 // What Delaunay triangulations optimise, and all triangulations of a set.
 #include <doctest/doctest.h>
 
-#include "reference/delaunay/by_definition.hpp"
+#include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/optimality/all_triangulations.hpp"
-#include "reference/optimality/barycentric.hpp"
 #include "reference/optimality/criteria.hpp"
-#include "reference/optimality/faces.hpp"
 #include "reference/optimality/flip_graph.hpp"
-#include "reference/optimality/regularity.hpp"
 
 namespace circumspect::optimality {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "oracle/model/equal_points.hpp"
+#include "oracle/model/mesh.hpp"
 
 namespace circumspect::arrays {
 namespace {

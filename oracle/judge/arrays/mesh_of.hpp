@@ -1,11 +1,23 @@
-// From arrays to a mesh that can be judged.
+// Arrays of a user's as a mesh, and their claims by name.
 #pragma once
+
+#include <string>
 
 #include <circumspect/subject.hpp>
 
 #include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 
 namespace circumspect::arrays {
+
+// ---- Claims by name ----
+// Claims by their names.
+
+// One of the claims that need no domain. Throws std::invalid_argument for any other name.
+Claim claim_named(const std::string& claim);
+
+// ---- Meshes of arrays ----
+// From arrays to a mesh that can be judged.
 
 // The mesh of these points, on the memory of their array, which has to outlive it, with weights if they are
 // to count; labels are the places in the array. Throws std::invalid_argument: coordinates that are no

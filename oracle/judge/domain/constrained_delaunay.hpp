@@ -1,10 +1,14 @@
-// Is a triangulation of a domain constrained Delaunay? Book: Definitions 4.6 and 4.7, Lemma 4.10.
+// Is a triangulation of a domain constrained Delaunay, or conforming Delaunay? Book: Definitions
+// 4.5 to 4.7, Lemma 4.10.
 #pragma once
 
 #include "oracle/judge/domain/meshed_domain.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
+
+// ---- Constrained Delaunay ----
+// Is a triangulation of a domain constrained Delaunay? Book: Definitions 4.6 and 4.7, Lemma 4.10.
 
 // Both require a triangulation of the domain, or of the domain with every vertex of the mesh added.
 
@@ -21,5 +25,19 @@ void judge_constrained_delaunay_by_lemma(const MeshedDomain& in,
 void judge_constrained_delaunay_by_definition(const ExactMesh& mesh,
                                               const PiecewiseLinearComplex& complex,
                                               Verdict& verdict);
+
+// ---- Conforming Delaunay ----
+// Is every simplex of a triangulation of a domain Delaunay? Book: Definition 4.5 ("a conforming
+// Delaunay triangulation").
+
+// Every facet of two simplices is locally Delaunay (delaunay.facet-not-local); the ball of a simplex
+// with a facet on the boundary holds no vertex (delaunay.vertex-in-ball); and every dangling simplex
+// has an empty circumball (delaunay.no-empty-ball). Near-linear where balls at the boundary are
+// small. Requires: a Steiner triangulation.
+void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
+                             Verdict& verdict);
+
+// Every simplex, listed ones included, against every vertex.
+void judge_delaunay_by_definition(const ExactMesh& mesh, Verdict& verdict);
 
 }  // namespace circumspect::check

@@ -1,10 +1,15 @@
-// Do the simplices cover the inside of a domain once, and nothing else?
+// Do the simplices cover the inside of a domain once, and nothing else? Why is nothing beyond a
+// facet of one simplex that lies in no wall?
 #pragma once
+
+#include <vector>
 
 #include "oracle/judge/domain/meshed_domain.hpp"
 #include "oracle/model/verdict.hpp"
 
 namespace circumspect::check {
+
+// ---- Coverage ----
 
 // All require matched facets, and pieces that tile the walls, in order of their vertices.
 
@@ -18,5 +23,15 @@ void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces
 // (domain.uncovered).
 void judge_hull_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                          Verdict& verdict);
+
+// ---- Loose facets ----
+// Facets of one simplex that lie in no wall: why is nothing beyond them?
+
+// domain.outside: the simplex or the facet is. complex.overlap: vertices of other simplices hang in
+// the facet, off its own vertices; the smaller facets in it that lead up to them, whose simplices are
+// on its other side, are then no fault of their own. domain.uncovered: anything else.
+// At least one violation if there is a loose facet. Requires: matched facets.
+void judge_loose_facets(const MeshedDomain& in, const std::vector<FacetUse>& loose,
+                        Verdict& verdict);
 
 }  // namespace circumspect::check

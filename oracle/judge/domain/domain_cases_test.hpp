@@ -1,19 +1,140 @@
-// Meshes and domains for tests.
+// Meshes and domains for tests, what is known of them by exact numbers, and what a verdict says
+// as text.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/domain/exact_facts_test.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
-#include "oracle/judge/domain/verdict_text_test.hpp"
+#include "oracle/judge/points/simplices.hpp"
+#include "oracle/judge/points/triangulation.hpp"
+#include "oracle/model/verdict.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::check {
+
+// ---- Verdict text ----
+// All that a verdict says, as text, so that two can be compared in a test. What people read is made of
+// the same.
+
+inline void write_vertices(std::ostream& out, const Simplex& simplex) {
+  for (const Vertex v : simplex) out << " " << v;
+}
+inline void write_point(std::ostream& out, const Point& point) {
+  for (const Rational& x : point) out << " " << x;
+}
+
+inline void write_witness(std::ostream& out, const Witness& witness) {
+  for (const Simplex& simplex : witness.simplices) {
+    out << " simplex";
+    write_vertices(out, simplex);
+  }
+  out << " face";
+  write_vertices(out, witness.face.value_or(Simplex{}));
+  out << " vertices";
+  write_vertices(out, witness.vertices);
+  for (const NamedValue& value : witness.values) out << " " << value.name << " " << value.value;
+  if (witness.ball) {
+    out << " ball";
+    write_point(out, witness.ball->centre);
+    out << " " << witness.ball->squared_radius;
+  }
+  if (witness.point) {
+    out << " point";
+    write_point(out, *witness.point);
+  }
+  if (witness.domain_cell) {
+    out << " cell";
+    write_vertices(out, *witness.domain_cell);
+  }
+  if (witness.polygon) out << " polygon " << *witness.polygon;
+  if (witness.nearest) {
+    out << " nearest " << witness.nearest->vertex << " " << witness.nearest->squared_distance;
+  }
+}
+
+inline std::string text_of(const Verdict& verdict) {
+  std::ostringstream out;
+  const auto word = [](const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; };
+  out << name(verdict.claim()) << (verdict.holds() ? " holds " : " fails ") << verdict.points << " "
+      << verdict.simplices << " " << verdict.dimension << " unique " << word(verdict.unique)
+      << " canonical " << word(verdict.canonical) << "\n";
+  if (verdict.steiner_points) {
+    out << verdict.steiner_points->on_segments << " " << verdict.steiner_points->in_polygons << " "
+        << verdict.steiner_points->in_polyhedra << " Steiner points\n";
+  }
+  if (verdict.holds()) out << verdict.dangling << " dangling\n";
+  if (verdict.extra_vertices) {
+    out << verdict.extra_vertices->count << " extra:";
+    write_vertices(out, verdict.extra_vertices->first);
+    out << "\n";
+  }
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    out << identifier(rule) << " " << tally.count;
+    if (tally.worst_margin) out << " worst " << *tally.worst_margin;
+    out << "\n";
+  }
+  for (const Violation& violation : verdict.violations()) {
+    out << identifier(violation.rule);
+    write_witness(out, violation.witness);
+    out << "\n";
+  }
+  return out.str();
+}
+
+// ---- Exact facts ----
+// What is known of the simplices of a mesh, by exact numbers and by looking at everything: what a faster
+// judge has to find, for tests.
+
+inline bool fills_hull(const ExactMesh& mesh) {
+  Verdict verdict(Claim::kTriangulation, mesh, 1);
+  judge_vertex_set(mesh, verdict);
+  return judge_complex_by_lemma(mesh, facet_uses(mesh.simplices), verdict) && verdict.holds();
+}
+
+// Nothing if conditions 0 and 1 do not hold of the simplices.
+inline std::optional<fast::SimplexFacts> exact_facts(Claim claim, const ExactMesh& mesh,
+                                                     const Domain& domain) {
+  const PointSet& points = mesh.points;
+  if (mesh.simplices.empty()) return std::nullopt;
+  if (points.dimension() != static_cast<int>(points.ambient_dimension())) return std::nullopt;
+  const std::vector<FacetUse> uses = facet_uses(mesh.simplices);
+  Verdict verdict(claim, mesh, 1);
+  if (!judge_simplices(mesh, false, verdict)) return std::nullopt;
+  if (!judge_facet_matching(mesh, uses, verdict)) return std::nullopt;
+  fast::SimplexFacts known;
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    const Simplex& simplex = mesh.simplices[group[0].simplex];
+    const fast::FacetId facet(group[0].simplex, group[0].opposite);
+    if (group.size() == 1) known.boundary.push_back(facet);
+    if (group.size() == 1 || !is_about_balls(claim)) return;
+    const Configuration& all = points.configuration();
+    const Vertex apex = mesh.simplices[group[1].simplex][group[1].opposite];
+    const int side = in_ball(all, simplex, apex);
+    if (side > 0) known.not_local.push_back(facet);
+    if (side != 0) return;
+    known.ties.push_back(facet);
+    const bool canonical = perturbed_in_ball(all, all.axes(), simplex, apex) < 0;
+    if (!canonical) known.not_canonical.push_back(facet);
+  });
+  for (auto* facets : {&known.boundary, &known.not_local, &known.ties, &known.not_canonical}) {
+    std::sort(facets->begin(), facets->end());
+  }
+  known.fills_hull = domain.complex.kind == DomainKind::kHull && fills_hull(mesh);
+  return known;
+}
+
+// ---- Domain cases ----
 
 inline Domain domain_of(const PiecewiseLinearInput& input) { return {assemble(input)}; }
 

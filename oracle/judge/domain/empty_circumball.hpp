@@ -1,13 +1,30 @@
-// Has a simplex of lower dimension an empty circumball? Book: Section 4.1 (Delaunay simplices of any
-// dimension).
+// Has a simplex of lower dimension an empty circumball, and which vertices are in a ball? Book:
+// Section 4.1 (Delaunay simplices of any dimension).
 #pragma once
 
 #include <functional>
 #include <vector>
 
-#include "reference/kernel/complex/circumball.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/exact/box_index.hpp"
 
 namespace circumspect::check {
+
+// ---- Vertices near ----
+// Finding the vertices in a ball.
+
+// An R-tree of points. Doubles only sift: balls are enclosed in boxes rounded outward.
+class VertexIndex {
+ public:
+  explicit VertexIndex(const PointSet& points);
+  // All vertices in the closed ball, and a few near it.
+  std::vector<Vertex> near(const Ball& ball) const;
+
+ private:
+  BoxIndex index_;
+};
+
+// ---- Empty circumball ----
 
 // Some or all of the vertices in a closed ball; at least one strictly inside, if there is any.
 using VerticesNear = std::function<std::vector<Vertex>(const Ball&)>;

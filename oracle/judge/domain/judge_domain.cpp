@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "oracle/judge/domain/conforming_delaunay.hpp"
 #include "oracle/judge/domain/constrained_delaunay.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
 

@@ -1,10 +1,31 @@
-// The triangles and edges that a program lists beside its simplices.
+// The facets of a mesh that there is something to say of, and the triangles and edges that a
+// program lists beside its simplices.
 #pragma once
 
+#include <vector>
+
 #include "oracle/judge/domain/meshed_domain.hpp"
+#include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/verdict.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
+
+// ---- Facets of interest ----
+// Which facets of a mesh there is something to say of, where much is known of its simplices.
+
+// The vertices of a facet, ascending.
+Simplex vertices_of(const ExactMesh& mesh, fast::FacetId facet);
+
+// Some of facet_uses(mesh.simplices), in their order; of a facet all uses or none. Left out are only
+// facets of two simplices that are not known to be not locally Delaunay, are not listed beside the
+// simplices, and have a vertex that is in no wall: so they are in no wall either.
+// Requires: Steiner points are located.
+std::vector<FacetUse> uses_of_interest(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
+                                       const VertexPlaces& places, const fast::SimplexFacts& known);
+
+// ---- Listed faces ----
 
 // triangulation.unknown-vertex, simplex.wrong-dimension (triangles and edges in space, edges in the
 // plane), simplex.repeated-vertex, simplex.degenerate. True if all can be worked with.

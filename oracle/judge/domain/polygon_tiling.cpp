@@ -1,9 +1,8 @@
-#include "oracle/judge/domain/polygon_tiling.hpp"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "oracle/judge/domain/plc_triangulation.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
-#include "oracle/judge/domain/facets_of_interest.hpp"
+#include "oracle/judge/domain/listed_faces.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -1,16 +1,57 @@
-// Which vertices of a mesh are vertices of the domain, and where the others lie in it. Foreign meshes
-// number their points as they like, so coordinates decide.
+// Which vertices of a mesh are vertices of the domain, where the others lie in it, and which is
+// nearest to what the mesh has not.
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "oracle/judge/domain/nearest_vertex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
+#include "reference/kernel/exact/box_index.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
+
+// ---- Nearest vertex ----
+// The vertex of a mesh nearest to a vertex or a segment of the domain that the mesh has not. It is
+// part of a witness, never of a verdict: whoever reads it sees whether a coordinate was rounded.
+
+class VertexSearch {
+ public:
+  // Among the vertices of simplices and listed faces: `used` says of each point whether it is one.
+  // The index is made with the first question. Both must outlive the search.
+  VertexSearch(const ExactMesh& mesh, const std::vector<bool>& used) : mesh_(mesh), used_(used) {}
+
+  // The nearest to a point, ties to the lower index; distance 0 if it is a vertex. Nothing if there is
+  // no vertex, or too much has been looked at: see kMostLookedAt.
+  std::optional<NearestVertex> to_point(const Point& point);
+  // The nearest to a segment of those that do not lie on it: a vertex rounded off it, if one was.
+  // Requires: a != b.
+  std::optional<NearestVertex> to_segment(const Point& a, const Point& b);
+
+ private:
+  struct Target;
+  std::optional<NearestVertex> nearest_to(const Target& target);
+  std::optional<NearestVertex> best_of(const Target& target, const std::vector<Box>& boxes);
+  void make_index();
+
+  // A mesh that is nowhere near its domain makes every search look at most of its vertices. After
+  // this many exact distances a search gives up rather than keep the verdict waiting.
+  static constexpr std::size_t kMostLookedAt = 4'000'000;
+
+  const ExactMesh& mesh_;
+  const std::vector<bool>& used_;
+  std::unique_ptr<const BoxIndex> index_;
+  std::vector<Vertex> indexed_;
+  Point low_, high_;  // the corners of a box around all of them
+  std::size_t looked_at_ = 0;
+};
+
+// ---- Vertex places ----
+// Which vertices of a mesh are vertices of the domain, and where the others lie in it. Foreign meshes
+// number their points as they like, so coordinates decide.
 
 inline constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 inline constexpr Vertex kNoVertex = -1;

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "oracle/judge/fast/facet_across.hpp"
-#include "oracle/judge/fast/simplex_filter.hpp"
+#include "oracle/judge/fast/filter.hpp"
 
 // Each loop is written once, as a function that is always inlined, and compiled for several widths
 // by functions that do nothing but call it.

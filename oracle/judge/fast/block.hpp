@@ -1,6 +1,6 @@
 // Simplices side by side, so that vector instructions look at several of them at a time.
 //
-// The arithmetic is that of simplex_filter.hpp, inlined into loops over lanes that a compiler
+// The arithmetic is that of filter.hpp, inlined into loops over lanes that a compiler
 // vectorizes: the very operations in the very order, each rounded by itself, for which the bounds
 // are proved (law F5 of predicates.hpp; block_test.cpp compares every bit). Only the width of the
 // instructions depends on the machine.

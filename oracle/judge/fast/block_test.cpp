@@ -1,4 +1,4 @@
-// The loops over lanes compute, to the last bit, what simplex_filter.hpp computes for one simplex:
+// The loops over lanes compute, to the last bit, what filter.hpp computes for one simplex:
 // law F5 of predicates.hpp holds for them. For every width of vectors that this machine has.
 #include "oracle/judge/fast/block.hpp"
 
@@ -15,7 +15,7 @@
 #include "inputs/run.hpp"
 #include "oracle/judge/fast/exact_sign.hpp"
 #include "oracle/judge/fast/facet_across.hpp"
-#include "oracle/judge/fast/simplex_filter.hpp"
+#include "oracle/judge/fast/filter.hpp"
 #include "oracle/judge/fast/tuples_test.hpp"
 
 namespace circumspect::fast {

@@ -11,11 +11,10 @@
 #include <vector>
 
 #include "oracle/judge/fast/facet_across.hpp"
-#include "oracle/judge/fast/facet_id.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/orientations.hpp"
-#include "oracle/judge/fast/row_predicates.hpp"
+#include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
+#include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 
 namespace circumspect::fast {

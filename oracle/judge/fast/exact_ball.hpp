@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "oracle/judge/fast/fixed_width.hpp"
-#include "oracle/judge/fast/grid_unit.hpp"
+#include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/polynomials.hpp"
 #include "oracle/judge/fast/site.hpp"
 

@@ -7,9 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/judge/fast/dyadic.hpp"
 #include "oracle/judge/fast/fixed_width.hpp"
-#include "oracle/judge/fast/grid_unit.hpp"
+#include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/polynomials.hpp"
 #include "reference/kernel/exact/number.hpp"
 

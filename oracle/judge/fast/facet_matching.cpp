@@ -9,10 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/judge/fast/facet_pairs.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
-#include "oracle/judge/fast/nearby_facets.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -9,11 +9,9 @@
 #include "oracle/judge/fast/facet_across.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
-#include "oracle/judge/fast/row_predicates.hpp"
+#include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/sweep.hpp"
-#include "oracle/judge/fast/used_points.hpp"
-#include "oracle/judge/fast/whole_sweep.hpp"
 
 namespace circumspect::fast {
 namespace {

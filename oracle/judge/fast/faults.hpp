@@ -9,7 +9,6 @@
 
 #include <tl/expected.hpp>
 
-#include "oracle/judge/fast/facet_id.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/site.hpp"

@@ -1,15 +1,42 @@
-// The first stage: polynomials with doubles, and when their signs are certain.
+// The first stage: polynomials with doubles, how far they may be from their exact values, and
+// when their signs are certain.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "oracle/judge/fast/arithmetic.hpp"
-#include "oracle/judge/fast/filter_bounds.hpp"
 #include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/polynomials.hpp"
 #include "oracle/judge/fast/site.hpp"
 
 namespace circumspect::fast {
+
+// ---- Filter bounds ----
+// How far the polynomials of polynomials.hpp, evaluated with doubles, may be from their exact values.
+
+// Each is proved by the script proofs/filters/NAME.gappa, for differences (and weights) scaled so that
+// the largest in its column is 1. Columns have degree one in the polynomials, so that for others the
+// bound is multiplied by the largest entry of each column; see proofs/filters/README.md.
+inline constexpr double kOrientation2 = 0x1.001p-50;      // orientation_2.gappa
+inline constexpr double kOrientation3 = 0x1.701p-48;      // orientation_3.gappa
+inline constexpr double kInCircle = 0x1.001p-46;          // in_circle.gappa
+inline constexpr double kInCircleWeighted = 0x1.801p-46;  // in_circle_weighted.gappa
+inline constexpr double kInSphere = 0x1.189p-43;          // in_sphere.gappa
+inline constexpr double kInSphereWeighted = 0x1.781p-43;  // in_sphere_weighted.gappa
+
+// What multiplying with the largest entries may lose by rounding: at most five products, each rounded,
+// are low by a factor of at most (1 − 2^-53)^5 > 1 − 2^-50.
+inline constexpr double kRoundedBound = 1 + 0x1p-40;
+
+// Within these limits of the largest entry of each column of coordinates (their squares: of heights)
+// nothing overflows, and what underflow adds to one product is at most 2^-125 after scaling, which
+// is what the scripts assume. Largest: 2^(5·190) times at most 2^7.
+inline constexpr double kSmallestScale = 0x1p-190;
+inline constexpr double kLargestScale = 0x1p190;
+inline constexpr double kLargestHeight = 0x1p380;
+
+// ---- Filter ----
 
 inline constexpr int kUncertain = 2;
 
@@ -113,6 +140,71 @@ template <typename Sign>
   return certain_sign<Sign>(value, bound, scale.x * scale.y * scale.z * heights,
                             smaller(smaller(scale.x, scale.y), scale.z), largest, heights,
                             lattice.keeps_exact(largest, scale.weight));
+}
+
+// ---- Simplex filter ----
+// The first stage for a simplex and what is asked of it: what depends on the simplex alone is
+// computed once. One text for single simplices (predicates.hpp) and for many (block.cpp), which has
+// to be inlined.
+
+template <std::size_t kDimension>
+struct SimplexFilter;
+template <>
+struct SimplexFilter<2> {
+  Scale2 scale;
+  TriangleCofactors<double, double> cofactors;
+};
+template <>
+struct SimplexFilter<3> {
+  Scale3 scale;
+  TetrahedronCofactors<double, double, double> cofactors;
+};
+
+template <bool kWeighted>
+[[gnu::always_inline]] inline SimplexFilter<2> simplex_filter(const Site<2>& a, const Site<2>& b,
+                                                              const Site<2>& c) {
+  const FilterRow2 from_a = row_from<kWeighted>(c, a), from_b = row_from<kWeighted>(c, b);
+  return {larger(from_a.scale, from_b.scale), cofactors(from_a.row, from_b.row)};
+}
+template <bool kWeighted>
+[[gnu::always_inline]] inline SimplexFilter<3> simplex_filter(const Site<3>& a, const Site<3>& b,
+                                                              const Site<3>& c, const Site<3>& d) {
+  const FilterRow3 from_a = row_from<kWeighted>(d, a), from_b = row_from<kWeighted>(d, b),
+                   from_c = row_from<kWeighted>(d, c);
+  return {larger(larger(from_a.scale, from_b.scale), from_c.scale),
+          cofactors(from_a.row, from_b.row, from_c.row)};
+}
+
+// The orientation, or kUncertain.
+template <typename Sign>
+[[gnu::always_inline]] inline Sign filtered_orientation(const SimplexFilter<2>& simplex,
+                                                        Lattice lattice) {
+  return certain_sign<Sign>(simplex.cofactors.xy, kOrientation2, simplex.scale, lattice);
+}
+template <typename Sign>
+[[gnu::always_inline]] inline Sign filtered_orientation(const SimplexFilter<3>& simplex,
+                                                        Lattice lattice) {
+  return certain_sign<Sign>(simplex.cofactors.xyz, kOrientation3, simplex.scale, lattice);
+}
+
+// Ball::contains (predicates.hpp), or kUncertain. `last` is the simplex's last vertex.
+template <bool kWeighted, typename Sign>
+[[gnu::always_inline]] inline Sign filtered_ball(const SimplexFilter<2>& simplex,
+                                                 const Site<2>& last, const Site<2>& query,
+                                                 Lattice lattice) {
+  const FilterRow2 from = row_from<kWeighted>(last, query);
+  return certain_lifted_sign<Sign>(in_circle(simplex.cofactors, from.row),
+                                   kWeighted ? kInCircleWeighted : kInCircle,
+                                   larger(simplex.scale, from.scale), lattice);
+}
+template <bool kWeighted, typename Sign>
+[[gnu::always_inline]] inline Sign filtered_ball(const SimplexFilter<3>& simplex,
+                                                 const Site<3>& last, const Site<3>& query,
+                                                 Lattice lattice) {
+  const FilterRow3 from = row_from<kWeighted>(last, query);
+  return certain_lifted_sign<Sign>(in_sphere(simplex.cofactors, from.row),
+                                   kWeighted ? kInSphereWeighted : kInSphere,
+                                   larger(simplex.scale, from.scale), lattice);
 }
 
 }  // namespace circumspect::fast

@@ -1,15 +1,62 @@
+// The arithmetic of the machine, integers of fixed width, and lattices.
 #include "oracle/judge/fast/fixed_width.hpp"
 
+#include <cfenv>
 #include <cstdint>
+#include <initializer_list>
 #include <random>
+#include <vector>
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/dyadic.hpp"
+#include "oracle/judge/fast/arithmetic.hpp"
+#include "oracle/judge/fast/lattice.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {
+
+// ---- Arithmetic ----
+
 namespace {
+
+TEST_CASE("F3: this build and machine compute as the bounds suppose") {
+  CHECK(arithmetic_is_as_proved());
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+__attribute__((noinline, target("fma"), optimize("O2,fp-contract=fast"))) bool contracted(
+    double a, double b, double rounded_product) {
+  return !rounds_products(a, b, rounded_product);
+}
+
+TEST_CASE("F3: a contracted product is noticed") {
+  if (!__builtin_cpu_supports("fma")) return;
+  CHECK(contracted(1 + 0x1p-30, 1 + 0x1p-30, 1 + 0x1p-29));
+}
+#endif
+
+TEST_CASE("F3: another rounding mode is noticed") {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const bool as_proved = arithmetic_is_as_proved();
+    std::fesetround(FE_TONEAREST);
+    CHECK_FALSE(as_proved);
+  }
+}
+
+#ifdef __SSE2__
+TEST_CASE("F3: denormal numbers that are flushed to zero are noticed") {
+  const unsigned int before = __builtin_ia32_stmxcsr();
+  for (const unsigned int flag : {0x8000u, 0x0040u}) {  // flush to zero, denormals are zero
+    __builtin_ia32_ldmxcsr(before | flag);
+    const bool as_proved = arithmetic_is_as_proved();
+    __builtin_ia32_ldmxcsr(before);
+    CHECK_FALSE(as_proved);
+  }
+}
+#endif
+
+// ---- Fixed width ----
 
 template <std::size_t kLimbs>
 Integer value_of(const Fixed<kLimbs>& number) {
@@ -68,5 +115,27 @@ TEST_CASE("Dyadic: the least and the largest double, and both zeros") {
   CHECK(dyadic(12).exponent == 2);
 }
 
+// ---- Lattice ----
+
+double unit_of_all(const std::vector<double>& coordinates,
+                   const std::vector<double>& weights = {}) {
+  return lattice_of_all(coordinates, weights).unit;
+}
+
+TEST_CASE("the coarsest lattice of all points, unless it is too fine") {
+  CHECK(unit_of_all({0, 4, -12, 8}) == 4);
+  CHECK(unit_of_all({0, 4, -12, 8}, {16, 32}) == 4);
+  CHECK(unit_of_all({0, 4, -12, 8}, {16, 8}) == 2);  // its square divides them
+  CHECK(unit_of_all({0, 4, -12, 8}, {16, 2}) == 1);
+  CHECK(unit_of_all({1, 0x1p-39}) == 0x1p-39);
+  CHECK(unit_of_all({1, 0x1p-40}) == 0);
+  CHECK(unit_of_all({0.1, 0.2}) == 0);
+  CHECK(unit_of_all({0x1p-199}) == 0x1p-199);
+  CHECK(unit_of_all({0x1p-200}) == 0);
+  CHECK(unit_of_all({0x1p200}) == 0x1p190);  // finer is right as well
+  CHECK(unit_of_all({0x1p-1074, 1e300}) == 0);
+}
+
 }  // namespace
+
 }  // namespace circumspect::fast

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <span>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -82,6 +83,21 @@ void in_chunks(std::size_t count, std::size_t size, unsigned threads, const Work
   tbb::task_arena arena(std::min(static_cast<int>(threads), most));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, one); });
 #endif
+}
+
+// ---- Finite numbers ----
+// Are numbers finite?
+
+inline bool are_finite(std::span<const double> numbers, unsigned threads) {
+  constexpr std::size_t kChunk = std::size_t{1} << 15;
+  std::atomic<bool> finite = true;
+  in_chunks(numbers.size(), kChunk, threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    // The sum of the products with 0 is 0, unless one of them is NaN: no branch.
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += numbers[i] * 0;
+    if (sum != 0) finite.store(false, std::memory_order_relaxed);
+  });
+  return finite.load(std::memory_order_relaxed);
 }
 
 }  // namespace circumspect::fast

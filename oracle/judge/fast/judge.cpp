@@ -5,10 +5,9 @@
 
 #include "oracle/judge/fast/boundary.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
-#include "oracle/judge/fast/finite.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/fast/submerged_points.hpp"
-#include "oracle/judge/fast/whole_sweep.hpp"
+#include "oracle/judge/fast/sweep.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -1,7 +1,9 @@
-// A mesh where it lies: arrays of a user's, which nothing here copies.
+// A mesh where it lies: arrays of a user's, which nothing here copies, and the names of its
+// facets.
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +11,28 @@
 #include "oracle/judge/fast/site.hpp"
 
 namespace circumspect::fast {
+
+// ---- Names of facets ----
+// The name of a facet of a mesh.
+
+// A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many. A
+// facet of two simplices is named by the one that comes first. In order by simplices, then by places.
+class FacetId {
+ public:
+  // Requires: place < 4, as in the plane and in space; simplex < 2^62.
+  constexpr FacetId(std::size_t simplex, std::size_t place)
+      : bits_(std::uint64_t{simplex} << 2 | place) {}
+
+  constexpr std::size_t simplex() const { return bits_ >> 2; }
+  constexpr std::size_t place() const { return bits_ & 3; }
+
+  friend constexpr auto operator<=>(FacetId, FacetId) = default;
+
+ private:
+  std::uint64_t bits_;
+};
+
+// ---- Mesh view ----
 
 // The answer to a question about a mesh is one of these, or none (judge.hpp).
 enum class Question { kTriangulation, kDelaunay, kWeightedDelaunay };

@@ -12,7 +12,6 @@
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "oracle/judge/fast/predicates.hpp"
-#include "oracle/judge/fast/reference_signs_test.hpp"
 #include "oracle/judge/fast/tuples_test.hpp"
 
 namespace circumspect::fast {

@@ -1,14 +1,83 @@
-// The laws of oracle/judge/fast/predicates.hpp, under their numbers.
+// The fast predicates against those of the reference, stage by stage.
 #include "oracle/judge/fast/predicates.hpp"
+
+#include <random>
+#include <utility>
 
 #include <doctest/doctest.h>
 
 #include "inputs/run.hpp"
-#include "oracle/judge/fast/reference_signs_test.hpp"
+#include "oracle/judge/fast/exact_ball.hpp"
+#include "oracle/judge/fast/exact_sign.hpp"
 #include "oracle/judge/fast/tuples_test.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::fast {
+
+// ---- Reference signs ----
+
+struct ReferenceSigns::Exact {
+  Configuration points;
+  std::vector<std::size_t> axes;
+};
+
+ReferenceSigns::ReferenceSigns(const std::vector<std::vector<double>>& points,
+                               const std::vector<double>& weights) {
+  std::vector<Point> exact;
+  std::vector<Rational> exact_weights;
+  for (const auto& point : points) {
+    exact.emplace_back();
+    for (const double x : point) exact.back().push_back(exact_value(x));
+  }
+  for (const double weight : weights) exact_weights.push_back(exact_value(weight));
+  std::vector<std::size_t> axes;
+  for (std::size_t axis = 0; axis < points.front().size(); ++axis) axes.push_back(axis);
+  exact_ = std::make_unique<Exact>(Exact{Configuration(exact, exact_weights), axes});
+}
+
+ReferenceSigns::~ReferenceSigns() = default;
+
+int ReferenceSigns::orientation(const Vertices& simplex) const {
+  return circumspect::orientation(exact_->points, exact_->axes, simplex);
+}
+
+int ReferenceSigns::ball(const Vertices& vertices) const {
+  for (std::size_t swapped = vertices.size(); swapped-- > 0;) {
+    const bool last = swapped + 1 == vertices.size();
+    Vertices simplex = vertices;
+    std::swap(simplex[swapped], simplex.back());
+    const Vertex query = simplex.back();
+    simplex.pop_back();
+    const int oriented = orientation(simplex);
+    if (oriented == 0) continue;
+    const int inside = in_ball(exact_->points, exact_->axes, simplex, query);
+    return inside * oriented * (last ? 1 : -1);
+  }
+  return 0;
+}
+
+int ReferenceSigns::perturbed_ball(const Vertices& vertices) const {
+  const Vertices simplex(vertices.begin(), vertices.end() - 1);
+  return perturbed_in_ball(exact_->points, exact_->axes, simplex, vertices.back());
+}
+
 namespace {
+
+TEST_CASE(
+    "reference signs: swapping two of the vertices negates the ball's, "
+    "degenerate or not") {
+  const ReferenceSigns signs({{0, 0}, {1, 0}, {2, 0}, {0, 3}, {3, 0}}, {});
+  CHECK(signs.orientation({0, 1, 3}) == 1);
+  CHECK(signs.ball({0, 1, 3, 2}) == -1);
+  CHECK(signs.ball({0, 1, 2, 3}) == 1);
+  CHECK(signs.ball({0, 3, 2, 1}) == -signs.ball({0, 1, 2, 3}));
+  CHECK(signs.ball({0, 1, 2, 4}) == 0);
+}
+
+// ---- Predicates ----
+// The laws of oracle/judge/fast/predicates.hpp, under their numbers.
 
 template <bool kWeighted>
 void hold_to_reference(const std::array<Site<2>, 4>& t, Stages& stages) {
@@ -131,5 +200,111 @@ TEST_CASE("F1: a weight far from the others in size decides") {
   }
 }
 
+// ---- Row predicates ----
+
+template <std::size_t kDimension>
+using Tuple = std::array<Site<kDimension>, kDimension + 2>;
+
+// Different points of a grid with `side` points along each axis.
+template <std::size_t kDimension>
+Tuple<kDimension> grid_tuple(std::mt19937_64& random, std::size_t side) {
+  while (true) {
+    Tuple<kDimension> sites{};
+    bool are_different = true;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      for (double& x : sites[i].at) x = static_cast<double>(random() % side);
+      for (std::size_t k = 0; k < i; ++k) are_different &= sites[i].at != sites[k].at;
+    }
+    if (are_different) return sites;
+  }
+}
+
+template <std::size_t kDimension>
+void hold_zeros() {
+  std::mt19937_64 random(kDimension);
+  Vertices all;
+  for (std::size_t i = 0; i < kDimension + 2; ++i) all.push_back(static_cast<std::ptrdiff_t>(i));
+  int zeros = 0, crossings = 0;
+  for (int i = 0; i < 20000 / properties::kOneInputIn; ++i) {
+    CAPTURE(i);
+    const Tuple<kDimension> sites = grid_tuple<kDimension>(random, 3);
+    SiteRow<kDimension> row;
+    for (std::size_t k = 0; k <= kDimension; ++k) row[k] = sites[k];
+    const Site<kDimension>& query = sites.back();
+    Stages stages;
+    const int own = orientation<kDimension>(row, stages);
+    if (own == 0 || ball_of<kDimension, false>(row).contains(query, stages) != 0) continue;
+    ++zeros;
+    const int expected = reference_signs(sites, false).perturbed_ball(all);
+    REQUIRE(perturbed_sign_of_zero<kDimension>(row, own, query, stages) == expected);
+    REQUIRE(perturbed_sign_of_zero<kDimension>(row, own, query, stages, {1}) == expected);
+    for (std::size_t place = 0; place <= kDimension; ++place) {
+      if (orientation_with<kDimension>(row, place, query, stages) * own >= 0) continue;
+      ++crossings;
+      REQUIRE(perturbed_sign_of_zero<kDimension>(row, own, query, stages, {1}, place) == expected);
+    }
+  }
+  CHECK(zeros > 100 / properties::kOneInputIn);
+  CHECK(crossings >= zeros);  // each query is outside
+}
+
+TEST_CASE(
+    "zeros are perturbed as the reference perturbs them, beyond a known "
+    "facet or not") {
+  hold_zeros<2>();
+  hold_zeros<3>();
+}
+
+// ---- Exact ball ----
+// Several queries of one simplex are answered as one by one, by the same stages.
+
+template <std::size_t kDimension>
+void hold_queries(Tuples& tuples, Kind kind, Stages& all) {
+  constexpr std::size_t kQueries = 4;
+  const auto sites = tuples.draw<kDimension, kDimension + 1 + kQueries>(kind);
+  SiteRow<kDimension> row;
+  for (std::size_t i = 0; i <= kDimension; ++i) row[i] = sites[i];
+  ExactBall<kDimension> ball(row);
+  for (std::size_t i = 0; i < kQueries; ++i) {
+    CAPTURE(i);
+    const Site<kDimension>& query = sites[kDimension + 1 + i];
+    Stages one_by_one, together;
+    const int expected = exact_ball_sign(row, query, false, one_by_one);
+    REQUIRE(ball.contains(query, together) == expected);
+    REQUIRE(together == one_by_one);
+    all += together;
+  }
+}
+
+TEST_CASE("queries of one simplex have the signs of exact_sign, by the same stages") {
+  Stages all;
+  for (int kind = 0; kind <= static_cast<int>(Kind::kLast); ++kind) {
+    CAPTURE(kind);
+    Tuples tuples(static_cast<std::uint64_t>(kind) + 7);
+    for (int i = 0; i < 1000 / properties::kOneInputIn; ++i) {
+      CAPTURE(i);
+      hold_queries<2>(tuples, static_cast<Kind>(kind), all);
+      hold_queries<3>(tuples, static_cast<Kind>(kind), all);
+    }
+  }
+  CHECK(all.narrow > 0);
+  CHECK(all.fixed > 0);
+  CHECK(all.wide > 0);
+  CHECK(all.unbounded > 0);
+}
+
+TEST_CASE("a query that is finer than the simplex is not cut off") {
+  const SiteRow<3> row = {{{{0, 0, 0}}, {{0, 8, 0}}, {{8, 0, 0}}, {{0, 0, 8}}}};
+  ExactBall<3> ball(row);
+  Stages stages;
+  const int inside = ball.contains({{1, 1, 1}}, stages);
+  for (const double off : {1.0, 0x1p-9, 0x1p-20, 0x1p-45}) {
+    CHECK(ball.contains({{8, 8, 8 + off}}, stages) == -inside);
+    CHECK(ball.contains({{8, 8, 8 - off}}, stages) == inside);
+    CHECK(ball.contains({{8, 8, 8}}, stages) == 0);
+  }
+}
+
 }  // namespace
+
 }  // namespace circumspect::fast

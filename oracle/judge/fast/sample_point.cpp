@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "oracle/judge/fast/dyadic.hpp"
+#include "oracle/judge/fast/lattice.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 #include "reference/kernel/exact/determinant.hpp"
 #include "reference/kernel/exact/number.hpp"

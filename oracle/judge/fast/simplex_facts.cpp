@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "oracle/judge/fast/facet_matching.hpp"
-#include "oracle/judge/fast/finite.hpp"
+#include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/fast/judge.hpp"
-#include "oracle/judge/fast/whole_sweep.hpp"
+#include "oracle/judge/fast/sweep.hpp"
 
 namespace circumspect::fast {
 

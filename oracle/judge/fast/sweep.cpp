@@ -7,7 +7,7 @@
 #include "oracle/judge/fast/block.hpp"
 #include "oracle/judge/fast/exact_ball.hpp"
 #include "oracle/judge/fast/facet_across.hpp"
-#include "oracle/judge/fast/row_predicates.hpp"
+#include "oracle/judge/fast/predicates.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -1,23 +1,119 @@
-// One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1 of
-// docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
+// One pass over the simplices that looks at every simplex and every facet once, and what it
+// notes: orientations, used points, simplices at the boundary.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include "oracle/judge/fast/block.hpp"
-#include "oracle/judge/fast/boundary_simplices.hpp"
-#include "oracle/judge/fast/facet_id.hpp"
+#include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/orientations.hpp"
+#include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/site.hpp"
 #include "oracle/judge/fast/undecided.hpp"
-#include "oracle/judge/fast/used_points.hpp"
 
 namespace circumspect::fast {
+
+// ---- Orientations ----
+// The orientations of all simplices: one for all, as most programs write them, or one bit each.
+
+class Orientations {
+ public:
+  explicit Orientations(int all) : all_(all) {}
+  // Bit s of `negative` says that simplex s is negatively oriented.
+  explicit Orientations(std::vector<std::uint64_t> negative)
+      : all_(0), negative_(std::move(negative)) {}
+
+  bool are_equal() const { return all_ != 0; }
+  int of(std::size_t s) const {
+    if (all_ != 0) return all_;
+    return (negative_[s / 64] >> (s % 64) & 1) != 0 ? -1 : 1;
+  }
+
+ private:
+  int all_;
+  std::vector<std::uint64_t> negative_;
+};
+
+// ---- Used points ----
+// Which points are vertices: one bit each, set by any number of threads.
+
+class UsedPoints {
+ public:
+  explicit UsedPoints(std::size_t points) : points_(points), words_((points + 63) / 64) {}
+
+  // Requires: v < the number of points.
+  void mark(std::size_t v) {
+    std::atomic<std::uint64_t>& word = words_[v / 64];
+    const std::uint64_t bit = std::uint64_t{1} << (v % 64);
+    // Most points are marked before, and reading a shared word is cheap.
+    if ((word.load(std::memory_order_relaxed) & bit) == 0) {
+      word.fetch_or(bit, std::memory_order_relaxed);
+    }
+  }
+
+  // The points that are not marked, ascending.
+  std::vector<std::size_t> missing() const {
+    std::vector<std::size_t> unused;
+    for (std::size_t place = 0; place < words_.size(); ++place) {
+      const std::uint64_t word = words_[place].load(std::memory_order_relaxed);
+      if (word == ~std::uint64_t{0}) continue;
+      for (std::size_t v = place * 64; v < points_ && v < (place + 1) * 64; ++v) {
+        if ((word >> (v % 64) & 1) == 0) unused.push_back(v);
+      }
+    }
+    return unused;
+  }
+
+ private:
+  std::size_t points_;
+  std::vector<std::atomic<std::uint64_t>> words_;
+};
+
+// ---- Boundary simplices ----
+// Which simplices have a facet without a link: a bit each, set by any number of threads, block by
+// block.
+
+class BoundarySimplices {
+ public:
+  explicit BoundarySimplices(std::size_t simplices) : blocks_(chunks_of(simplices, kBlock)) {}
+
+  // Bit i of `bits`: simplex `block` · kBlock + i.
+  void set(std::size_t block, std::uint32_t bits) { blocks_[block] = bits; }
+
+  // Their facets without a link in simplices `first` to `last` − 1, ascending. Requires: first is a multiple of kBlock.
+  template <std::size_t kVertices, typename Link>
+  std::vector<FacetId> facets(Links<Link> links, std::size_t first, std::size_t last) const {
+    std::vector<FacetId> facets;
+    for (std::size_t block = first / kBlock; block * kBlock < last; ++block) {
+      for (std::uint32_t bits = blocks_[block]; bits != 0; bits &= bits - 1) {
+        const std::size_t s = block * kBlock + static_cast<std::size_t>(std::countr_zero(bits));
+        for (std::size_t place = 0; place < kVertices; ++place) {
+          if (links[s * kVertices + place] < 0) facets.emplace_back(s, place);
+        }
+      }
+    }
+    return facets;
+  }
+
+ private:
+  static_assert(kBlock == 32);
+  std::vector<std::uint32_t> blocks_;
+};
+
+// ---- Sweep ----
+// One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1 of
+// docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
 
 template <std::size_t kDimension, typename Index, typename Link>
 struct SweepTask {
@@ -62,5 +158,132 @@ struct Swept {
 // thing that is wrong. Facets of two of them are tested from the side of the one that comes first.
 template <std::size_t kDimension, typename Index, typename Link>
 Swept sweep(const SweepTask<kDimension, Index, Link>& task, std::size_t first, std::size_t last);
+
+// ---- Whole sweep ----
+// The sweep of all simplices of a mesh, by all threads; once more if not all of them are oriented
+// alike.
+
+// What a sweep is to look at (SweepTask says more of each).
+template <std::size_t kDimension>
+struct SweepQuestions {
+  const SamplePoint<kDimension>* sample = nullptr;
+  bool balls = false;
+  bool weighted = false;
+  bool ties = false;
+};
+
+template <std::size_t kDimension, typename Index, typename Link>
+class WholeSweep {
+ public:
+  // How many simplices one thread looks at at a time.
+  static constexpr std::size_t kChunk = std::size_t{1} << 12;
+  static_assert(kChunk % kBlock == 0);
+
+  WholeSweep(const MeshView<kDimension, Index>& mesh, Links<Link> links, unsigned threads)
+      : mesh_(mesh),
+        links_(links),
+        threads_(threads),
+        used_(mesh.points()),
+        boundary_(mesh.size()) {}
+
+  // Undecided, or all conditions hold that `sweep` looks at, and every link is verified. Requires:
+  // at least one simplex; finite coordinates, and weights if they count.
+  Swept run(const SweepQuestions<kDimension>& questions) {
+    Stages stages;
+    const auto first =
+        orientation_of(questions.sample != nullptr ? questions.sample->simplex : 0, stages);
+    if (!first) return {.undecided = first.error()};
+    orientations_ = Orientations(*first);
+    lattice_ = lattice_of_all(mesh_.coordinates,
+                              questions.weighted ? mesh_.weights : std::span<const double>());
+    Swept swept = swept_by_all(questions);
+    if (swept.mixed) {
+      auto each = orientation_of_each();
+      if (!each) return {.undecided = each.error()};
+      orientations_ = Orientations(std::move(*each));
+      swept = swept_by_all(questions);
+    }
+    // Signs are exact, so that no second pass finds one other than expected.
+    if (!swept.undecided && (swept.mixed || swept.up != swept.down)) {
+      swept.undecided = Undecided::kUnmatchedNeighbor;
+    }
+    return swept;
+  }
+
+  // After run: …
+  const Orientations& orientations() const { return orientations_; }
+  // … which simplices have boundary facets …
+  const BoundarySimplices& boundary() const { return boundary_; }
+  // … a lattice that all points lie on, or none …
+  Lattice lattice() const { return lattice_; }
+  // … and points that are no vertices, ascending.
+  std::vector<std::size_t> unused() const { return used_.missing(); }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+
+  tl::expected<int, Undecided> orientation_of(std::size_t s, Stages& stages) const {
+    SiteRow<kDimension> row;
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      const Index v = mesh_.row(s)[i];
+      if (!mesh_.names_point(v)) return tl::unexpected(Undecided::kUnknownVertex);
+      row[i] = mesh_.template site<false>(v);
+    }
+    const int sign = orientation<kDimension>(row, stages);
+    if (sign == 0) return tl::unexpected(Undecided::kFlatSimplex);
+    return sign;
+  }
+
+  tl::expected<std::vector<std::uint64_t>, Undecided> orientation_of_each() const {
+    constexpr std::size_t kBits = 64;
+    std::vector<std::uint64_t> negative(chunks_of(mesh_.size(), kBits), 0);
+    std::vector<std::optional<Undecided>> found(chunks_of(negative.size(), kChunk / kBits));
+    in_chunks(negative.size(), kChunk / kBits, threads_,
+              [&](std::size_t chunk, std::size_t first, std::size_t last) {
+                Stages stages;  // every sign is asked for again
+                for (std::size_t s = first * kBits; s < std::min(last * kBits, mesh_.size()); ++s) {
+                  const auto sign = orientation_of(s, stages);
+                  if (!sign) {
+                    found[chunk] = sign.error();
+                    return;
+                  }
+                  negative[s / kBits] |= std::uint64_t{*sign < 0} << (s % kBits);
+                }
+              });
+    for (const std::optional<Undecided>& reason : found) {
+      if (reason) return tl::unexpected(*reason);
+    }
+    return negative;
+  }
+
+  Swept swept_by_all(const SweepQuestions<kDimension>& questions) {
+    const SweepTask<kDimension, Index, Link> task{.mesh = mesh_,
+                                                  .links = links_,
+                                                  .orientations = orientations_,
+                                                  .sample = questions.sample,
+                                                  .balls = questions.balls,
+                                                  .weighted = questions.weighted,
+                                                  .ties = questions.ties,
+                                                  .lattice = lattice_,
+                                                  .used = used_,
+                                                  .boundary = boundary_};
+    std::vector<Swept> parts(chunks_of(mesh_.size(), kChunk));
+    in_chunks(mesh_.size(), kChunk, threads_,
+              [&](std::size_t chunk, std::size_t first, std::size_t last) {
+                parts[chunk] = sweep(task, first, last);
+              });
+    Swept all;
+    for (const Swept& part : parts) all.append(part);
+    return all;
+  }
+
+  const MeshView<kDimension, Index>& mesh_;
+  Links<Link> links_;
+  unsigned threads_;
+  Orientations orientations_{1};
+  UsedPoints used_;
+  BoundarySimplices boundary_;
+  Lattice lattice_ = {};
+};
 
 }  // namespace circumspect::fast

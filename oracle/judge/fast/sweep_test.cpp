@@ -1,6 +1,8 @@
-// The sweep as such: for every width of vectors, and where the filter leaves much to the exact stages.
+// The sweep of a mesh, and what is known of simplices whatever they cover.
 #include "oracle/judge/fast/sweep.hpp"
 
+#include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -9,8 +11,14 @@
 #include "oracle/judge/fast/exact_sign.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
+#include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/fast/simplex_facts.hpp"
 
 namespace circumspect::fast {
+
+// ---- Sweep ----
+// The sweep as such: for every width of vectors, and where the filter leaves much to the exact stages.
+
 namespace {
 
 template <std::size_t kDimension>
@@ -112,5 +120,116 @@ TEST_CASE("facets that are not locally Delaunay are found, and ties, whatever de
   hold_grid<3>(7);
 }
 
+// ---- Simplex facts ----
+// What is said of the simplices of a mesh that need not cover anything in particular.
+
+using FacetIds = std::vector<FacetId>;
+
+constexpr Wanted kBalls{.balls = true};
+
+Undecided why_not(const MeshInArrays<2>& mesh) {
+  const auto found = simplex_facts(mesh.view(), kBalls, 1);
+  REQUIRE_FALSE(found.has_value());
+  return found.error();
+}
+
+// Two squares that share no vertex, the second without an own Delaunay diagonal.
+const MeshInArrays<2> kTwoSquares{{0, 0, 1, 0, 0, 1, 1, 1, 5, 5, 6, 5, 5, 6, 7, 7},
+                                  {0, 1, 3, 0, 3, 2, 4, 5, 6, 5, 7, 6}};
+
+TEST_CASE("a domain in two parts: boundary, ties, and facets that are not locally Delaunay") {
+  MeshInArrays<2> mesh = kTwoSquares;
+  const auto found = simplex_facts(mesh.view(), kBalls, 1);
+  REQUIRE(found.has_value());
+  CHECK(found->boundary ==
+        FacetIds{{0, 0}, {0, 2}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 0}, {3, 2}});
+  CHECK(found->ties == FacetIds{{0, 1}});
+  CHECK(found->not_canonical.empty());
+  CHECK(found->not_local.empty());
+  CHECK(found->oriented);
+  CHECK(!found->fills_hull);
+
+  mesh.simplices = {0, 1, 2, 1, 3, 2, 4, 5, 7, 4, 7, 6};
+  const auto flipped = simplex_facts(mesh.view(), kBalls, 1);
+  REQUIRE(flipped.has_value());
+  CHECK(flipped->ties == FacetIds{{0, 0}});
+  CHECK(flipped->not_canonical == FacetIds{{0, 0}});
+  CHECK(flipped->not_local == FacetIds{{2, 1}});
+
+  const auto unasked = simplex_facts(mesh.view(), {}, 1);
+  REQUIRE(unasked.has_value());
+  CHECK(unasked->ties.empty());
+  CHECK(unasked->not_local.empty());
+  CHECK(unasked->boundary == flipped->boundary);
+}
+
+TEST_CASE("whether they fill the hull of all points, if that is asked") {
+  MeshInArrays<2> mesh{{0, 0, 1, 0, 0, 1, 1, 1}, {0, 1, 3, 0, 3, 2}};
+  CHECK(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);
+  CHECK_FALSE(simplex_facts(mesh.view(), kBalls, 1)->fills_hull);
+  CHECK_FALSE(simplex_facts(kTwoSquares.view(), {.hull = true}, 1)->fills_hull);
+  mesh.coordinates.insert(mesh.coordinates.end(), {0.5, 0.25});
+  CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);  // a point is no vertex
+  mesh.coordinates.resize(8);
+  mesh.simplices.resize(3);
+  CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);
+}
+
+TEST_CASE("a facet is named in order of simplices, then of places") {
+  constexpr std::size_t kLast = (std::size_t{1} << 62) - 1;
+  static_assert(FacetId(kLast, 3).simplex() == kLast && FacetId(kLast, 3).place() == 3);
+  static_assert(FacetId(2, 3) < FacetId(3, 0) && FacetId(3, 0) < FacetId(3, 1));
+}
+
+TEST_CASE("what is not sound is left undecided") {
+  const auto with = [](auto change) {
+    MeshInArrays<2> mesh = kTwoSquares;
+    change(mesh);
+    return why_not(mesh);
+  };
+  CHECK(with([](auto& m) { m.simplices.clear(); }) == Undecided::kEmpty);
+  CHECK(with([](auto& m) { m.simplices[0] = 8; }) == Undecided::kUnknownVertex);
+  CHECK(with([](auto& m) { m.simplices[7] = 4; }) == Undecided::kFlatSimplex);
+  CHECK(with([](auto& m) { m.coordinates[3] = std::numeric_limits<double>::infinity(); }) ==
+        Undecided::kNotFinite);
+  // A simplex twice, alone and beside another one; three at an edge; two on the same side of one.
+  CHECK(with([](auto& m) {
+          m.simplices.insert(m.simplices.end(), {6, 5, 4});
+        }) == Undecided::kFacetOverused);
+  CHECK(why_not({{0, 0, 1, 0, 0, 1}, {0, 1, 2, 2, 0, 1}}) == Undecided::kUnmatchedNeighbor);
+  CHECK(with([](auto& m) {
+          m.simplices.insert(m.simplices.end(), {0, 3, 5});
+        }) == Undecided::kFacetOverused);
+  CHECK(why_not({{0, 0, 1, 0, 0, 1, 1, 1}, {0, 1, 2, 0, 1, 3}}) == Undecided::kSameSide);
+}
+
+// As `judge` says of a grid, for any number of threads.
+template <std::size_t kDimension>
+void check_facts_of_grid(bool mirrored) {
+  const auto mesh = grid_mesh<kDimension, std::int32_t>(kDimension == 2 ? 200 : 24, mirrored);
+  const auto judged = judge(mesh.view(), Question::kDelaunay, 1);
+  const auto first = simplex_facts(mesh.view(), kBalls, 1);
+  REQUIRE(judged.has_value());
+  REQUIRE(first.has_value());
+  CHECK(first->oriented == judged->oriented);
+  CHECK(first->ties.empty() == judged->unique);
+  CHECK(first->not_canonical.empty() == judged->canonical);
+  const auto again = simplex_facts(mesh.view(), kBalls, 3);
+  REQUIRE(again.has_value());
+  CHECK(again->boundary == first->boundary);
+  CHECK(again->ties == first->ties);
+  CHECK(again->not_canonical == first->not_canonical);
+  CHECK(std::is_sorted(first->boundary.begin(), first->boundary.end()));
+  CHECK(std::is_sorted(first->ties.begin(), first->ties.end()));
+}
+
+TEST_CASE("grids, however their simplices are oriented") {
+  for (const bool mirrored : {false, true}) {
+    check_facts_of_grid<2>(mirrored);
+    check_facts_of_grid<3>(mirrored);
+  }
+}
+
 }  // namespace
+
 }  // namespace circumspect::fast

@@ -1,14 +1,18 @@
-// The cells of a mesh, one after another in one piece of memory, and which of two meshes have the same: what
-// it is to compare meshes once their points are matched.
+// The cells of meshes, and whether two meshes have the same.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
+
+// ---- Cells ----
+// The cells of a mesh, one after another in one piece of memory, and which of two meshes have the same: what
+// it is to compare meshes once their points are matched.
 
 class Cells {
  public:
@@ -47,5 +51,31 @@ struct CellDifference {
 // it is, or −1. A cell with a vertex that names no point, or one that is not in b, matches nothing.
 CellDifference difference_of_cells(const Cells& a, const Cells& b,
                                    const std::vector<Vertex>& place_in_b, std::size_t points_of_b);
+
+// ---- Difference ----
+// Are two meshes the same complex, up to the numbering of points and the order of everything?
+
+// What one mesh has and the other has not, by indices from 0 into that mesh. Points are matched by
+// exact coordinates and, where either mesh has weights, by weight; simplices as sets of matched
+// vertices, each as often as it is listed. A simplex with a vertex that names no point, or one that
+// the other mesh lacks, matches nothing.
+struct Difference {
+  std::vector<Vertex> points_only_in_a = {};
+  std::vector<Vertex> points_only_in_b = {};
+  std::vector<Simplex> simplices_only_in_a = {};  // as that mesh lists them, in its order
+  std::vector<Simplex> simplices_only_in_b = {};
+
+  bool empty() const {
+    return points_only_in_a.empty() && points_only_in_b.empty() && simplices_only_in_a.empty() &&
+           simplices_only_in_b.empty();
+  }
+};
+
+// The cells that are compared: the simplices, and the faces beside them that dangle.
+Cells cells_of(const ExactMesh& mesh);
+
+// Compares the simplices, and of the faces that a mesh lists beside them those that dangle: the others
+// say nothing new.
+Difference difference(const ExactMesh& a, const ExactMesh& b);
 
 }  // namespace circumspect::check

@@ -6,9 +6,7 @@
 #include <stdexcept>
 
 #include "oracle/judge/points/delaunay.hpp"
-#include "oracle/judge/points/neighbors.hpp"
 #include "oracle/judge/points/simplices.hpp"
-#include "oracle/judge/points/submerged_points.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
 namespace circumspect::check {

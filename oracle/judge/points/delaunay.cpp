@@ -1,10 +1,40 @@
 #include "oracle/judge/points/delaunay.hpp"
 
-#include "oracle/judge/points/ball_witness.hpp"
+#include <optional>
+
+#include "oracle/judge/points/simplices.hpp"
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/exact/point_search.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
+
+void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
+                 const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
+  const Ball ball = circumball(mesh.points, simplex);
+  const Rational depth = -power(mesh.points, ball, q);
+  Witness witness{.simplices = {simplex}, .face = facet, .vertices = {q}, .ball = ball};
+  witness.values = {
+      {"squared distance from centre", squared_distance(mesh.points[q], ball.centre)}};
+  if (mesh.points.is_weighted()) {
+    witness.values.push_back({"weight of the vertex", mesh.points.weight(q)});
+    witness.values.push_back({"squared radius of the orthoball", ball.squared_radius});
+    witness.values.push_back({"squared radius less squared distance plus weight", depth});
+  } else {
+    witness.values.push_back({"squared radius", ball.squared_radius});
+    witness.values.push_back({"squared radius less squared distance", depth});
+  }
+  // An orthoball may have no real radius to compare the depth with.
+  if (sign(ball.squared_radius) > 0) {
+    verdict.add(rule, witness, Rational(depth / ball.squared_radius));
+  } else {
+    verdict.add(rule, witness);
+  }
+}
+
+// ---- Delaunay ----
+
 namespace {
 
 // Let W be a simplex and q, strictly below its witness plane, and let only vertex v of the simplex
@@ -75,6 +105,74 @@ void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambig
       if (side > 0) add_in_ball(mesh, rule, simplex, std::nullopt, q, verdict);
     }
   }
+}
+
+// ---- Submerged points ----
+
+namespace {
+
+// A mesh as the search for points wants it.
+class Located {
+ public:
+  Located(const ExactMesh& mesh, const std::vector<FacetUse>& uses)
+      : mesh_(mesh),
+        row_size_(mesh.simplices.front().size()),
+        across_(mesh.simplices.size() * row_size_, kNoSimplex) {
+    own_.reserve(mesh.simplices.size());
+    for (const Simplex& simplex : mesh.simplices) {
+      own_.push_back(orientation(mesh.points.configuration(), simplex));
+    }
+    for_each_facet(uses, [&](std::span<const FacetUse> group) {
+      if (group.size() != 2) return;
+      across_[group[0].simplex * row_size_ + group[0].opposite] = group[1].simplex;
+      across_[group[1].simplex * row_size_ + group[1].opposite] = group[0].simplex;
+    });
+  }
+
+  std::size_t size() const { return mesh_.simplices.size(); }
+  std::size_t row_size() const { return row_size_; }
+  std::size_t points() const { return mesh_.points.size(); }
+  std::size_t vertex(std::size_t s, std::size_t place) const {
+    return static_cast<std::size_t>(mesh_.simplices[s][place]);
+  }
+  int side(std::size_t s, std::size_t place, std::size_t point) const {
+    const Simplex moved =
+        with_vertex_replaced(mesh_.simplices[s], place, static_cast<Vertex>(point));
+    return orientation(mesh_.points.configuration(), moved) * own_[s];
+  }
+  std::size_t across(std::size_t s, std::size_t place) const {
+    return across_[s * row_size_ + place];
+  }
+
+ private:
+  const ExactMesh& mesh_;
+  std::size_t row_size_;
+  std::vector<std::size_t> across_;  // the facet opposite each vertex of each simplex
+  std::vector<int> own_;             // the orientation of each simplex
+};
+
+}  // namespace
+
+std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                                     Verdict& verdict, Ambiguity& ambiguity) {
+  const std::vector<Vertex> unused = unused_points(mesh);
+  if (unused.empty() || mesh.simplices.empty()) return 0;
+  const Located located(mesh, uses);
+  PointSearch search(located);
+  const std::vector<std::size_t> places(unused.begin(), unused.end());
+  const std::vector<std::size_t> simplices = search.simplices_with(places);
+  for (std::size_t i = 0; i < unused.size(); ++i) {
+    const Vertex q = unused[i];
+    if (simplices[i] == kNoSimplex) {
+      verdict.add(Rule::kUnusedPoint, {.vertices = {q}, .point = mesh.points[q]});
+      continue;
+    }
+    const Simplex& simplex = mesh.simplices[simplices[i]];
+    const int side = in_ball(mesh.points.configuration(), simplex, q);
+    ambiguity.see(mesh.points, simplex, q, side);
+    if (side > 0) add_in_ball(mesh, Rule::kPointBelowPlane, simplex, std::nullopt, q, verdict);
+  }
+  return search.work();
 }
 
 }  // namespace circumspect::check

@@ -1,16 +1,54 @@
-// Is every simplex Delaunay, or weighted Delaunay? Book: Definition 4.1, Lemma 4.1 (the Delaunay
-// Lemma), Section 5.2 (weights).
+// Is every simplex Delaunay, or weighted Delaunay? Are the points submerged that are no vertices?
+// Book: Definition 4.1, Lemma 4.1 (the Delaunay Lemma), Sections 2.8 and 5.2 (weights).
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "oracle/judge/points/ambiguity.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::check {
+
+// ---- Ball witness ----
+// The witness that a point lies strictly inside a circumball (weighted: that its lifted companion
+// lies strictly below a witness plane).
+
+// Adds the violation, with the ball of `simplex` and how deep q lies in it. `facet` is the facet
+// between the simplex and q, if that is what broke the rule.
+void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
+                 const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
+
+// ---- Ambiguity ----
+// What empty balls say about other Delaunay triangulations of the same points.
+
+// A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is no simplex
+// and has more than one triangulation; of these the canonical one has empty balls under the
+// perturbation too.
+struct Ambiguity {
+  bool unique = true;
+  bool canonical = true;
+
+  // `side` is in_ball of the simplex and q.
+  void see(const PointSet& points, const Simplex& simplex, Vertex q, int side) {
+    if (side != 0) return;
+    unique = false;
+    if (canonical) canonical = perturbed_in_ball(points.configuration(), simplex, q) < 0;
+  }
+
+  // Reports the facts if the claim holds.
+  void conclude(Verdict& verdict) const {
+    if (!verdict.holds()) return;
+    verdict.unique = unique;
+    verdict.canonical = canonical;
+  }
+};
+
+// ---- Delaunay ----
 
 // A facet of two simplices of a list.
 struct SharedFacet {
@@ -37,5 +75,17 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
 // Definition 4.1: no open circumball of a simplex contains a point of S (delaunay.vertex-in-ball);
 // weighted: no lifted point of S lies strictly below a witness plane (weighted.point-below-plane).
 void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
+
+// ---- Submerged points ----
+// The points of a weighted set that are no vertices: are they submerged? Book: Section 2.8 by way of
+// Section 5.2 (weighted Delaunay triangulations).
+
+// Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
+// outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
+// that simplex (else weighted.point-below-plane). Returns how many orientations it took to find the
+// simplices (reference/kernel/exact/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
+// and `uses` are those of its facets.
+std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                                     Verdict& verdict, Ambiguity& ambiguity);
 
 }  // namespace circumspect::check

@@ -1,15 +1,36 @@
-// Are sound simplices a complex that covers the convex hull of the points?
-// Book: Definition 2.1 and Section 4.1.
+// Are sound simplices a complex that covers the convex hull of the points, and are the listed
+// neighbours the true ones? Book: Definition 2.1 and Section 4.1.
 #pragma once
 
 #include <vector>
 
-#include "oracle/judge/points/boundary_facet.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
+
+// ---- Boundary facet ----
+// A facet that only one simplex has: a piece of the boundary of what the mesh covers.
+
+struct BoundaryFacet {
+  Simplex facet;        // ascending
+  Vertex apex;          // the vertex of its simplex off the facet, so on the inner side
+  std::size_t simplex;  // the simplex that has it
+};
+
+// All of them, in order of their vertices.
+std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
+                                           const std::vector<FacetUse>& uses);
+
+// On which side of the facet is q? 1: on the inner side, strictly; 0: in its hyperplane; −1:
+// strictly beyond. `points` is the mesh's configuration or one with further points.
+int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q);
+
+// The witness that q lies strictly beyond a facet: the two determinants of opposite signs.
+Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
+
+// ---- Triangulation ----
 
 // All require that judge_simplices found nothing wrong, and say whether every facet lies in one
 // or two simplices, two being on opposite sides of it.
@@ -38,5 +59,18 @@ bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& 
 // Every two simplices meet in a common face or not at all; and a facet of only one simplex has no
 // point beyond it, so that the union is the whole hull.
 bool judge_complex_by_definition(const ExactMesh& mesh, Verdict& verdict);
+
+// ---- Neighbors ----
+// Are the neighbours that a program lists (TetGen's and Triangle's .neigh) the true ones?
+
+// complex.wrong-neighbor: entry i of a simplex must be the simplex across the facet opposite its
+// vertex i, or none on the boundary. Requires: the mesh lists neighbours; simplices are sound and
+// facets lie in one or two of them. `uses` are those of the mesh.
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
+
+// The same of one facet, of which somebody else has found that the simplex across, `across` if there is one,
+// is not the one that is listed. `listed`, `expected`: the indices, as the program counts.
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict);
 
 }  // namespace circumspect::check

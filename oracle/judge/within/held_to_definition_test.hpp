@@ -10,7 +10,7 @@
 #include "oracle/judge/within/moved_meshes_test.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
-#include "reference/kernel/exact/number_text.hpp"
+#include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {

@@ -8,8 +8,8 @@
 #include "oracle/judge/within/cells.hpp"
 #include "oracle/judge/within/distance.hpp"
 #include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/piecewise_linear/incidence.hpp"
-#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/piecewise_linear/cell_index.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 namespace {

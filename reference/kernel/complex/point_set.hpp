@@ -1,5 +1,4 @@
-// A finite set of points, weighted or not, with exact rational coordinates.
-// Book: Section 4.1 (point sets in R^d), Section 5.2 (weights).
+// Finite point sets, and the circumballs of their simplices.
 #pragma once
 
 #include <string>
@@ -13,6 +12,10 @@
 #include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect {
+
+// ---- Point set ----
+// A finite set of points, weighted or not, with exact rational coordinates.
+// Book: Section 4.1 (point sets in R^d), Section 5.2 (weights).
 
 // Two indices that name one and the same point.
 struct Duplicate {
@@ -78,5 +81,23 @@ Flat flat_through(const PointSet& points, const std::vector<std::size_t>& axes,
 
 // The vertices 0, 1, …, n−1.
 std::vector<Vertex> all_vertices(const PointSet& points);
+
+// ---- Circumball ----
+// Circumballs with exact centre and squared radius. Book: Definition 1.17 and Section 4.2; for
+// weighted points the orthoball whose lifted companion is the witness plane.
+
+struct Ball {
+  Point centre;
+  Rational squared_radius;  // of an orthoball possibly negative
+};
+
+// The circumball of a simplex whose centre lies in the simplex's affine hull: its smallest one.
+// With weights, the orthoball: |p − centre|² − weight(p) = squared_radius at every vertex p.
+// Requires: vertices affinely independent.
+Ball circumball(const PointSet& points, const Simplex& simplex);
+
+// |q − centre|² − weight(q) − squared_radius: negative iff q is strictly inside (weighted: iff q⁺
+// is strictly below the witness plane), zero on the sphere.
+Rational power(const PointSet& points, const Ball& ball, Vertex q);
 
 }  // namespace circumspect

@@ -7,7 +7,6 @@
 #include <rapidcheck.h>
 
 #include "inputs/any_case.hpp"
-#include "reference/kernel/complex/polyhedral_complex.hpp"
 
 namespace circumspect {
 namespace {

@@ -1,14 +1,18 @@
-// Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
-// speed alone: by elimination, which would do, `build delaunay` takes 50 % longer, by cofactors 130
-// %.
+// Determinants and systems of linear equations, exactly.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect {
+
+// ---- Determinant ----
+// Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
+// speed alone: by elimination, which would do, `build delaunay` takes 50 % longer, by cofactors 130
+// %.
 
 // A square matrix of integers, row by row.
 class SquareMatrix {
@@ -35,5 +39,14 @@ Integer determinant(SquareMatrix matrix);
 // The two methods, apart, so that tests can hold one against the other.
 Integer determinant_by_laplace(const SquareMatrix& matrix);  // Requires: order <= 4.
 Integer determinant_by_bareiss(SquareMatrix matrix);
+
+// ---- Linear system ----
+// Systems of linear equations over the rationals.
+
+using RationalMatrix = std::vector<std::vector<Rational>>;
+
+// The solution x of A x = b by Gaussian elimination; nothing if A is singular.
+// Requires: A is square, b as long as A.
+std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b);
 
 }  // namespace circumspect

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/exact/linear_system.hpp"
+#include "reference/kernel/exact/determinant.hpp"
 
 namespace circumspect {
 

@@ -1,16 +1,23 @@
-// Exact numbers. This folder is the only place that names the number library (GMP, MPFR): every
-// other file says Integer and Rational, so that the library could be replaced here alone.
+// Exact numbers: what they are, how text gives them, and what ends a process in which they
+// exhaust the memory. This folder is the only place that names the number library (GMP, MPFR).
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 #include <gmpxx.h>
+#include <tl/expected.hpp>
 
 #ifdef __FAST_MATH__
 #error "Circumspect reads doubles exactly and must not be compiled with -ffast-math."
 #endif
 
 namespace circumspect {
+
+// ---- Number ----
+// Exact numbers. This folder is the only place that names the number library (GMP, MPFR): every
+// other file says Integer and Rational, so that the library could be replaced here alone.
 
 using Integer = mpz_class;
 using Rational = mpq_class;
@@ -34,5 +41,55 @@ void subtract_product(Integer& sum, const Integer& a, const Integer& b);
 
 // Quotient of a division that is known to leave no remainder.
 Integer exact_quotient(const Integer& dividend, const Integer& divisor);
+
+// ---- Number text ----
+// Exact numbers and text, both ways.
+
+// How a decimal such as "0.1" is meant. Other programs read it into a double, so that is what they
+// saw; `kDecimal` takes the text at its word. Fractions (1/3) and hexadecimal floats (0x1.8p-3) are
+// exact in both.
+enum class NumberReading { kDouble, kDecimal };
+
+// Why a token is not a number: what was expected in its place, for a message
+// "expected <this>, found <token>".
+struct NumberError {
+  std::string expected;
+};
+
+// Decimal exponents beyond this, and binary ones beyond kLargestBinaryExponent, are refused in exact
+// readings: ten bytes of text must not become a gigabyte of digits.
+inline constexpr long kLargestDecimalExponent = 1000;
+inline constexpr long kLargestBinaryExponent = 5000;
+
+// Reads the whole token: [+-]digits[.digits][e[+-]digits], [+-]0xhex[.hex][p[+-]digits], or
+// [+-]digits/digits. A decimal that overflows to infinity as a double is an error; one that
+// underflows becomes what strtod gives. "nan" and "inf" are errors.
+tl::expected<Rational, NumberError> read_number(std::string_view token, NumberReading reading);
+
+// The exact value, in lowest terms: "7", "-1/3".
+std::string to_string(const Integer& value);
+std::string to_string(const Rational& value);
+
+// The shortest text that read_number(…, kDouble) turns back into exactly this value: a decimal if
+// the value is a double, else a fraction.
+std::string to_text_of_double_or_fraction(const Rational& value);
+
+// Correctly rounded (to nearest, ties to even) to 53 bits and written as the shortest decimal that
+// identifies that double; beyond the range of double, 17 significant digits. For people: never
+// read back in a verdict.
+std::string to_decimal(const Rational& value);
+
+// The same for the square root of a value. Requires: value >= 0.
+std::string square_root_to_decimal(const Rational& value);
+
+// The number libraries in use, with their versions: "GMP 6.2.1, MPFR 4.2.0".
+std::string number_libraries();
+
+// ---- Exhausted memory ----
+// What happens when a number needs more memory than there is.
+
+// GMP and MPFR end the process with SIGABRT then; from now on they call `end` instead, which must not return: nothing
+// is left that could go on, for both are written in C. The memory is malloc's, as before.
+void end_where_numbers_exhaust_memory(void (*end)());
 
 }  // namespace circumspect

@@ -9,7 +9,6 @@
 #include "inputs/plain_algebra.hpp"
 #include "inputs/point_sets.hpp"
 #include "inputs/scalars.hpp"
-#include "reference/kernel/exact/affine_hull.hpp"
 
 namespace circumspect {
 namespace {

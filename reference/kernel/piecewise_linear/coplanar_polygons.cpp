@@ -5,9 +5,9 @@
 #include <set>
 #include <span>
 
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/piecewise_linear/disjoint_sets.hpp"
-#include "reference/kernel/piecewise_linear/incidence.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

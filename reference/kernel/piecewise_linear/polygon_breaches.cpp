@@ -1,5 +1,3 @@
-#include "reference/kernel/piecewise_linear/polygon_breaches.hpp"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -11,8 +9,8 @@
 #include <utility>
 
 #include "reference/kernel/piecewise_linear/cell_index.hpp"
-#include "reference/kernel/piecewise_linear/incidence.hpp"
-#include "reference/kernel/piecewise_linear/nearby_cells.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect {

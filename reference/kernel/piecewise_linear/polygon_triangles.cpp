@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "reference/kernel/complex/facets.hpp"
+#include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

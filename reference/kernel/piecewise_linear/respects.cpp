@@ -33,7 +33,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "reference/kernel/piecewise_linear/incidence.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

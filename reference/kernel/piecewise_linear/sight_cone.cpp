@@ -1,8 +1,8 @@
-#include "reference/kernel/piecewise_linear/sight_cone.hpp"
-
 #include <algorithm>
 #include <cassert>
 #include <utility>
+
+#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect {
 namespace {

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 
-#include "reference/kernel/piecewise_linear/sight_cone.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

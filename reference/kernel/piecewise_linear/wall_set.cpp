@@ -1,8 +1,8 @@
-#include "reference/kernel/piecewise_linear/wall_set.hpp"
-
 #include <algorithm>
 #include <cassert>
 #include <utility>
+
+#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect {
 namespace {

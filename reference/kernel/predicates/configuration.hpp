@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "reference/kernel/exact/affine_hull.hpp"
 #include "reference/kernel/exact/determinant.hpp"
 #include "reference/kernel/exact/point.hpp"
 

@@ -1,0 +1,241 @@
+#include "oracle/certificate/evidence.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "oracle/certificate/certificate.hpp"
+#include "oracle/judge/points/simplices.hpp"
+
+namespace circumspect::certificate {
+
+namespace {
+
+Integer number(std::size_t index) { return Integer(static_cast<unsigned long>(index)) + 1; }
+Integer position(std::size_t index) { return static_cast<unsigned long>(index); }
+
+// The entry that names no point.
+std::optional<std::size_t> unknown_entry(const ExactMesh& mesh, const Simplex& simplex) {
+  const auto unknown =
+      std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !mesh.points.names(v); });
+  if (unknown == simplex.end()) return std::nullopt;
+  return static_cast<std::size_t>(unknown - simplex.begin());
+}
+
+// What one simplex shows about a rule.
+std::optional<std::vector<Integer>> fault_of(const ExactMesh& mesh, Sidedness& sidedness,
+                                             std::size_t s, Rule rule) {
+  const Simplex& simplex = mesh.simplices[s];
+  const bool has_right_size = simplex.size() == mesh.points.ambient_dimension() + 1;
+  const auto unknown = unknown_entry(mesh, simplex);
+  if (rule == Rule::kUnknownVertex && unknown) return {{number(s), position(*unknown)}};
+  if (rule == Rule::kWrongDimension && !has_right_size) return {{number(s)}};
+  if (rule == Rule::kRepeatedVertex) {
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+        if (simplex[i] == simplex[j]) return {{number(s), position(i), position(j)}};
+      }
+    }
+  }
+  if (rule == Rule::kDegenerateSimplex && has_right_size && !unknown &&
+      sidedness.orientation(simplex) == 0) {
+    return {{number(s)}};
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<Integer>> same_vertices(const ExactMesh& mesh) {
+  std::vector<Simplex> ascending;
+  for (const Simplex& simplex : mesh.simplices) ascending.push_back(sorted(simplex));
+  std::vector<std::size_t> order(ascending.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return ascending[a] < ascending[b]; });
+  const auto twice = std::adjacent_find(
+      order.begin(), order.end(),
+      [&](std::size_t a, std::size_t b) { return ascending[a] == ascending[b]; });
+  if (twice == order.end()) return std::nullopt;
+  return {{number(*twice), number(*(twice + 1))}};
+}
+
+std::optional<std::vector<Integer>> overused_facet(const ExactMesh& mesh) {
+  std::vector<FaceUse> uses = facets(mesh);
+  std::optional<std::vector<Integer>> because;
+  for_each_face(uses, [&](std::span<const FaceUse> group) {
+    if (group.size() < 3 || because) return;
+    because.emplace();
+    for (const FaceUse& use : group.first(3)) {
+      because->push_back(number(use.cell));
+      because->push_back(position(use.place));
+    }
+  });
+  return because;
+}
+
+std::optional<std::vector<Integer>> find(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule) {
+  switch (rule) {
+    case Rule::kDuplicateSimplex:
+      return same_vertices(mesh);
+    case Rule::kFacetOverused:
+      return overused_facet(mesh);
+    case Rule::kUnusedPoint: {
+      const std::vector<Vertex> unused = check::unused_points(mesh);
+      if (unused.empty()) return std::nullopt;
+      return {{number(static_cast<std::size_t>(unused.front()))}};
+    }
+    default:
+      break;
+  }
+  Sidedness sidedness(points);
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+    if (auto because = fault_of(mesh, sidedness, s, rule)) return because;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule) {
+  auto because = find(mesh, points, rule);
+  if (!because) return std::nullopt;
+  return Evidence{rule, std::move(*because)};
+}
+
+// ---- Overlap evidence ----
+
+std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                         Rule rule, const Witness& witness) {
+  if (!witness.point || witness.simplices.size() != 2) return std::nullopt;
+  Evidence evidence{rule, {}};
+  for (const Simplex& simplex : witness.simplices) {
+    evidence.because.emplace_back(static_cast<unsigned long>(number_of(mesh, simplex)));
+  }
+  const HomogeneousPoint common = scaled(points, *witness.point);
+  evidence.because.insert(evidence.because.end(), common.numerators.begin(),
+                          common.numerators.end());
+  evidence.because.push_back(common.denominator);
+  return evidence;
+}
+
+// ---- Hull evidence ----
+// Faults of the boundary: the simplices of the facets in question are looked up.
+
+namespace {
+
+// The number of a simplex that has the facet, and the place of its other vertex.
+void append_facet(std::vector<Integer>& because, const ExactMesh& mesh, const Simplex& facet) {
+  const auto found =
+      std::find_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& simplex) {
+        return std::all_of(facet.begin(), facet.end(),
+                           [&](Vertex v) { return contains(simplex, v); });
+      });
+  assert(found != mesh.simplices.end());
+  const auto off =
+      std::find_if(found->begin(), found->end(), [&](Vertex v) { return !contains(facet, v); });
+  because.emplace_back(static_cast<unsigned long>(found - mesh.simplices.begin()) + 1);
+  because.emplace_back(static_cast<unsigned long>(off - found->begin()));
+}
+
+}  // namespace
+
+std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness) {
+  Evidence evidence{rule, {}};
+  if (rule == Rule::kHullNotConvex) {
+    append_facet(evidence.because, mesh, *witness.face);
+    evidence.because.emplace_back(Integer(witness.vertices.front()) + 1);
+    return evidence;
+  }
+  // Each simplex around a ridge has two of the facets there, and no facet is in three simplices: so
+  // those that are in one simplex only are even in number, and if they are not two, they are four.
+  constexpr std::size_t kEnough = 3;
+  if (witness.simplices.size() < kEnough) return std::nullopt;
+  for (std::size_t i = 0; i < kEnough; ++i) {
+    append_facet(evidence.because, mesh, witness.simplices[i]);
+  }
+  return evidence;
+}
+
+std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
+                                                 Vertex point) {
+  Evidence evidence{Rule::kUnusedPoint, {Integer(point) + 1}};
+  const HomogeneousPoint q = barycentre(points, {point});
+  Sidedness sidedness(points);
+  for (const Simplex& simplex : mesh.simplices) {
+    const auto place = sidedness.separating_place(simplex, sidedness.orientation(simplex), q);
+    if (!place) return std::nullopt;
+    evidence.because.emplace_back(static_cast<unsigned long>(*place));
+  }
+  return evidence;
+}
+
+// ---- Ball evidence ----
+// The witnesses of the checkers, in the numbers of a refutation.
+
+namespace {
+
+// A simplex and the place of one of its vertices.
+struct Entry {
+  std::size_t simplex;
+  std::size_t place;
+};
+
+std::size_t place_of(const Simplex& simplex, Vertex v) {
+  return static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
+}
+
+// The simplex that joins the facet and the vertex.
+Entry entry_of(const ExactMesh& mesh, Simplex facet, Vertex apex) {
+  facet.push_back(apex);
+  const Simplex vertices = sorted(facet);
+  const auto found =
+      std::find_if(mesh.simplices.begin(), mesh.simplices.end(),
+                   [&](const Simplex& simplex) { return sorted(simplex) == vertices; });
+  assert(found != mesh.simplices.end());
+  return {static_cast<std::size_t>(found - mesh.simplices.begin()), place_of(*found, apex)};
+}
+
+// Any simplex that has the vertex.
+Entry entry_of(const ExactMesh& mesh, Vertex v) {
+  const auto found = std::find_if(mesh.simplices.begin(), mesh.simplices.end(),
+                                  [v](const Simplex& simplex) { return contains(simplex, v); });
+  assert(found != mesh.simplices.end());
+  return {static_cast<std::size_t>(found - mesh.simplices.begin()), place_of(*found, v)};
+}
+
+void append(std::vector<Integer>& because, const Entry& entry) {
+  because.emplace_back(static_cast<unsigned long>(entry.simplex + 1));
+  because.emplace_back(static_cast<unsigned long>(entry.place));
+}
+
+}  // namespace
+
+std::size_t number_of(const ExactMesh& mesh, const Simplex& simplex) {
+  const auto found = std::find(mesh.simplices.begin(), mesh.simplices.end(), simplex);
+  assert(found != mesh.simplices.end());
+  return static_cast<std::size_t>(found - mesh.simplices.begin()) + 1;
+}
+
+std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Witness& witness) {
+  Evidence evidence{rule, {}};
+  const Vertex q = witness.vertices.front();
+  const Simplex& simplex = witness.simplices.front();
+  if (rule == Rule::kVertexSubmerged) {
+    append(evidence.because, entry_of(mesh, q));
+    for (const Vertex v : simplex) evidence.because.emplace_back(Integer(v) + 1);
+  } else if (rule == Rule::kFacetNotLocal) {
+    const std::size_t number = number_of(mesh, simplex);
+    const Simplex& facet = *witness.face;
+    const auto off =
+        std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !contains(facet, v); });
+    append(evidence.because, {number - 1, static_cast<std::size_t>(off - simplex.begin())});
+    append(evidence.because, entry_of(mesh, facet, q));
+  } else {
+    evidence.because.emplace_back(static_cast<unsigned long>(number_of(mesh, simplex)));
+    evidence.because.emplace_back(Integer(q) + 1);
+  }
+  return evidence;
+}
+
+}  // namespace circumspect::certificate

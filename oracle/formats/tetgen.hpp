@@ -1,0 +1,97 @@
+// The files of Triangle and TetGen: points, simplices, faces and neighbours, each a numbered
+// list.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "oracle/formats/lines.hpp"
+#include "oracle/formats/point_file.hpp"
+#include "oracle/formats/source.hpp"
+#include "reference/kernel/exact/number.hpp"
+#include "reference/kernel/predicates/configuration.hpp"
+
+namespace circumspect::formats {
+
+// ---- .node ----
+// Points as Triangle and TetGen write them: .node.
+//
+//     points dimension [attributes [markers]]       markers: 0 or 1
+//     index x y … attributes… [marker]              one line a point
+
+// Points of dimension 1 to kLargestDimension. The first index may be any integer, the others
+// follow one by one; a marker is an integer.
+Result<PointFile> read_node(const Source& source, NumberReading reading);
+
+// The list with which .poly and .smesh begin. Without points in it, they stand in a .node file, and
+// the dimension may be left out: 0.
+Result<PointFile> read_node_list(NumberedLines& numbered, NumberReading reading);
+
+// Coordinates and attributes are written so that reading them as doubles gives the same numbers.
+// Requires: all points have `dimension` coordinates; attributes and markers are empty or one a
+// point, all rows of attributes have one length.
+void write_node(std::ostream& out, const PointFile& file);
+
+// ---- .ele ----
+// Triangles and tetrahedra as Triangle and TetGen write them: .ele.
+//
+//     simplices k [attributes]                      k: vertices of each
+//     index v0 … v(k-1) attributes…                 one line a simplex
+
+// The k vertices of each simplex, as written. An .ele file does not say the dimension, so that
+// elements of second order (6 nodes in the plane, 10 in space) come back with all their nodes.
+// Attributes have to be numbers and are otherwise ignored. Indices of simplices follow one by one.
+Result<SimplexFile> read_ele(const Source& source, NumberReading reading = NumberReading::kDouble);
+
+// Requires: every simplex has vertices_per_simplex vertices, at least 1.
+void write_ele(std::ostream& out, const SimplexFile& file);
+
+// ---- .face and .edge ----
+// Triangles and edges as Triangle and TetGen write them beside a mesh: .face and .edge.
+//
+//     faces [markers]                             markers: 0 or 1
+//     index v0 v1 v2 [marker] …                   .edge: two vertices
+//
+// TetGen may append the tetrahedra beside each.
+
+// The `vertices` vertices of each, 3 or 2, as written. Markers and what TetGen appends must be
+// integers, as many on every line, and are otherwise ignored.
+Result<SimplexFile> read_face(const Source& source, std::size_t vertices);
+
+// Without markers. Requires: all simplices have one number of vertices.
+void write_face(std::ostream& out, const SimplexFile& file);
+
+// ---- .neigh ----
+// Which simplices are neighbours, as Triangle and TetGen write it: .neigh.
+//
+//     simplices k                                   k: neighbours of each
+//     index n0 … n(k-1)                             one line a simplex
+//
+// Neighbour i shares the facet opposite vertex i of the .ele file; -1: there is none.
+
+struct NeighborFile {
+  std::vector<std::vector<Vertex>> neighbors = {};  // indices of simplices exactly as in the file
+  std::size_t neighbors_per_simplex = 0;
+  Vertex first_index = 0;  // the user's index of the first simplex
+
+  friend bool operator==(const NeighborFile&, const NeighborFile&) = default;
+};
+
+// The simplices whose neighbours a file is to list.
+struct ListedSimplices {
+  std::size_t count = 0;
+  std::size_t vertices = 0;  // of each
+  std::string name = {};     // of their file, for messages
+};
+
+// Errors, besides those of the format: there are neighbours of more or fewer simplices, or more or fewer
+// of each, than `simplices` says, if that is given.
+Result<NeighborFile> read_neigh(const Source& source,
+                                const std::optional<ListedSimplices>& simplices = {});
+
+// Requires: every simplex has neighbors_per_simplex neighbours, at least 1.
+void write_neigh(std::ostream& out, const NeighborFile& file);
+
+}  // namespace circumspect::formats

@@ -1,0 +1,281 @@
+#include "oracle/judge/points/triangulation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/simplex.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+
+namespace {
+
+Simplex with_apex(Simplex facet, Vertex apex) {
+  facet.push_back(apex);
+  return facet;
+}
+
+}  // namespace
+
+std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
+                                           const std::vector<FacetUse>& uses) {
+  std::vector<BoundaryFacet> boundary;
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    if (group.size() != 1) return;
+    const FacetUse& use = group.front();
+    boundary.push_back({use.facet, mesh.simplices[use.simplex][use.opposite], use.simplex});
+  });
+  return boundary;
+}
+
+int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q) {
+  return orientation(points, with_apex(facet.facet, q)) *
+         orientation(points, with_apex(facet.facet, facet.apex));
+}
+
+Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
+  Witness witness{
+      .simplices = {mesh.simplices[facet.simplex]}, .face = facet.facet, .vertices = {q}};
+  const Configuration& points = mesh.points.configuration();
+  witness.values = {
+      {"orientation determinant of facet and own apex",
+       orientation_determinant(points, points.axes(), with_apex(facet.facet, facet.apex))},
+      {"orientation determinant of facet and vertex beyond",
+       orientation_determinant(points, points.axes(), with_apex(facet.facet, q))}};
+  return witness;
+}
+
+// ---- Triangulation by definition ----
+// The definition, word for word. Book: Definition 2.1.
+
+namespace {
+
+// "A simplicial complex": any two simplices meet in a common face or not at all. Their faces then do
+// so too, since a face's point has one carrier in either simplex.
+bool judge_pairs(const ExactMesh& mesh, Verdict& verdict) {
+  bool proper = true;
+  for (std::size_t a = 0; a < mesh.simplices.size(); ++a) {
+    for (std::size_t b = a + 1; b < mesh.simplices.size(); ++b) {
+      const Simplex& first = mesh.simplices[a];
+      const Simplex& second = mesh.simplices[b];
+      const auto common = improper_intersection(mesh.points, first, second);
+      if (!common) continue;
+      proper = false;
+      verdict.add(Rule::kOverlap, {.simplices = {first, second}, .point = common});
+    }
+  }
+  return proper;
+}
+
+// "Whose union is conv S". In a complex, a generic path from a covered point of the interior of
+// conv S to an uncovered one leaves the union through the relative interior of a facet that only
+// one simplex has, towards the interior of conv S; so some point of S lies beyond that facet. And
+// nothing outside conv S is covered, because all vertices are points of S.
+void judge_union(const ExactMesh& mesh, Verdict& verdict) {
+  const Configuration& points = mesh.points.configuration();
+  for (const BoundaryFacet& facet : boundary_facets(mesh, facet_uses(mesh.simplices))) {
+    for (Vertex q = 0; mesh.points.names(q); ++q) {
+      if (side_of(points, facet, q) >= 0) continue;
+      verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, q));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+bool judge_complex_by_definition(const ExactMesh& mesh, Verdict& verdict) {
+  if (!judge_pairs(mesh, verdict)) return false;
+  judge_union(mesh, verdict);
+  return true;
+}
+
+// ---- Triangulation by lemma ----
+// Conditions 1–3 of docs/theory/points.md, where it is proved that they suffice.
+
+namespace {
+
+// The witness that two simplices overlap: a point of both off their common face.
+Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
+  const Simplex& first = mesh.simplices[a];
+  const Simplex& second = mesh.simplices[b];
+  return {.simplices = {first, second}, .point = improper_intersection(mesh.points, first, second)};
+}
+
+// Is the vertex of `b` opposite a shared facet on the same side of it as that of `a`?
+bool on_same_side(const ExactMesh& mesh, const FacetUse& a, const FacetUse& b) {
+  const Configuration& points = mesh.points.configuration();
+  const BoundaryFacet facet{a.facet, mesh.simplices[a.simplex][a.opposite], a.simplex};
+  return side_of(points, facet, mesh.simplices[b.simplex][b.opposite]) > 0;
+}
+
+// Two boundary facets that meet in a ridge, each with its vertex off the ridge.
+struct Hinge {
+  const BoundaryFacet& first;
+  Vertex first_far;
+  const BoundaryFacet& second;
+  Vertex second_far;
+  const Simplex& ridge;
+};
+
+// Coplanar facets: are the far vertices on the same side of the ridge, within the plane?
+bool is_folded(const ExactMesh& mesh, const Hinge& hinge) {
+  const Configuration& points = mesh.points.configuration();
+  const std::vector<std::size_t> axes = axes_of(points, hinge.first.facet);
+  Simplex with_far = hinge.ridge;
+  with_far.push_back(hinge.first_far);
+  const int side = orientation(points, axes, with_far);
+  with_far.back() = hinge.second_far;
+  return side == orientation(points, axes, with_far);
+}
+
+bool judge_hinge(const ExactMesh& mesh, const Hinge& hinge, Verdict& verdict) {
+  const Configuration& points = mesh.points.configuration();
+  const int second_side = side_of(points, hinge.first, hinge.second_far);
+  if (second_side < 0) {
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.first, hinge.second_far));
+    return false;
+  }
+  if (side_of(points, hinge.second, hinge.first_far) < 0) {
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, hinge.second, hinge.first_far));
+    return false;
+  }
+  if (second_side == 0 && is_folded(mesh, hinge)) {
+    verdict.add(Rule::kOverlap, overlap(mesh, hinge.first.simplex, hinge.second.simplex));
+    return false;
+  }
+  return true;
+}
+
+// A vertex of the sample's simplex that lies strictly beyond the facet. There is one whenever the
+// sample point does not lie strictly on the inner side: it is the mean of the vertices, and a sound
+// simplex does not lie in a hyperplane.
+Vertex vertex_beyond(const ExactMesh& mesh, const BoundaryFacet& facet,
+                     const Simplex& sample_simplex) {
+  return *std::find_if(sample_simplex.begin(), sample_simplex.end(), [&](Vertex v) {
+    return side_of(mesh.points.configuration(), facet, v) < 0;
+  });
+}
+
+// Is the sample point in the closed simplex?
+bool covers(const Configuration& points, const Simplex& simplex, Vertex sample) {
+  const int own = orientation(points, simplex);
+  for (std::size_t place = 0; place < simplex.size(); ++place) {
+    const int side = orientation(points, with_vertex_replaced(simplex, place, sample));
+    if (side * own < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                          Verdict& verdict) {
+  bool matched = true;
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    if (group.size() > 2) {
+      matched = false;
+      Witness witness{.face = group.front().facet};
+      for (const FacetUse& use : group) witness.simplices.push_back(mesh.simplices[use.simplex]);
+      verdict.add(Rule::kFacetOverused, witness);
+    } else if (group.size() == 2 && on_same_side(mesh, group[0], group[1])) {
+      matched = false;
+      verdict.add(Rule::kOverlap, overlap(mesh, group[0].simplex, group[1].simplex));
+    }
+  });
+  return matched;
+}
+
+bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
+                  const std::vector<FacetUse>& ridges, Verdict& verdict) {
+  bool closed = true;
+  bool convex = true;
+  for_each_facet(ridges, [&](std::span<const FacetUse> group) {
+    const auto far = [&](const FacetUse& use) { return boundary[use.simplex].facet[use.opposite]; };
+    if (group.size() == 2) {
+      const Hinge hinge{boundary[group[0].simplex], far(group[0]), boundary[group[1].simplex],
+                        far(group[1]), group[0].facet};
+      convex &= judge_hinge(mesh, hinge, verdict);
+      return;
+    }
+    closed = false;
+    Witness witness{.face = group.front().facet};
+    for (const FacetUse& use : group) witness.simplices.push_back(boundary[use.simplex].facet);
+    verdict.add(Rule::kHullNotClosed, witness);
+  });
+  return closed && convex;
+}
+
+void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
+                        Verdict& verdict) {
+  const Simplex& first = mesh.simplices.front();
+  const Point sample = barycentre(coordinates(mesh.points, first));
+  std::vector<Point> with_sample = mesh.points.points();
+  with_sample.push_back(sample);
+  const Configuration points(with_sample);
+  const auto o = static_cast<Vertex>(mesh.points.size());
+  bool inside_hull = true;
+  for (const BoundaryFacet& facet : boundary) {
+    if (side_of(points, facet, o) > 0) continue;
+    inside_hull = false;
+    verdict.add(Rule::kHullNotConvex, beyond(mesh, facet, vertex_beyond(mesh, facet, first)));
+  }
+  if (!inside_hull) return;
+  for (std::size_t s = 1; s < mesh.simplices.size(); ++s) {
+    if (!covers(points, mesh.simplices[s], o)) continue;
+    verdict.add(Rule::kCoveredTwice, {.simplices = {first, mesh.simplices[s]}, .point = sample});
+  }
+}
+
+bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
+                            Verdict& verdict) {
+  if (mesh.simplices.empty()) return true;
+  if (!judge_facet_matching(mesh, uses, verdict)) return false;
+  const std::vector<BoundaryFacet> boundary = boundary_facets(mesh, uses);
+  std::vector<Simplex> facets;
+  facets.reserve(boundary.size());
+  for (const BoundaryFacet& facet : boundary) facets.push_back(facet.facet);
+  if (judge_ridges(mesh, boundary, facet_uses(facets), verdict))
+    judge_sample_point(mesh, boundary, verdict);
+  return true;
+}
+
+// ---- Neighbors ----
+
+namespace {
+
+// `across` is the place of the true neighbour in the list of simplices, or −1.
+void judge_link(const ExactMesh& mesh, const FacetUse& use, Vertex across, Verdict& verdict) {
+  const Vertex expected = across < 0 ? -1 : across + mesh.neighbors->first_index;
+  const Vertex listed = mesh.neighbors->rows[use.simplex][use.opposite];
+  if (listed == expected) return;
+  const Simplex* const simplex =
+      across < 0 ? nullptr : &mesh.simplices[static_cast<std::size_t>(across)];
+  add_wrong_neighbor(mesh, use, simplex, listed, expected, verdict);
+}
+
+}  // namespace
+
+void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict) {
+  for_each_facet(uses, [&](std::span<const FacetUse> group) {
+    const bool shared = group.size() == 2;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Vertex across = shared ? static_cast<Vertex>(group[1 - i].simplex) : -1;
+      judge_link(mesh, group[i], across, verdict);
+    }
+  });
+}
+
+void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
+                        Vertex listed, Vertex expected, Verdict& verdict) {
+  Witness witness{.simplices = {mesh.simplices[use.simplex]},
+                  .face = use.facet,
+                  .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
+                             {"neighbour across the face", Rational(static_cast<long>(expected))}}};
+  // The true neighbour by its vertices, so that nobody has to count simplices.
+  if (across != nullptr) witness.simplices.push_back(*across);
+  verdict.add(Rule::kWrongNeighbor, witness);
+}
+
+}  // namespace circumspect::check
