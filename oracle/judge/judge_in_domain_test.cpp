@@ -1,5 +1,5 @@
 // Meshes of domains, judged with what the fast judge knows of their simplices and without: the same word
-// for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_test.cpp.
+// for word, whatever is wrong with them. On the corpus: corpus/simplex_facts_slow_test.cpp.
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
