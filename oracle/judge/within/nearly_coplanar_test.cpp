@@ -81,7 +81,7 @@ TEST_CASE("a joined polygon has the vertices and segments of its members, and th
   CHECK(joined.squared_height <= 9 * kBit * kBit);
 }
 
-TEST_CASE("what folds back is not joined, and nothing that other cells are near") {
+TEST_CASE("what folds back is not joined, and other cells bar it or limit the distance") {
   PiecewiseLinearInput folded = bent_square(3);
   folded.points[3] = {1, Rational(1, 4), 3 * kBit};  // over the first triangle
   auto joined =
@@ -90,11 +90,18 @@ TEST_CASE("what folds back is not joined, and nothing that other cells are near"
   CHECK(joined.refused == 1);
 
   PiecewiseLinearInput near = bent_square(3);
-  near.points.push_back({Rational(1, 2), Rational(1, 4), 250 * kBit});
+  near.points.push_back({Rational(1, 2), Rational(1, 4), 20 * kBit});
   joined = nearly_coplanar_polygons_joined(valid(near), listed_segments(near), flatness(3));
   CHECK(joined.refused == 1);
+  CHECK(!joined.squared_limit);
+  near.points.back()[2] = 250 * kBit;
+  joined = nearly_coplanar_polygons_joined(valid(near), listed_segments(near), flatness(3));
+  CHECK(joined.complex.polygons.size() == 1);
+  CHECK(joined.squared_limit == 250 * kBit * (250 * kBit) / 32);
   near.points.back()[2] = 1000 * kBit;
-  CHECK(joined_polygons(near, 3) == 1);
+  joined = nearly_coplanar_polygons_joined(valid(near), listed_segments(near), flatness(3));
+  CHECK(joined.complex.polygons.size() == 1);
+  CHECK(!joined.squared_limit);
 }
 
 TEST_CASE("a mesh with other diagonals holds for the joined polygons, and nothing is hidden") {
