@@ -11,6 +11,8 @@
 namespace circumspect::cli {
 namespace {
 
+constexpr int kTimesTenSmaller = 4;  // a distance is divided by ten
+
 bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
 
 // A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
@@ -41,9 +43,21 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
   const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
-  return check::judge_within(claim, exact(mesh), bent != nullptr ? bent->domain : domain, squared,
-                             options, known ? &*known : nullptr,
-                             bent != nullptr ? &domain : nullptr);
+  const ExactMesh exact_mesh = exact(mesh);
+  const auto judged = [&] {
+    return check::judge_within(claim, exact_mesh, bent != nullptr ? bent->domain : domain, squared,
+                               options, known ? &*known : nullptr,
+                               bent != nullptr ? &domain : nullptr);
+  };
+  auto verdict = judged();
+  // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
+  // smaller one finds what is missing, and what holds at none of those that were looked at does not hold at it.
+  for (int times = 0; bent != nullptr && !verdict && verdict.error().is_input_fault; ++times) {
+    if (times == kTimesTenSmaller) break;
+    squared /= 100;
+    if (auto smaller = judged()) verdict = std::move(smaller);
+  }
+  return verdict;
 }
 
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
@@ -133,7 +147,7 @@ std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
       with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
   if (bent.squared_height == 0) return std::nullopt;
   const auto moved = judged_within(most, claim, mesh, flat.domain, options, &bent);
-  if (!moved || !moved->holds()) return std::nullopt;
+  if (!moved || !is_mended(*moved)) return std::nullopt;
   return bending_note(verdict, *moved, bent.squared_height);
 }
 

@@ -18,6 +18,8 @@ namespace {
 // vertices are to move as far as they may in a complex of flat ones.
 constexpr long kTimesFarther = 8;
 constexpr long kTimesFarthest = 100;
+// The square of the tangent of 5 degrees, rounded up: no polygon is steeper upon the plane of all.
+const Rational kSquaredSteepest(77, 10'000);
 
 Point crossed(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -114,11 +116,13 @@ class NearlyCoplanar {
     return places;
   }
 
+  bool are_at_most(const Rational& squared_slope, const Plane& a, const Plane& b) const {
+    const Rational along = inner_product(a.normal, b.normal);
+    return squared_length(crossed(a.normal, b.normal)) <= squared_slope * along * along;
+  }
+
   bool is_flat_enough(std::size_t polygon, const Plane& plane) const {
-    const Point& normal = planes_[polygon].normal;
-    const Rational along = inner_product(normal, plane.normal);
-    const Rational across = squared_length(crossed(normal, plane.normal));
-    if (across > flatness_.squared_slope * along * along) return false;
+    if (!are_at_most(kSquaredSteepest, planes_[polygon], plane)) return false;
     const Rational limit = flatness_.squared_distance * squared_length(plane.normal);
     const std::vector<Vertex>& vertices = complex_.polygons[polygon].vertices;
     return std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {
@@ -136,7 +140,10 @@ class NearlyCoplanar {
         const auto at = at_.find(segment);
         if (at == at_.end()) continue;
         for (const std::size_t other : at->second) {
-          if (set_[other] != kNone || !is_flat_enough(other, plane)) continue;
+          if (set_[other] != kNone) continue;
+          const Plane& beside = planes_[members[next]];
+          if (!are_at_most(flatness_.squared_slope, beside, planes_[other])) continue;
+          if (!is_flat_enough(other, plane)) continue;
           set_[other] = seed;
           members.push_back(other);
         }

@@ -11,8 +11,8 @@ namespace circumspect::check {
 
 // How flat joined polygons have to be.
 struct Flatness {
-  Rational squared_slope;  // the square of the tangent of the angle of each with the plane of all
-  Rational squared_distance;  // of each vertex from that plane
+  Rational squared_slope;     // the square of the tangent of the angle of two that share a segment
+  Rational squared_distance;  // of each vertex from the plane of all
 };
 
 // A complex some of whose polygons are not flat: the plane of such a polygon is that of its first triangle.
@@ -28,8 +28,8 @@ struct NearlyJoined {
 };
 
 // From the largest polygon to the smallest, each that is still alone takes in those beside it, and those
-// beside these, across segments that two polygons have and nothing else, as long as they are flat enough for
-// its own plane. Such a set is not joined if two of its polygons are before each other, seen along the
+// beside these, across segments that two polygons have and nothing else, as long as the angle there is small enough, as
+// TetGen asks it, and they are flat enough for its own plane, with which none makes more than 5 degrees. Such a set is not joined if two of its polygons are before each other, seen along the
 // normal of the plane, or if a cell that has no vertex in common with it is nearer to it than 8
 // times the distance of its own vertices from the plane. Up to 100 times that distance, such a cell
 // limits how far vertices may be moved.

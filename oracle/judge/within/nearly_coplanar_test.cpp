@@ -68,6 +68,24 @@ TEST_CASE("polygons are joined up to a distance from one plane, and not beyond i
   CHECK(joined_polygons(steep, 3) == 2);
 }
 
+TEST_CASE("the angle is that of two polygons beside each other, not that with the first") {
+  // Strips, each a little steeper than the one before: 0.0016 is about 0.09 degrees.
+  PiecewiseLinearInput strips;
+  Rational height = 0;
+  for (int i = 0; i <= 3; ++i) {
+    height += i * Rational(16, 10'000);
+    strips.points.push_back({i, 0, height});
+    strips.points.push_back({i, 9, height});
+  }
+  for (Vertex i = 0; i < 6; i += 2) strips.polygons.push_back({{{i, i + 1, i + 3, i + 2}}, {}});
+  const auto joined_of = [&](const Rational& slope) {
+    return nearly_coplanar_polygons_joined(valid(strips), {}, {slope * slope, 1})
+        .complex.polygons.size();
+  };
+  CHECK(joined_of(Rational(17, 10'000)) == 1);
+  CHECK(joined_of(Rational(15, 10'000)) == 3);
+}
+
 TEST_CASE("a joined polygon has the vertices and segments of its members, and their plane first") {
   const PiecewiseLinearInput input = bent_square(3);
   const auto joined =
