@@ -67,9 +67,9 @@ Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain
 // The domain, and the same with polygons joined that are not flat, if that is asked for.
 struct HeldAgainst {
   LoadedDomain loaded;
-  std::optional<Domain> bent = {};
+  std::optional<BentDomain> bent = {};
 
-  const Domain& judged() const { return bent ? *bent : loaded.domain; }
+  const Domain& judged() const { return bent ? bent->domain : loaded.domain; }
 };
 
 // Says what a mesh was found to be.
@@ -168,8 +168,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
-    auto judged = judged_within(*options.within, claim, mesh, against.judged(), options.check,
-                                against.bent ? &domain.domain : nullptr);
+    auto judged = judged_within(*options.within, claim, mesh, domain.domain, options.check,
+                                against.bent ? &*against.bent : nullptr);
     if (!judged) {
       const auto& [reason, is_input_fault] = judged.error();
       output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,
@@ -187,10 +187,12 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     verdict = std::move(*judged);
   }
   std::vector<std::string> notes = loaded->notes;
+  std::optional<std::string> weaker;
+  if (!options.claim) weaker = note_of_weaker_claim(*verdict);
   std::optional<std::string> lone;  // polygons of a bent domain are others
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const Judged judged{claim, mesh, domain, options.within, options.said.merged_slope.has_value()};
-  for (const auto& note : {remedy(*verdict, judged, options.check), lone}) {
+  for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
     if (!note) continue;
     notes.push_back(*note);
     output.note(*note);
@@ -212,8 +214,8 @@ void check_against_domain(const CheckOptions& options, Output& output) {
   if (options.said.merges_bent() && loaded.domain.complex.ambient_dimension() == 3) {
     const Rational squared = options.within->squared(loaded.domain.complex);
     BentDomain bent = with_nearly_coplanar_joined(loaded, *options.said.merged_slope, squared);
-    loaded.file.notes.push_back(std::move(bent.note));
-    if (bent.removed_segments > 0) against.bent = std::move(bent.domain);
+    loaded.file.notes.push_back(bent.note);
+    if (bent.removed_segments > 0) against.bent = std::move(bent);
   }
   for (const std::string& note : loaded.file.notes) output.note(note);
   for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, against, output);
@@ -224,9 +226,8 @@ std::string usage_fault(const CheckOptions& options) {
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
   if (options.certificate && (about_domain || options.domain)) {
     return fmt::format(
-        "expected no {} beside --certificate, found one: circumspect certify writes the "
-        "certificates "
-        "of meshes with a domain",
+        "expected no {} beside --certificate, found one: for meshes with a domain, circumspect "
+        "certify writes the certificates",
         options.domain ? "--domain" : "claim about a domain");
   }
   if (about_domain && !options.domain) {
@@ -242,19 +243,17 @@ std::string usage_fault(const CheckOptions& options) {
     return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
   }
   if (options.said.merges_bent() && !options.within) {
-    return "expected --within DISTANCE beside --merge-coplanar with an angle, found none: how far "
-           "from "
-           "one plane vertices may be has to be said";
+    return "expected --within DISTANCE beside --merge-coplanar with an angle, found none: say how "
+           "far vertices may be from one plane";
   }
   if (std::string fault = domain_options_fault(options.said); !fault.empty()) return fault;
   if (options.input.neighbors && !options.input.kept_labels.empty()) {
-    return "expected no --neighbors beside --keep-label, found it: a .neigh file is about all "
+    return "expected no --neighbors beside --keep-label, found it: a .neigh file tells of all "
            "cells";
   }
   if (options.certificate && !options.input.kept_labels.empty()) {
-    return "expected no --certificate beside --keep-label, found one: certificates are about all "
-           "cells of a "
-           "file";
+    return "expected no --certificate beside --keep-label, found one: a certificate tells of all "
+           "cells of a file";
   }
   if (options.certificate && options.meshes.size() != 1) {
     return fmt::format("expected one mesh beside --certificate, found {}", options.meshes.size());

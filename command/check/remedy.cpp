@@ -11,6 +11,8 @@
 namespace circumspect::cli {
 namespace {
 
+constexpr int kTimesTenSmaller = 4;  // a distance is divided by ten
+
 bool breaks(const Verdict& verdict, Rule rule) { return verdict.tallies().contains(rule); }
 
 // A polygon that bounds nothing and has the vertex or segment that is missing, or is missing itself; none if another
@@ -37,10 +39,25 @@ std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDoma
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
                                                       const check::Options& options,
-                                                      const Domain* flat) {
+                                                      const BentDomain* bent) {
   const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
-  return check::judge_within(claim, exact(mesh), domain, distance.squared(domain.complex), options,
-                             known ? &*known : nullptr, flat);
+  Rational squared = distance.squared(domain.complex);
+  if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
+  const ExactMesh exact_mesh = exact(mesh);
+  const auto judged = [&] {
+    return check::judge_within(claim, exact_mesh, bent != nullptr ? bent->domain : domain, squared,
+                               options, known ? &*known : nullptr,
+                               bent != nullptr ? &domain : nullptr);
+  };
+  auto verdict = judged();
+  // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
+  // smaller one finds what is missing, and what holds at none of those that were looked at does not hold at it.
+  for (int times = 0; bent != nullptr && !verdict && verdict.error().is_input_fault; ++times) {
+    if (times == kTimesTenSmaller) break;
+    squared /= 100;
+    if (auto smaller = judged()) verdict = std::move(smaller);
+  }
+  return verdict;
 }
 
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
@@ -56,16 +73,33 @@ std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
   if (missing.empty()) return std::nullopt;
   std::sort(missing.begin(), missing.end());
   missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  const std::string first = domain.domain.polygon_name(missing.front());
+  if (missing.size() == 1) {
+    return fmt::format(
+        "polygon {} bounds nothing that is filled: a program that meshes what is enclosed leaves "
+        "it out. If it is to be in the mesh, list its triangles in the .face file; otherwise take "
+        "it out of the domain",
+        first);
+  }
   return fmt::format(
-      "polygon {} bounds nothing that is filled{}: a program that meshes what is enclosed leaves "
-      "it "
-      "out. If it is to be in the mesh, its triangles have to be listed in the .face file; if it "
-      "is "
-      "not, take it out of the domain",
-      domain.domain.polygon_name(missing.front()),
-      missing.size() == 1 ? ""
-                          : fmt::format(", nor {} {} more", missing.size() == 2 ? "does" : "do",
-                                        missing.size() - 1));
+      "polygon {} and {} more bound nothing that is filled: a program that meshes what is enclosed "
+      "leaves them out. If they are to be in the mesh, list their triangles in the .face file; "
+      "otherwise take them out of the domain",
+      first, missing.size() - 1);
+}
+
+std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
+  const bool has_steiner_points = verdict.claim() == Claim::kSteinerCdt;
+  if (verdict.holds() || (!has_steiner_points && verdict.claim() != Claim::kCdt)) {
+    return std::nullopt;
+  }
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    if (!identifier(rule).starts_with("cdt.")) return std::nullopt;
+  }
+  return fmt::format(
+      "the mesh is a triangulation of the domain, but not a constrained Delaunay one. If the "
+      "program does not promise that, add --claim {}: it holds",
+      name(has_steiner_points ? Claim::kSteinerTriangulation : Claim::kPlcTriangulation));
 }
 
 std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
@@ -81,13 +115,13 @@ std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
   const bool is_large = mesh.simplices.size() > kMostSimplicesTriedMoved;
   if (is_large && joined) {
     return fmt::format(
-        "{} of the domain lie between polygons of one plane: --merge-coplanar tells whether that "
-        "is "
+        "between polygons of one plane the domain has {}: --merge-coplanar tells whether they are "
         "all that is wrong",
         report::counted(segments(domain) - segments(*joined), "segment"));
   }
   if (is_large && !within) {
-    return "coordinates may have been rounded: --within 1e-9x tells whether that is all";
+    return "coordinates may have been rounded: --within 1e-9x tells whether that is all that is "
+           "wrong";
   }
   if (is_large) return std::nullopt;
   const Distance distance = within.value_or(Distance{Rational(1, kRoundedParts), true});
@@ -112,8 +146,8 @@ std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
   const BentDomain bent =
       with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
   if (bent.squared_height == 0) return std::nullopt;
-  const auto moved = judged_within(most, claim, mesh, bent.domain, options, &flat.domain);
-  if (!moved || !moved->holds()) return std::nullopt;
+  const auto moved = judged_within(most, claim, mesh, flat.domain, options, &bent);
+  if (!moved || !is_mended(*moved)) return std::nullopt;
   return bending_note(verdict, *moved, bent.squared_height);
 }
 

@@ -13,16 +13,20 @@
 
 namespace circumspect::cli {
 
-// The verdict for the domain with its cells moved by no more than `distance`. `flat`: if some polygons of the
-// domain are not flat, the domain of which these were joined. Requires: no equal points.
+// The verdict for the domain with its cells moved by no more than `distance`. `bent`: the domain with polygons joined
+// that are not flat, if it is that one. Requires: no equal points.
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
                                                       const check::Options& options,
-                                                      const Domain* flat = nullptr);
+                                                      const BentDomain* bent = nullptr);
 
 // Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not what is missing.
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
                                                  const LoadedDomain& domain);
+
+// What a mesh is whose only fault is that it is not constrained Delaunay, which was claimed for it; none if that is
+// not all. The rules about balls are asked of triangulations of the domain alone.
+std::optional<std::string> note_of_weaker_claim(const Verdict& verdict);
 
 // What was judged, and what the user said of it.
 struct Judged {

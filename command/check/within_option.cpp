@@ -127,9 +127,11 @@ std::string bending_note(const Verdict& exact, const Verdict& bent,
   const Rational squared =
       bent.within ? std::max(bent.within->squared_reach, squared_height) : squared_height;
   return fmt::format(
-      "that polygons of nearly one plane are several may be all that is wrong ({}): with "
-      "--merge-coplanar 0.1deg --within {} it holds",
-      missing_cells(exact), report::square_root_rounded_up(squared));
+      "that polygons of nearly one plane are several may be {} ({}): with --merge-coplanar 0.1deg "
+      "--within {} {}",
+      bent.holds() ? "all that is wrong" : "a part of what is wrong", missing_cells(exact),
+      report::square_root_rounded_up(squared),
+      bent.holds() ? "it holds" : "what is left is " + all_breaches(bent));
 }
 
 }  // namespace circumspect::cli

@@ -33,8 +33,7 @@ inline constexpr long kRoundedParts = 1'000'000'000;  // of the longest side of 
 std::string rounding_note(const Verdict& exact, const Verdict& moved);
 // The same if polygons of one plane are joined, and cells moved as far as `merged` says, if it does.
 std::string merging_note(const Verdict& exact, const Verdict& merged);
-// The same if polygons of nearly one plane are joined, which are flat up to the square root of `squared_height`, and
-// it holds then.
+// The same if polygons of nearly one plane are joined, which are flat up to the square root of `squared_height`.
 inline constexpr long kBentParts = 100'000;  // of the longest side of the bounding box
 inline const Rational kUsualSlope =
     Rational(1745329251994329L, 1'000'000'000'000'000'000L);  // of 0.1deg

@@ -65,7 +65,7 @@ Run check_written(const std::string& mesh, const std::string& domain,
 
 TEST_CASE("surfaces as programs write them have the verdicts of their table") {
   const std::vector<WrittenRow> rows = written_rows();
-  CHECK(rows.size() >= 40);
+  CHECK(rows.size() >= 70);
   for (const WrittenRow& row : rows) {
     std::string text;
     for (const std::string& word : row.arguments) text += word + " ";
@@ -89,6 +89,28 @@ TEST_CASE("where edges between coplanar polygons are all that is missing, a note
   CHECK(!has(check_written("cube.ele", "cube-with-seam.poly", {"--merge-coplanar"}).out,
              "may be all that is wrong"));
   CHECK(!has(check_written("cube.ele", "cube-with-seam.poly", {}).out, "may be all that is wrong"));
+}
+
+TEST_CASE("a mesh whose only fault is that it is not Delaunay is said to be a triangulation") {
+  const std::string note =
+      "note: the mesh is a triangulation of the domain, but not a constrained Delaunay one. If the "
+      "program does not promise that, add --claim plc-triangulation: it holds\n";
+  CHECK(has(check_written("bipyramid.ele", "bipyramid.off", {}).out, note));
+  CHECK(!has(check_written("bipyramid.ele", "bipyramid.off", {"--claim", "cdt"}).out, note));
+  CHECK(!has(check_written("cube.ele", "cube-in-triangles.off", {}).out, note));
+}
+
+TEST_CASE("where other cells are near what is not flat, the verdict says how far it has looked") {
+  const auto checked = [](const std::string& mesh) {
+    return check_written(
+        mesh, "lid-with-bulb.poly",
+        {"--claim", "steiner-triangulation", "--merge-coplanar", "0.1deg", "--within", "1e-3x"});
+  };
+  CHECK(checked("lid-with-bulb.ele").exit_code == 0);
+  const Run bare = checked("lid.ele");
+  CHECK(bare.exit_code == 1);
+  CHECK(has(bare.out, "beyond ~ "));
+  CHECK(!has(bare.out, "beyond ~ 6.0e-03"));
 }
 
 TEST_CASE("a polygon that bounds nothing is named with its line, and so is a failure by it") {

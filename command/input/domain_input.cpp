@@ -110,6 +110,7 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   }
   if (watch.on_valid) watch.on_valid(*complex, file);
   LoadedDomain loaded{path, domain_of(std::move(*complex), file), std::move(file)};
+  loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
   auto chosen = choose_kind(loaded.domain, loaded.file.input, said, leak);
   if (!chosen) return tl::unexpected(DomainFault{path + ": " + chosen.error()});
@@ -156,7 +157,7 @@ LoadedDomain with_coplanar_joined(LoadedDomain loaded) {
 BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rational& slope,
                                        const Rational& squared_distance) {
   check::NearlyJoined joined = check::nearly_coplanar_polygons_joined(
-      loaded.domain.complex, listed_segments(loaded.file.input), {slope * slope, squared_distance});
+      loaded.domain.complex, loaded.listed, {slope * slope, squared_distance});
   std::string note =
       joined.removed_segments == 0
           ? loaded.name +
@@ -172,7 +173,8 @@ BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rationa
   Domain domain = loaded.domain;
   domain.complex = std::move(joined.complex);
   domain.polygon_names = names_of_joined(loaded.domain, joined.members);
-  return {std::move(domain), joined.removed_segments, joined.squared_height, std::move(note)};
+  return {std::move(domain), joined.removed_segments, joined.squared_height, std::move(note),
+          joined.squared_limit};
 }
 
 }  // namespace circumspect::cli

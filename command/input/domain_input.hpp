@@ -24,6 +24,7 @@ struct LoadedDomain {
   formats::DomainFile file;
   std::string filled = {};                      // "enclosed, what its polygons enclose"
   std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
+  std::vector<Simplex> listed = {};  // what the file lists as segments: `listed_segments`
 };
 
 // What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could
@@ -65,6 +66,7 @@ struct BentDomain {
   std::size_t removed_segments = 0;
   Rational squared_height = 0;  // how far at most vertices are from the plane of a polygon
   std::string note = {};        // what was joined
+  std::optional<Rational> squared_limit = {};  // up to which images keep apart what is apart
 };
 BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rational& slope,
                                        const Rational& squared_distance);

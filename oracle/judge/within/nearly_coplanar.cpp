@@ -14,8 +14,12 @@
 namespace circumspect::check {
 namespace {
 
-// How much farther than its own height other cells have to be from a polygon that is not flat.
-constexpr long kTimesFarther = 100;
+// How much farther than its own height other cells have to be from a polygon that is not flat, and how much if
+// vertices are to move as far as they may in a complex of flat ones.
+constexpr long kTimesFarther = 8;
+constexpr long kTimesFarthest = 100;
+// The square of the tangent of 5 degrees, rounded up: no polygon is steeper upon the plane of all.
+const Rational kSquaredSteepest(77, 10'000);
 
 Point crossed(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -72,7 +76,7 @@ class NearlyCoplanar {
     for (const std::size_t seed : largest_first()) {
       if (set_[seed] == kNone) grow(seed);
     }
-    NearlyJoined joined{complex_, {}, 0, squared_height_, refused_};
+    NearlyJoined joined{complex_, {}, 0, squared_height_, refused_, squared_limit_};
     joined.complex.polygons.clear();
     std::set<Simplex> removed;
     for (const auto& [segment, polygons] : at_) {
@@ -112,11 +116,13 @@ class NearlyCoplanar {
     return places;
   }
 
+  bool are_at_most(const Rational& squared_slope, const Plane& a, const Plane& b) const {
+    const Rational along = inner_product(a.normal, b.normal);
+    return squared_length(crossed(a.normal, b.normal)) <= squared_slope * along * along;
+  }
+
   bool is_flat_enough(std::size_t polygon, const Plane& plane) const {
-    const Point& normal = planes_[polygon].normal;
-    const Rational along = inner_product(normal, plane.normal);
-    const Rational across = squared_length(crossed(normal, plane.normal));
-    if (across > flatness_.squared_slope * along * along) return false;
+    if (!are_at_most(kSquaredSteepest, planes_[polygon], plane)) return false;
     const Rational limit = flatness_.squared_distance * squared_length(plane.normal);
     const std::vector<Vertex>& vertices = complex_.polygons[polygon].vertices;
     return std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {
@@ -134,7 +140,10 @@ class NearlyCoplanar {
         const auto at = at_.find(segment);
         if (at == at_.end()) continue;
         for (const std::size_t other : at->second) {
-          if (set_[other] != kNone || !is_flat_enough(other, plane)) continue;
+          if (set_[other] != kNone) continue;
+          const Plane& beside = planes_[members[next]];
+          if (!are_at_most(flatness_.squared_slope, beside, planes_[other])) continue;
+          if (!is_flat_enough(other, plane)) continue;
           set_[other] = seed;
           members.push_back(other);
         }
@@ -150,14 +159,20 @@ class NearlyCoplanar {
         highest = std::max(highest, Rational(abs(plane.height_times_length(complex_.points[v]))));
       }
     }
-    if (!are_beside_each_other(triangles, plane) || is_near_others(triangles, highest, plane)) {
+    const Rational squared_height = highest * highest / squared_length(plane.normal);
+    std::optional<Rational> apart;
+    const bool is_beside = are_beside_each_other(triangles, plane);
+    if (is_beside) apart = squared_distance_to_others(triangles, squared_height);
+    if (!is_beside || (apart && *apart <= kTimesFarther * kTimesFarther * squared_height)) {
       ++refused_;
       for (const std::size_t p : members) set_[p] = kNone;
       set_[seed] = seed;
       return;
     }
-    squared_height_ =
-        std::max(squared_height_, Rational(highest * highest / squared_length(plane.normal)));
+    squared_height_ = std::max(squared_height_, squared_height);
+    if (!apart) return;
+    const Rational limit = *apart / 32;
+    if (!squared_limit_ || limit < *squared_limit_) squared_limit_ = limit;
   }
 
   // Are no two triangles before each other, seen along the normal?
@@ -194,14 +209,14 @@ class NearlyCoplanar {
     return true;
   }
 
-  // `highest`: as the plane's height_times_length.
-  bool is_near_others(const std::vector<Simplex>& triangles, const Rational& highest,
-                      const Plane& plane) const {
-    Rational longest = 0;  // at most the length of the normal
-    for (const Rational& x : plane.normal) longest = std::max(longest, Rational(abs(x)));
-    const Rational far = kTimesFarther * highest / longest;
+  // How far the next cell without a vertex in common is, unless it is farther than others ever have to be.
+  std::optional<Rational> squared_distance_to_others(const std::vector<Simplex>& triangles,
+                                                     const Rational& squared_height) const {
+    const Rational squared_far = kTimesFarthest * kTimesFarthest * squared_height;
+    const Rational far(upper_square_root(squared_far));
     std::set<Vertex> own;
     for (const Simplex& triangle : triangles) own.insert(triangle.begin(), triangle.end());
+    std::optional<Rational> least;
     for (const Simplex& triangle : triangles) {
       const std::vector<Point> corners = coordinates(complex_.points, triangle);
       Box box = cube(corners[0], far);
@@ -212,10 +227,10 @@ class NearlyCoplanar {
           continue;
         }
         const auto apart = squared_distance_between(corners, coordinates(complex_.points, other));
-        if (apart <= far * far) return true;
+        if (apart <= squared_far && (!least || apart < *least)) least = apart;
       }
     }
-    return false;
+    return least;
   }
 
   Polygon joined_polygon(std::size_t seed, const std::vector<std::size_t>& members,
@@ -250,6 +265,7 @@ class NearlyCoplanar {
   std::optional<BoxIndex> index_;
   Rational squared_height_ = 0;
   std::size_t refused_ = 0;
+  std::optional<Rational> squared_limit_;
 };
 
 }  // namespace

@@ -68,6 +68,24 @@ TEST_CASE("polygons are joined up to a distance from one plane, and not beyond i
   CHECK(joined_polygons(steep, 3) == 2);
 }
 
+TEST_CASE("the angle is that of two polygons beside each other, not that with the first") {
+  // Strips, each a little steeper than the one before: 0.0016 is about 0.09 degrees.
+  PiecewiseLinearInput strips;
+  Rational height = 0;
+  for (int i = 0; i <= 3; ++i) {
+    height += i * Rational(16, 10'000);
+    strips.points.push_back({i, 0, height});
+    strips.points.push_back({i, 9, height});
+  }
+  for (Vertex i = 0; i < 6; i += 2) strips.polygons.push_back({{{i, i + 1, i + 3, i + 2}}, {}});
+  const auto joined_of = [&](const Rational& slope) {
+    return nearly_coplanar_polygons_joined(valid(strips), {}, {slope * slope, 1})
+        .complex.polygons.size();
+  };
+  CHECK(joined_of(Rational(17, 10'000)) == 1);
+  CHECK(joined_of(Rational(15, 10'000)) == 3);
+}
+
 TEST_CASE("a joined polygon has the vertices and segments of its members, and their plane first") {
   const PiecewiseLinearInput input = bent_square(3);
   const auto joined =
@@ -81,7 +99,7 @@ TEST_CASE("a joined polygon has the vertices and segments of its members, and th
   CHECK(joined.squared_height <= 9 * kBit * kBit);
 }
 
-TEST_CASE("what folds back is not joined, and nothing that other cells are near") {
+TEST_CASE("what folds back is not joined, and other cells bar it or limit the distance") {
   PiecewiseLinearInput folded = bent_square(3);
   folded.points[3] = {1, Rational(1, 4), 3 * kBit};  // over the first triangle
   auto joined =
@@ -90,11 +108,18 @@ TEST_CASE("what folds back is not joined, and nothing that other cells are near"
   CHECK(joined.refused == 1);
 
   PiecewiseLinearInput near = bent_square(3);
-  near.points.push_back({Rational(1, 2), Rational(1, 4), 250 * kBit});
+  near.points.push_back({Rational(1, 2), Rational(1, 4), 20 * kBit});
   joined = nearly_coplanar_polygons_joined(valid(near), listed_segments(near), flatness(3));
   CHECK(joined.refused == 1);
+  CHECK(!joined.squared_limit);
+  near.points.back()[2] = 250 * kBit;
+  joined = nearly_coplanar_polygons_joined(valid(near), listed_segments(near), flatness(3));
+  CHECK(joined.complex.polygons.size() == 1);
+  CHECK(joined.squared_limit == 250 * kBit * (250 * kBit) / 32);
   near.points.back()[2] = 1000 * kBit;
-  CHECK(joined_polygons(near, 3) == 1);
+  joined = nearly_coplanar_polygons_joined(valid(near), listed_segments(near), flatness(3));
+  CHECK(joined.complex.polygons.size() == 1);
+  CHECK(!joined.squared_limit);
 }
 
 TEST_CASE("a mesh with other diagonals holds for the joined polygons, and nothing is hidden") {
