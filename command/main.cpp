@@ -8,9 +8,13 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 #include <unistd.h>
+#include <zlib.h>
 
 #include "command/options/domain_options.hpp"
+#include "command/options/help.hpp"
 #include "command/options/unknown_words.hpp"
 #include "command/output/exit_code.hpp"
 #include "command/output/output.hpp"
@@ -20,15 +24,26 @@
 #include "reference/existence/existence.hpp"
 #include "reference/kernel/exact/number.hpp"
 
+namespace circumspect::cli {
+// command/CMakeLists.txt writes both: a commit or "unknown", and libraries.
+const char* built_from();
+const char* built_with();
+}  // namespace circumspect::cli
+
 namespace {
 
 using circumspect::cli::ExitCode;
 
 std::string version() {
-  return fmt::format("circumspect {} ({}, {}, {{fmt}} {}.{}.{}, CLI11 {})", CIRCUMSPECT_VERSION,
-                     circumspect::number_libraries(), circumspect::existence::solver_version(),
-                     FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
-                     CLI11_VERSION);
+  return fmt::format(
+      "circumspect {} ({}, {}, {}, {{fmt}} {}.{}.{}, CLI11 {}, nlohmann/json {}.{}.{}, pugixml "
+      "{}.{}, "
+      "zlib {}), commit {}",
+      CIRCUMSPECT_VERSION, circumspect::number_libraries(), circumspect::cli::built_with(),
+      circumspect::existence::solver_version(), FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+      FMT_VERSION % 100, CLI11_VERSION, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+      NLOHMANN_JSON_VERSION_PATCH, PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100,
+      zlibVersion(), circumspect::cli::built_from());
 }
 
 // Something is missing, or too much: most often since a word was mistyped.
@@ -66,6 +81,7 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_generate(app, exit_code);
   circumspect::cli::add_compare(app, exit_code);
   circumspect::cli::add_command_pages(app, exit_code);
+  circumspect::cli::lay_out_help(app);
   try {
     std::vector<std::string> words = circumspect::cli::with_angles_joined(argc, argv);
     std::reverse(words.begin(), words.end());

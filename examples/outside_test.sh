@@ -98,6 +98,12 @@ for program in "$work/c/check" "$work"/c-by-pkg-config; do
   grep -q "^delaunay.facet-not-local: vertex 3 in a ball of squared radius 1/2" "$work/said" || fail "expected a witness"
 done
 python3 "$examples/c/check.py" >"$work/said" || fail "the C library was wrong, called by ctypes"
+if command -v rustc >/dev/null; then  # no package that make test installs: debian/fresh_root_test.sh has it
+  echo "the C library, from Rust"
+  quietly rustc --edition 2021 -o "$work/check-in-rust" -L "${library%/*}" -l circumspect "$examples/rust/check.rs"
+  "$work/check-in-rust" >"$work/said" || fail "the C library was wrong, called from Rust"
+  grep -q "^refused: expected finite coordinates, found nan" "$work/said" || fail "expected that Rust is told what is wrong"
+fi
 readelf -d "$library" | grep -q "soname: \[libcircumspect.so.0\]" || fail "expected the soname libcircumspect.so.0"
 readelf -d "$library" | grep -q "rapidcheck" && fail "expected no RapidCheck behind the C library"
 strange=$(nm -D --defined-only "$library" | grep -v -e " circumspect_[a-z_]*@@CIRCUMSPECT_0$" -e " A CIRCUMSPECT_0$" || true)

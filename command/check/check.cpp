@@ -316,7 +316,8 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       ->add_option(
           "mesh", options->meshes,
           "Meshes: .ele (points in the .node beside it), .msh, .vtk, .vtu, .mesh, .json, .off, "
-          ".obj, .ply, .tet, .qhull-i, .npy (with --points); - for JSON on stdin")
+          ".obj, .ply, .tet, .npz, .qhull-i, .npy (with --points); - for standard input, in any of "
+          "these formats")
       ->required();
   add_claim_option(*command, options->claim,
                    "The claim to judge (default: delaunay; with a domain cdt, or steiner-cdt if "

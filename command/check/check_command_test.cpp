@@ -194,6 +194,29 @@ TEST_CASE("check: a mesh on standard input, and points elsewhere") {
   CHECK(run({"check", meshes.bad, "--points", elsewhere}).exit_code == 1);
 }
 
+TEST_CASE("check: a mesh on standard input is told by what it holds") {
+  const std::vector<std::string> meshes = {
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+      "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty "
+      "double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n"
+      "0 1 0\n3 0 1 2\n",
+      "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n0 1 0\nTriangles\n1\n1 2 3 "
+      "0\nEnd\n",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+      "$Elements\n1\n1 2 0 1 2 3\n$EndElements\n",
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 "
+      "0 "
+      "0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n",
+      "4 vertices\n1 tets\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2 3\n"};
+  for (const std::string& mesh : meshes) {
+    CAPTURE(mesh);
+    const Run result = run({"check", "-"}, mesh);
+    CHECK(result.err == "");
+    CHECK(has(result.out, "holds: delaunay - "));
+  }
+}
+
 TEST_CASE("check: --threads, of any number, does not change the answer") {
   const Meshes meshes;
   const Run one = run({"check", meshes.good, meshes.bad, "--threads", "1"});

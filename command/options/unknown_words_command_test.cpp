@@ -79,7 +79,7 @@ TEST_CASE("values of options") {
 
 TEST_CASE("a file of a kind that is not read: the kinds that are") {
   const ScratchFolder folder;
-  const std::string object = folder.write("x.surf", "# a surface\nv 0 0 0\nv 1 0 0\nf 1 2 3\n");
+  const std::string object = folder.write("x.surf", "# a surface\nvertex 0 0 0\nvertex 1 0 0\n");
   for (const std::vector<std::string>& command :
        {std::vector<std::string>{"inspect", object}, {"build", "delaunay", object, "-o", "-"}}) {
     const Run result = run(command);
@@ -91,7 +91,7 @@ TEST_CASE("a file of a kind that is not read: the kinds that are") {
       CHECK(has(result.err, kind));
     }
     CHECK(has(result.err, "x.surf:2: expected "));
-    CHECK(has(result.err, "found \"v\""));
+    CHECK(has(result.err, "found \"vertex\""));
   }
   // Points whose name says nothing are read as before.
   CHECK(run({"inspect", folder.write("points", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n")}).exit_code == 0);

@@ -3,11 +3,13 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -29,6 +31,33 @@ void print(const std::string& text) {
   if (written != text.size() && why_not_written == 0) why_not_written = errno;
 }
 
+// The same lines, with the words in colour at which one looks first: those before a colon that say whether it
+// holds, and the names of rules, which have a dot. For terminals.
+std::string in_colour(const std::string& lines) {
+  static const std::map<std::string_view, std::string_view> colours = {
+      {"holds", "\x1b[1;32m"},  {"same", "\x1b[1;32m"},      {"fails", "\x1b[1;31m"},
+      {"differ", "\x1b[1;31m"}, {"undecided", "\x1b[1;33m"}, {"note", "\x1b[36m"}};
+  std::string coloured;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', begin), lines.size() - 1) + 1;
+    const std::string_view line = std::string_view(lines).substr(begin, end - begin);
+    const std::string_view word = line.substr(0, line.find_first_of(": "));
+    const bool has_colon = word.size() < line.size() && line[word.size()] == ':';
+    const auto found = colours.find(word);
+    const bool is_rule = word.find('.') != word.npos;
+    if (has_colon && (is_rule || found != colours.end())) {
+      coloured += is_rule ? "\x1b[1m" : found->second;
+      coloured += word;
+      coloured += "\x1b[0m";
+      coloured += line.substr(word.size());
+    } else {
+      coloured += line;
+    }
+    begin = end;
+  }
+  return coloured;
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -38,6 +67,14 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->transform(one_of(formats))
       ->option_text("text|json");
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  const std::map<std::string, Colour> colours = {
+      {"auto", Colour::kAuto}, {"always", Colour::kAlways}, {"never", Colour::kNever}};
+  command
+      .add_option("--color", options.colour,
+                  "Print text in colour: on a terminal, unless NO_COLOR is set ('auto', default), "
+                  "'always' or 'never'")
+      ->transform(one_of(colours))
+      ->option_text("auto|always|never");
 }
 
 void add_limit_option(CLI::App& command, OutputOptions& options) {
@@ -93,16 +130,29 @@ int Output::last_words(const std::string& why) {
   const std::unique_lock lock(mutex_, std::chrono::milliseconds(500));
   const ExitCode code = worse(code_, ExitCode::kUndecided);
   if (!lock.owns_lock()) return static_cast<int>(code);
-  if (wants_text()) print(fmt::format("undecided: {} {}\n", command_, why));
+  if (wants_text()) {
+    const std::string line = fmt::format("undecided: {} {}\n", command_, why);
+    print(wants_colour() ? in_colour(line) : line);
+  }
   known_["undecided"] = command_ + " " + why;
   results_.push_back(known_);
   print_document();
   return static_cast<int>(when_written(code));
 }
 
+// As no-color.org has it.
+bool Output::wants_colour() const {
+  if (options_.colour != Colour::kAuto) return options_.colour == Colour::kAlways;
+  const char* const no_colour = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0') &&
+         terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+}
+
 void Output::text(const std::string& text) const {
   if (!wants_text()) return;
-  const std::string lines = on_lines(text);
+  std::string lines = on_lines(text);
+  if (wants_colour()) lines = in_colour(lines);
   if (long_work_) long_work_->clear();
   const std::lock_guard lock(mutex_);
   print(lines);

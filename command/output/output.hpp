@@ -19,10 +19,12 @@ class App;
 namespace circumspect::cli {
 
 enum class OutputFormat { kText, kJson };
+enum class Colour { kAuto, kAlways, kNever };
 
 struct OutputOptions {
   OutputFormat format = OutputFormat::kText;
-  bool quiet = false;                // nothing but errors
+  bool quiet = false;  // nothing but errors
+  Colour colour = Colour::kAuto;
   std::optional<double> limit = {};  // how many seconds the command may take
 };
 
@@ -50,7 +52,7 @@ class Output {
   bool wants_text() const { return options_.format == OutputFormat::kText && !options_.quiet; }
   bool wants_json() const { return options_.format == OutputFormat::kJson && !options_.quiet; }
 
-  // Lines; what would move a cursor is escaped. Names in them have been put on one line (printable.hpp).
+  // Lines, in colour where that is wanted; what would move a cursor is escaped. Names in them have been put on one line (printable.hpp).
   void text(const std::string& text) const;
   // One line: what was read otherwise than it stands there.
   void note(const std::string& note) const;
@@ -68,6 +70,7 @@ class Output {
  private:
   int last_words(const std::string& why);
   void print_document() const;
+  bool wants_colour() const;
 
   OutputOptions options_;
   std::string command_;

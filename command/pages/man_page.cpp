@@ -137,8 +137,13 @@ std::string man_page(const CommandPath& path, const std::string& version) {
   }
   if (!subcommands.empty()) text += ".SH COMMANDS\n" + subcommands;
   text += ".SH OPTIONS\n";
-  for (const CLI::Option* one : command.get_options()) {
-    if (one->nonpositional()) text += option_entry(*one);
+  for (const std::string& group : command.get_groups()) {
+    const auto options = command.get_options([&group](const CLI::Option* one) {
+      return one->nonpositional() && one->get_group() == group;
+    });
+    if (options.empty()) continue;
+    if (group != "Options") text += ".SS " + roff(group) + "\n";
+    for (const CLI::Option* one : options) text += option_entry(*one);
   }
   text += footer_sections(command.get_footer());
   if (see_also.empty()) {

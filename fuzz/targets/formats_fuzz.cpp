@@ -117,6 +117,8 @@ void read(std::uint8_t format, NumberReading reading, const Source& source) {
     case 14:
       expect_value_or_line(formats::read_npy_points(source));
       expect_value_or_line(formats::read_npy_simplices(source));
+      if (const auto array = formats::array_of_npz(source, "points"))
+        formats::read_npy_points(*array);
       return;
     case 15:
       expect_agreement(source);

@@ -280,6 +280,7 @@ const DomainFormat* sniff(const Source& source) {
   if (is_medit_keyword(first)) return domain_format_of(".mesh");
   if (is_gmsh_keyword(first)) return domain_format_of(".msh");
   if (first == "ply") return domain_format_of(".ply");
+  if (is_obj_keyword(first)) return domain_format_of(".obj");
   return first == "solid" ? domain_format_of(".stl") : nullptr;
 }
 

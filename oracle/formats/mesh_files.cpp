@@ -8,6 +8,7 @@
 #include "oracle/formats/fit_to_domain.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_formats.hpp"
+#include "oracle/formats/npy.hpp"
 #include "oracle/formats/plain_mesh.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
@@ -143,6 +144,31 @@ void count_from_zero(std::vector<Simplex>& simplices, Vertex first_index) {
   }
 }
 
+// The arrays of an archive are from here on files like others, which are read at the speed of memory.
+Status unpack_archive(MeshRequest& request) {
+  const Result<Source>* const loaded = find_loaded(request, request.mesh);
+  const bool is_archive = loaded == nullptr ? extension(request.mesh) == ".npz"
+                                            : loaded->has_value() && is_npz((*loaded)->text);
+  if (!is_archive) return {};
+  const Result<Source> archive = loaded == nullptr ? load(request.mesh) : *loaded;
+  if (!archive) return tl::unexpected(archive.error());
+  const auto unpack = [&](std::string_view name) {
+    Result<Source> array = array_of_npz(*archive, name);
+    if (!array) return Result<std::string>(tl::unexpected(array.error()));
+    const std::string path = array->name;
+    request.loaded.push_back({path, std::move(array)});
+    return Result<std::string>(path);
+  };
+  const Result<std::string> simplices = unpack("simplices");
+  if (!simplices) return tl::unexpected(simplices.error());
+  request.mesh = *simplices;
+  if (request.points || request.own_points) return {};
+  const Result<std::string> points = unpack("points");
+  if (!points) return tl::unexpected(points.error());
+  request.points = *points;
+  return {};
+}
+
 // The simplices, and the points if they are in the same file; `format` tells which it is.
 Result<Contents> read_contents(const MeshRequest& request, const std::string& path,
                                std::string& name, const MeshFormat*& format) {
@@ -276,6 +302,9 @@ Result<MeshFile> read_mesh(MeshRequest request, unsigned threads) {
         FormatError{"<stdin>", 0, "the mesh or its points on standard input", "both"});
   }
   load_streams(request);
+  if (Status unpacked = unpack_archive(request); !unpacked) {
+    return tl::unexpected(unpacked.error());
+  }
   std::optional<MeshFile> plain;
   if (request.kept_labels.empty()) plain = read_plain_mesh(request, {threads});
   Result<MeshFile> file = plain ? std::move(*plain) : read_mesh_line_by_line(request);

@@ -213,8 +213,8 @@ TEST_CASE("formats of elements: faces, points of the plane, points alone, names 
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 "
       "0\n$EndNodes\n"
       "$Elements\n3\n1 1 0 2 4\n2 2 0 1 2 3\n3 2 0 1 3 4\n$EndElements\n";
-  for (const std::string& path :
-       {folder.write("x.obj", obj), folder.write("x.msh", gmsh), folder.write("y", gmsh)}) {
+  for (const std::string& path : {folder.write("x.obj", obj), folder.write("x.msh", gmsh),
+                                  folder.write("y", gmsh), folder.write("z", obj)}) {
     MeshRequest request{path};
     request.with_faces = true;
     const auto mesh = read_mesh(request);
@@ -235,6 +235,9 @@ TEST_CASE("formats of elements: faces, points of the plane, points alone, names 
     CHECK(domain->input.segments == std::vector<Simplex>{{0, 1}});
     CHECK(domain->labels == std::vector<Vertex>{2, 4});
   }
+  const std::string tet = "4 vertices\n1 tets\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2 3\n";
+  CHECK(mesh_of(folder.write("w", tet))->mesh.simplices.lists() ==
+        std::vector<Simplex>{{0, 1, 2, 3}});
   const std::string ply =
       folder.write("x.ply",
                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\n"
@@ -260,8 +263,7 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(error_of(mesh_of(lone, ele)) != "no error");
   const std::string known =
       "a mesh (.ele, .json, .off, .mesh, .msh, .vtk, .vtu, .vtp, .tet, .tetrahedra, .obj, .ply, "
-      ".npy, "
-      ".qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
+      ".npy, .npz, .qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
   const std::string unknown = folder.write("x.plt", "TITLE a mesh\n");
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"TITLE\"");
   // What another program reads is answered with the command that converts it.
@@ -275,7 +277,7 @@ TEST_CASE("what cannot be found or judged") {
   CHECK(points.error().to_string() == ele +
                                           ": expected a file of points (.node, .json, .off, .mesh, "
                                           ".msh, .vtk, .vtu, .vtp, .tet, .tetrahedra, .obj, .ply, "
-                                          ".xyz, .csv, .npy, .qhull), found a .ele file");
+                                          ".xyz, .csv, .npy, .npz, .qhull), found a .ele file");
   const auto abaqus = read_points(folder.write("x.inp", "1, 0, 0, 0\n"), NumberReading::kDouble);
   REQUIRE(!abaqus);
   CHECK(abaqus.error().found == "a mesh of Abaqus (meshio convert IN.inp IN.vtu)");

@@ -125,6 +125,24 @@ Result<Contents> mesh_of_npy(const Source& source, NumberReading) {
   return simplices_alone(read_npy_simplices(source));
 }
 
+Result<RawPoints> points_of_npz(const Source& source, NumberReading) {
+  const Result<Source> points = array_of_npz(source, "points");
+  if (!points) return tl::unexpected(points.error());
+  return points_alone(source, read_npy_points(*points));
+}
+
+// Its points, too, are of the archive.
+Result<Contents> mesh_of_npz(const Source& source, NumberReading reading) {
+  const Result<Source> simplices = array_of_npz(source, "simplices");
+  if (!simplices) return tl::unexpected(simplices.error());
+  Result<Contents> contents = simplices_alone(read_npy_simplices(*simplices));
+  if (!contents) return contents;
+  Result<RawPoints> points = points_of_npz(source, reading);
+  if (!points) return tl::unexpected(points.error());
+  contents->points = std::move(*points);
+  return contents;
+}
+
 Result<Contents> mesh_of_off(const Source& source, NumberReading reading) {
   Result<OffFile> file = read_off(source, reading);
   if (!file) return tl::unexpected(file.error());
@@ -197,6 +215,7 @@ constexpr std::array kFormats = {
     MeshFormat{".xyz", points_of_xyz, nullptr, "", ""},
     MeshFormat{".csv", points_of_csv, nullptr, "", ""},
     MeshFormat{".npy", points_of_npy, mesh_of_npy, "", ""},
+    MeshFormat{".npz", points_of_npz, mesh_of_npz, "", ""},
     MeshFormat{".qhull", points_of_qhull, nullptr, "", ".qhull-i"},
     MeshFormat{".qhull-i", nullptr, mesh_of_qhull, ".qhull", ""},
 };
@@ -217,16 +236,18 @@ bool looks_like_json(const Source& source) {
   return first != std::string::npos && source.text[first] == '{';
 }
 
-// How many tokens stand on the first two lines that have any, and the very first of them.
+// How many tokens stand on the first two lines that have any, and the first two of them.
 struct Beginning {
   explicit Beginning(const Source& source) {
     Lines lines(source);
     if (!lines.next()) return;
     first_token = lines.tokens()[0];
     on_first_line = lines.size();
+    if (on_first_line > 1) second_token = lines.tokens()[1];
     if (lines.next()) on_second_line = lines.size();
   }
   std::string_view first_token;
+  std::string_view second_token;
   std::size_t on_first_line = 0;
   std::size_t on_second_line = 0;
 };
@@ -234,13 +255,16 @@ struct Beginning {
 // The format of a file that says by its first bytes what it is; null if it does not.
 const MeshFormat* sniff_beginning(const Source& source, const Beginning& beginning) {
   if (is_npy(source.text)) return format_of(".npy");
+  if (is_npz(source.text)) return format_of(".npz");
   if (is_vtk(source.text)) return format_of(".vtk");
   if (is_vtu(source.text)) return format_of(".vtu");
   if (looks_like_json(source)) return format_of(".json");
   if (is_off_keyword(beginning.first_token)) return format_of(".off");
   if (is_medit_keyword(beginning.first_token)) return format_of(".mesh");
   if (is_gmsh_keyword(beginning.first_token)) return format_of(".msh");
-  return beginning.first_token == "ply" ? format_of(".ply") : nullptr;
+  if (beginning.first_token == "ply") return format_of(".ply");
+  if (beginning.second_token == "vertices") return format_of(".tet");
+  return is_obj_keyword(beginning.first_token) ? format_of(".obj") : nullptr;
 }
 
 }  // namespace

@@ -8,6 +8,10 @@
 #include <type_traits>
 #include <vector>
 
+#include <zlib.h>
+
+#include "oracle/formats/mixed_text.hpp"
+
 namespace circumspect::formats {
 namespace {
 
@@ -176,7 +180,132 @@ SimplexFile as_lists(const Rows<Index>& rows) {
   return file;
 }
 
+constexpr std::string_view kEntry = "PK\1\2", kLocalHeader = "PK\3\4", kEndOfArchive = "PK\5\6";
+constexpr std::size_t kSizeOfEnd = 22, kLongestComment = 0xffff;
+constexpr std::size_t kLargestGrowth = 1032;  // of what zlib packs
+
+// What an archive says of a file in it.
+struct ZipEntry {
+  std::string_view name;
+  bool is_encrypted = false;
+  std::uint64_t method = 0;  // 0: as it is, 8: packed by zlib
+  std::uint64_t checksum = 0;
+  std::uint64_t packed_size = 0;
+  std::uint64_t size = 0;
+  std::uint64_t offset = 0;  // of its header
+};
+
+// The place of the directory, which stands behind the files; none if there is none.
+std::optional<std::string_view> directory_of(std::string_view archive) {
+  const std::size_t farthest = kSizeOfEnd + kLongestComment;
+  const std::size_t first = archive.size() > farthest ? archive.size() - farthest : 0;
+  const std::size_t end = archive.rfind(kEndOfArchive);
+  if (end == archive.npos || end < first || archive.size() - end < kSizeOfEnd) return std::nullopt;
+  Bytes bytes(archive.substr(end), ByteOrder::kLittleEndian);
+  bytes.skip(12);
+  const std::uint64_t size = *bytes.unsigned_integer(4);
+  const std::uint64_t offset = *bytes.unsigned_integer(4);
+  if (offset > end || size > end - offset) return std::nullopt;
+  return archive.substr(offset, size);
+}
+
+// Takes an entry from the front of the directory; none if it is none.
+std::optional<ZipEntry> next_entry(std::string_view& directory) {
+  constexpr std::size_t kSize = 46;
+  if (directory.size() < kSize || !directory.starts_with(kEntry)) return std::nullopt;
+  Bytes bytes(directory, ByteOrder::kLittleEndian);
+  ZipEntry entry;
+  bytes.skip(8);
+  entry.is_encrypted = (*bytes.unsigned_integer(2) & 1) != 0;
+  entry.method = *bytes.unsigned_integer(2);
+  bytes.skip(4);
+  entry.checksum = *bytes.unsigned_integer(4);
+  entry.packed_size = *bytes.unsigned_integer(4);
+  entry.size = *bytes.unsigned_integer(4);
+  const std::uint64_t length_of_name = *bytes.unsigned_integer(2);
+  const std::uint64_t behind = *bytes.unsigned_integer(2) + *bytes.unsigned_integer(2);
+  bytes.skip(8);
+  entry.offset = *bytes.unsigned_integer(4);
+  if (directory.size() - kSize < length_of_name + behind) return std::nullopt;
+  entry.name = directory.substr(kSize, length_of_name);
+  directory.remove_prefix(kSize + length_of_name + behind);
+  return entry;
+}
+
+// The bytes of a file in the archive as they are stored; none if they are not there.
+std::optional<std::string_view> stored_bytes(std::string_view archive, const ZipEntry& entry) {
+  constexpr std::size_t kSize = 30;
+  if (entry.offset > archive.size() || archive.size() - entry.offset < kSize) return std::nullopt;
+  archive.remove_prefix(entry.offset);
+  if (!archive.starts_with(kLocalHeader)) return std::nullopt;
+  Bytes bytes(archive, ByteOrder::kLittleEndian);
+  bytes.skip(26);
+  const std::uint64_t before = kSize + *bytes.unsigned_integer(2) + *bytes.unsigned_integer(2);
+  if (before > archive.size() || archive.size() - before < entry.packed_size) return std::nullopt;
+  return archive.substr(before, entry.packed_size);
+}
+
+// What zlib made of so many bytes, without a head of its own; none if it did not. Requires: both sizes fit 32 bits.
+std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
+  if (size / kLargestGrowth > packed.size()) return std::nullopt;
+  std::string bytes(size, '\0');
+  z_stream stream = {};
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return std::nullopt;
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(size);
+  const bool is_whole = ::inflate(&stream, Z_FINISH) == Z_STREAM_END && stream.avail_out == 0;
+  inflateEnd(&stream);
+  return is_whole ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
 }  // namespace
+
+bool is_npz(std::string_view beginning) { return beginning.starts_with(kLocalHeader); }
+
+Result<Source> array_of_npz(const Source& archive, std::string_view name) {
+  const std::string file = std::string(name) + ".npy";
+  const std::string path = archive.name + "/" + file;
+  std::optional<std::string_view> directory = directory_of(archive.text);
+  if (!directory) {
+    return fail(archive.name, "an archive of arrays, as numpy.savez writes it", "no ZIP file");
+  }
+  std::optional<ZipEntry> wanted;
+  std::string names;
+  while (const auto entry = next_entry(*directory)) {
+    if (entry->name == file) wanted = entry;
+    if (names.size() < kLongestQuote)
+      names += (names.empty() ? "" : " ") + std::string(entry->name);
+  }
+  if (!wanted) {
+    return fail(archive.name,
+                "an array named " + std::string(name) +
+                    ", as numpy.savez(file, points=..., simplices=...) writes it",
+                names.empty() ? "none" : quote(names));
+  }
+  if (wanted->is_encrypted || (wanted->method != 0 && wanted->method != 8)) {
+    return fail(path, "an array as numpy.savez or numpy.savez_compressed packs it",
+                wanted->is_encrypted ? "one that is encrypted"
+                                     : "method " + std::to_string(wanted->method));
+  }
+  if (wanted->size == 0xffffffff || wanted->packed_size == 0xffffffff) {
+    return fail(path, "less than 4 GiB (numpy.save writes larger arrays)", "more");
+  }
+  const auto stored = stored_bytes(archive.text, *wanted);
+  std::optional<std::string> bytes;
+  if (stored && wanted->method == 8) bytes = inflated(*stored, wanted->size);
+  if (stored && wanted->method == 0) bytes = std::string(*stored);
+  const auto checksum = [](const std::string& text) {
+    return crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
+  };
+  if (!bytes || bytes->size() != wanted->size || checksum(*bytes) != wanted->checksum) {
+    return fail(path,
+                std::to_string(wanted->size) + " bytes with the checksum that the archive lists",
+                "other data");
+  }
+  return Source{path, std::move(*bytes)};
+}
 
 Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name) {
   const Result<NpyHeader> header = read_npy_header(file, name);

@@ -1,4 +1,8 @@
-// Arrays as NumPy saves them, and the header with which their files begin.
+// Arrays as NumPy saves them, .npy, and the header with which their files begin. Points are an array n × d of
+// float64 or float32, simplices one m × k of integers, row after row or column after column (Fortran order),
+// in either byte order. Each number is taken exactly. Vertices are counted from 0.
+//
+// An archive of such arrays, .npz, is a ZIP file as numpy.savez and numpy.savez_compressed write it.
 #pragma once
 
 #include <cstddef>
@@ -53,5 +57,12 @@ Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const 
 // The same as exact numbers and as lists, as the other formats have them.
 Result<PointFile> read_npy_points(const Source& source);
 Result<SimplexFile> read_npy_simplices(const Source& source);
+
+// Does a file begin as a ZIP file does?
+bool is_npz(std::string_view beginning);
+
+// The array `name`, such as "points", of an archive as an .npy file; messages call it "x.npz/points.npy".
+// Errors: no archive, none of that name, one that is packed otherwise than NumPy does, more than 4 GiB, damage.
+Result<Source> array_of_npz(const Source& archive, std::string_view name);
 
 }  // namespace circumspect::formats

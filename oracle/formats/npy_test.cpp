@@ -231,4 +231,66 @@ TEST_CASE("npy: any bytes in header and data") {
   }));
 }
 
+TEST_CASE("npz: an array of an archive is the bytes of its .npy file") {
+  const std::string points = npy("<f8", "(2, 3)", kSix);
+  const std::string simplices = npy<std::int32_t>("<i4", "(1, 2)", {0, 1});
+  for (const int method : {0, 8}) {
+    CAPTURE(method);
+    const Source archive =
+        named(npz({{"simplices.npy", simplices}, {"points.npy", points}}, method));
+    CHECK(is_npz(archive.text));
+    CHECK(array_of_npz(archive, "points")->text == points);
+    CHECK(array_of_npz(archive, "points")->name == "f/points.npy");
+    CHECK(array_of_npz(archive, "simplices")->text == simplices);
+    CHECK(error_of(array_of_npz(archive, "weights")) ==
+          "f: expected an array named weights, as numpy.savez(file, points=..., simplices=...) "
+          "writes it, found \"simplices.npy points.npy\"");
+    // A comment may follow.
+    CHECK(array_of_npz(named(archive.text + "a comment"), "points"));
+  }
+  CHECK(!is_npz(points));
+  CHECK(error_of(array_of_npz(named(points), "points")) ==
+        "f: expected an archive of arrays, as numpy.savez writes it, found no ZIP file");
+  CHECK(error_of(array_of_npz(named(npz({}, 0)), "points")) ==
+        "f: expected an array named points, as numpy.savez(file, points=..., simplices=...) writes "
+        "it, found none");
+}
+
+TEST_CASE("npz: damage is found, wherever it is") {
+  const std::string points = npy("<f8", "(2, 3)", kSix);
+  for (const int method : {0, 8}) {
+    const std::string archive = npz({{"points.npy", points}}, method);
+    const auto is_points = [&](const std::string& bytes) {
+      const auto array = array_of_npz(named(bytes), "points");
+      return array && array->text == points;
+    };
+    for (std::size_t i = 0; i < archive.size(); ++i) {
+      CHECK(!is_points(archive.substr(0, i)));
+      for (const int change : {1, 0x80, 0xff}) {
+        std::string other = archive;
+        other[i] = static_cast<char>(other[i] ^ change);
+        const auto array = array_of_npz(named(other), "points");
+        if (array) CHECK(array->text == points);  // the byte says nothing of this array
+      }
+    }
+  }
+  std::string encrypted = npz({{"points.npy", points}}, 0);
+  encrypted[encrypted.rfind("PK\1\2") + 8] = 1;
+  CHECK(error_of(array_of_npz(named(encrypted), "points")) ==
+        "f/points.npy: expected an array as numpy.savez or numpy.savez_compressed packs it, found "
+        "one that is encrypted");
+  CHECK(error_of(array_of_npz(named(npz({{"points.npy", points}}, 14)), "points")) ==
+        "f/points.npy: expected an array as numpy.savez or numpy.savez_compressed packs it, found "
+        "method 14");
+  // Nothing is made room for that zlib cannot have packed.
+  std::string huge = npz({{"points.npy", points}}, 8);
+  huge.replace(huge.rfind("PK\1\2") + 24, 4, "\xfe\xff\xff\xff");
+  CHECK(error_of(array_of_npz(named(huge), "points")) ==
+        "f/points.npy: expected 4294967294 bytes with the checksum that the archive lists, found "
+        "other data");
+  huge.replace(huge.rfind("PK\1\2") + 24, 4, "\xff\xff\xff\xff");
+  CHECK(error_of(array_of_npz(named(huge), "points")) ==
+        "f/points.npy: expected less than 4 GiB (numpy.save writes larger arrays), found more");
+}
+
 }  // namespace circumspect::formats

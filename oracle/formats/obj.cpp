@@ -118,6 +118,11 @@ class ObjReader {
 
 }  // namespace
 
+bool is_obj_keyword(std::string_view token) {
+  constexpr std::array<std::string_view, 5> kFirst = {"v", "o", "g", "mtllib", "usemtl"};
+  return std::find(kFirst.begin(), kFirst.end(), token) != kFirst.end();
+}
+
 Result<ElementFile> read_obj(const Source& source, NumberReading reading) {
   if (source.text.find('\\') == std::string::npos) return ObjReader(source, reading).read();
   const Source joined = with_lines_joined(source);

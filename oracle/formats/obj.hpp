@@ -9,12 +9,16 @@
 #pragma once
 
 #include <ostream>
+#include <string_view>
 
 #include "oracle/formats/element_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
+
+// Does a file with this first word look like one?
+bool is_obj_keyword(std::string_view token);
 
 // Points are counted from 1.
 Result<ElementFile> read_obj(const Source& source, NumberReading reading);

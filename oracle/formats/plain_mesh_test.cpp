@@ -117,6 +117,30 @@ TEST_CASE("plain meshes: .npy for points, for simplices, and for both") {
   CHECK(!is_read({folder.write("low.npy", npy<std::int32_t>("<i4", "(1, 1)", {INT32_MIN})), far}));
 }
 
+TEST_CASE("plain meshes: an archive of .npy files, by its name or by what it holds") {
+  const ScratchFolder folder;
+  const std::string simplices = npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 3, 2});
+  const std::string archive =
+      npz({{"points.npy", npy("<f8", "(4, 2)", kCorners)}, {"simplices.npy", simplices}}, 8);
+  for (const std::string name : {"x.npz", "x"}) {
+    const auto file = read_mesh({folder.write(name, archive)});
+    REQUIRE_MESSAGE(file.has_value(), error_of(file));
+    CHECK(file->mesh.simplices.lists() == kTwoTriangles);
+    CHECK(file->mesh.simplices.rows<std::int32_t>());  // as it lay there
+    CHECK(file->points_name == folder.path(name) + "/points.npy");
+    CHECK(read_points(folder.path(name), NumberReading::kDouble)->points.points.size() == 4);
+  }
+  // Points of another file take the place of these.
+  const std::string from_1 = folder.write("x.node", kNode);
+  CHECK(read_mesh({folder.path("x.npz"), from_1})->mesh.first_index == 1);
+  CHECK(read_mesh_line_by_line({folder.path("x.npz")})->mesh.simplices.lists() == kTwoTriangles);
+  const std::string lone = folder.write("lone.npz", npz({{"simplices.npy", simplices}}, 0));
+  CHECK(error_of(read_mesh({lone})) ==
+        lone +
+            ": expected an array named points, as numpy.savez(file, points=..., simplices=...) "
+            "writes it, found \"simplices.npy\"");
+}
+
 TEST_CASE("plain meshes: triangles and edges beside them, if they are asked for") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);

@@ -4,24 +4,28 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <span>
 #include <system_error>
 #include <thread>
 #include <vector>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 // oneTBB as Debian ships it is not instrumented: ThreadSanitizer (preset `tsan`) would take its every
-// locking for a race, and sees plain threads instead.
+// locking for a race, and sees plain threads instead. Nor is there an archive of it, which CIRCUMSPECT_STATIC
+// would need.
 #if defined(__SANITIZE_THREAD__)
 #define CIRCUMSPECT_PLAIN_THREADS
 #elif defined(__has_feature)
 #if __has_feature(thread_sanitizer)
 #define CIRCUMSPECT_PLAIN_THREADS
 #endif
+#endif
+
+#ifndef CIRCUMSPECT_PLAIN_THREADS
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 #endif
 
 namespace circumspect::fast {
@@ -66,13 +70,27 @@ void in_chunks(std::size_t count, std::size_t size, unsigned threads, const Work
   }
 #ifdef CIRCUMSPECT_PLAIN_THREADS
   std::atomic<std::size_t> next = 0;  // relaxed: chunks are ordered by nothing
-  std::vector<std::jthread> team;
-  for (unsigned i = 0; i < threads; ++i) {
-    team.emplace_back([&] {
-      std::size_t chunk = 0;
+  std::atomic_flag has_failed;
+  std::exception_ptr failure;  // the first
+  const auto take = [&] {
+    std::size_t chunk = 0;
+    try {
       while ((chunk = next.fetch_add(1, std::memory_order_relaxed)) < chunks) one(chunk);
-    });
+    } catch (...) {
+      if (!has_failed.test_and_set()) failure = std::current_exception();
+      next = chunks;  // there is no use in the rest
+    }
+  };
+  {
+    std::vector<std::jthread> team;
+    try {
+      while (team.size() + 1 < std::min<std::size_t>(threads, chunks)) team.emplace_back(take);
+    } catch (const std::system_error&) {
+      // The system gives no more threads.
+    }
+    take();
   }
+  if (failure) std::rethrow_exception(failure);
 #else
   // More than there are make oneTBB complain.
   const int most = threads_to_be_had(tbb::info::default_concurrency());

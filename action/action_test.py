@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Runs what the GitHub Action runs, as the runner would: action_test.py COMMAND"""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+HERE = pathlib.Path(__file__).resolve().parent
+PEERS = HERE.parent / "corpus" / "peers" / "tetgen"
+GOOD = f"'{PEERS}/random-3d-500.1.ele'"
+BAD = f"'{PEERS}/hunted-tetgen-covered-twice-3d.1.ele'"
+COMMAND = sys.argv.pop() if len(sys.argv) > 1 else ""
+
+
+class Action(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def act(self, **inputs):
+        """The exit code, and what is printed."""
+        given = {"COMMAND": COMMAND, "OUTPUT": str(self.folder / "output"), **inputs}
+        env = {**os.environ, **{f"CIRCUMSPECT_{name}": value for name, value in given.items()},
+               "GITHUB_OUTPUT": str(self.folder / "outputs"), "GITHUB_STEP_SUMMARY": str(self.folder / "summary"),
+               "RUNNER_TEMP": str(self.folder)}
+        ran = subprocess.run([HERE / "run.sh"], env=env, cwd=self.folder, text=True, capture_output=True, timeout=60)
+        self.said = ran.stdout + ran.stderr
+        return ran.returncode
+
+    def report(self, name):
+        return (self.folder / "output" / name).read_text(encoding="utf-8")
+
+    def matched(self):
+        """What the problem matchers make of the lines that were printed."""
+        found = []
+        for matcher in json.loads((HERE / "problem-matcher.json").read_text())["problemMatcher"]:
+            pattern = matcher["pattern"][0]
+            for line in self.said.splitlines():
+                match = re.search(pattern["regexp"], line)
+                if match:
+                    found.append({key: match[pattern[key]] for key in ("file", "line", "message", "code") if key in pattern})
+        return found
+
+    def test_meshes_that_hold(self):
+        self.assertEqual(self.act(RUN="check", ARGUMENTS=GOOD), 0, self.said)
+        self.assertEqual(self.matched(), [])
+        self.assertIn("exit-code=0\nverdict=holds: delaunay ", (self.folder / "outputs").read_text())
+        suite = xml.fromstring(self.report("junit.xml"))[0]
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("1", "0", "0"))
+        self.assertEqual(json.loads(self.report("report.sarif"))["runs"][0]["results"], [])
+
+    def test_meshes_that_fail_or_cannot_be_read(self):
+        broken = self.folder / "x y.node"
+        broken.write_text("1 2\n0 0\n")
+        self.assertEqual(self.act(RUN="check", ARGUMENTS=f"{GOOD} {BAD} '{broken}' --points '{broken}'"), 3, self.said)
+        self.assertEqual(self.act(RUN="check", ARGUMENTS=f"{GOOD} {BAD} '{broken}'"), 3, self.said)
+        suite = xml.fromstring(self.report("junit.xml"))[0]
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("3", "1", "1"))
+        self.assertIn("covered-twice", suite.find(".//failure").get("message"))
+        results = json.loads(self.report("report.sarif"))["runs"][0]["results"]
+        self.assertEqual([one["ruleId"] for one in results], ["triangulation.covered-twice", "input"])
+        self.assertIn("fails: delaunay ", (self.folder / "summary").read_text())
+        fails, fault = self.matched()
+        self.assertEqual(fails["code"], "triangulation.covered-twice")
+        self.assertTrue(fails["file"].endswith("hunted-tetgen-covered-twice-3d.1.ele"))
+        self.assertRegex(fault["message"], "^expected a file with the simplices of ")
+
+    def test_lines_of_a_file_at_fault(self):
+        (self.folder / "x.node").write_text("3 2\n0 0 0\n1 red 0\n2 0 1\n")
+        (self.folder / "x.ele").write_text("1 3\n0 0 1 2\n")
+        self.assertEqual(self.act(RUN="check", ARGUMENTS="x.ele"), 3)
+        self.assertEqual([(one["file"], one["line"]) for one in self.matched()], [("x.node", "3")])
+
+    def test_campaign(self):
+        self.assertEqual(self.act(RUN="campaign", ARGUMENTS="--cases 2 --jobs 1 --families integers -- false {points} {mesh}"), 1,
+                         self.said)
+        self.assertRegex(self.said, "(?m)^::error file=")
+        self.assertIn("<failure", self.report("junit.xml"))
+        self.assertEqual(len(json.loads(self.report("report.sarif"))["runs"][0]["results"]), 1)
+        self.assertTrue((self.folder / "output" / "findings").is_dir())
+
+    def test_archive(self):
+        with tarfile.open(self.folder / "circumspect.tar.gz", "w:gz") as archive:
+            archive.add(os.path.realpath(COMMAND), "circumspect-1-linux/bin/circumspect")
+        self.assertEqual(self.act(RUN="check", ARGUMENTS=GOOD, COMMAND="", TARBALL="circumspect.tar.gz"), 0, self.said)
+
+    def test_wrong_inputs(self):
+        self.assertEqual(self.act(RUN="chek", ARGUMENTS=GOOD), 2)
+        self.assertIn("expected 'check' or 'campaign' for the input 'run', found 'chek'", self.said)
+        self.assertEqual(self.act(ARGUMENTS=""), 2)
+        self.assertEqual(self.act(ARGUMENTS="'x"), 2)
+        self.assertEqual(self.act(ARGUMENTS="--nonsense"), 2)
+        self.assertEqual(self.act(ARGUMENTS="$(touch started) `touch started` ;touch started"), 3)
+        self.assertFalse((self.folder / "started").exists())
+
+    def test_a_name_gives_the_runner_no_command(self):
+        self.act(ARGUMENTS=f"{GOOD} '::add-mask::x'")
+        lines = self.said.splitlines()
+        stopped = next(i for i, line in enumerate(lines) if line.startswith("::stop-commands::"))
+        self.assertIn(f"::{lines[stopped].rsplit(':', 1)[1]}::", lines[stopped:])
+
+    def test_the_action_passes_on_what_it_declares(self):
+        action = (HERE.parent / "action.yml").read_text()
+        declared = set(re.findall(r"^  ([a-z-]+):$", action[action.index("inputs:"):action.index("outputs:")], re.M))
+        self.assertEqual(set(re.findall(r"inputs\.([a-z-]+)", action)), declared)
+        script = (HERE / "run.sh").read_text()
+        passed = set(re.findall(r"^ +(CIRCUMSPECT_[A-Z]+): ", action, re.M))
+        self.assertEqual(passed, set(re.findall(r"CIRCUMSPECT_[A-Z]+", script)))
+
+
+if __name__ == "__main__":
+    unittest.main()

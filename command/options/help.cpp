@@ -1,0 +1,136 @@
+#include "command/options/help.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace circumspect::cli {
+namespace {
+
+struct Group {
+  const char* title;
+  std::vector<std::string_view> options;
+};
+
+// An option means much the same wherever it is.
+const std::vector<Group>& groups() {
+  static const std::vector<Group> all = {
+      {"Claim",
+       {"claim", "weighted", "oriented", "neighbors", "by", "refusal-exit-code", "refusal-text"}},
+      {"Domain", {"domain", "fill", "hole", "region", "merge-coplanar", "within"}},
+      {"Input",
+       {"points", "mesh", "stdin", "stdout", "first-index", "coordinates", "duplicates",
+        "keep-label", "allow-empty"}},
+      {"Drawn inputs",
+       {"seed", "families", "max-points", "cases", "corpus", "dimension", "full-dimension", "list",
+        "count", "fewer"}},
+      {"Construction",
+       {"algorithm", "order", "location", "statistics", "some-points", "steiner-points"}},
+      {"Facts",
+       {"subsets", "simplex", "only", "all-segments", "decide", "search-vertices",
+        "search-conflicts"}},
+      {"Limits",
+       {"threads", "limit", "time", "jobs", "limit-time", "limit-memory", "limit-output",
+        "limit-processes", "limit-judging", "containment", "minimize-time", "minimize-runs"}},
+      {"Output",
+       {"output", "certificate", "refutations", "html", "vtu", "junit", "sarif", "annotations",
+        "max-errors", "format", "color", "quiet"}},
+  };
+  return all;
+}
+
+void put_into_group(CLI::Option& option) {
+  for (const Group& group : groups()) {
+    for (const std::string& name : option.get_lnames()) {
+      const auto& names = group.options;
+      if (std::find(names.begin(), names.end(), name) != names.end()) option.group(group.title);
+    }
+  }
+}
+
+// How many characters fit a line.
+std::size_t width() {
+  const char* const columns = std::getenv("COLUMNS");
+  std::size_t count = 0;
+  if (columns != nullptr) {
+    const std::string_view text = columns;
+    std::from_chars(text.data(), text.data() + text.size(), count);
+  }
+  winsize size{};
+  if (count == 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) count = size.ws_col;
+  return count == 0 ? std::numeric_limits<std::size_t>::max() : count;
+}
+
+// Breaks each line between words, as far as that can be, so that none is longer. Lines that begin with a blank, which
+// are examples, stay as they are.
+std::string wrapped(const std::string& text, std::size_t longest) {
+  std::string broken;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!broken.empty()) broken += '\n';
+    while (line.size() > longest && line.front() != ' ') {
+      std::size_t end = line.rfind(' ', longest);
+      if (end == std::string::npos) end = line.find(' ');
+      if (end == std::string::npos) break;
+      broken += line.substr(0, end) + '\n';
+      line.erase(0, end + 1);
+    }
+    broken += line;
+  }
+  return broken;
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  // One blank line between two groups, not two.
+  std::string make_help(const CLI::App* command, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    return CLI::detail::find_and_replace(CLI::Formatter::make_help(command, name, mode), "\n\n\n",
+                                         "\n\n");
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return wrapped(CLI::Formatter::make_option_desc(option), beside_names());
+  }
+  std::string make_subcommand(const CLI::App* command) const override {
+    std::ostringstream text;
+    CLI::detail::format_help(text, command->get_name(),
+                             wrapped(command->get_description(), beside_names()),
+                             get_column_width());
+    return text.str();
+  }
+  std::string make_description(const CLI::App* command) const override {
+    return wrapped(CLI::Formatter::make_description(command), width()) + "\n";
+  }
+  std::string make_footer(const CLI::App* command) const override {
+    return wrapped(CLI::Formatter::make_footer(command), width()) + "\n";
+  }
+
+ private:
+  // What stands beside the names of the options has some room on any terminal.
+  std::size_t beside_names() const {
+    constexpr std::size_t kLeast = 20;
+    return std::max(kLeast, width() - std::min(width(), get_column_width()));
+  }
+};
+
+void lay_out(CLI::App& command, const std::shared_ptr<HelpFormatter>& formatter) {
+  command.formatter(formatter);
+  for (CLI::Option* option : command.get_options()) put_into_group(*option);
+  for (CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; }))
+    lay_out(*one, formatter);
+}
+
+}  // namespace
+
+void lay_out_help(CLI::App& app) { lay_out(app, std::make_shared<HelpFormatter>()); }
+
+}  // namespace circumspect::cli
