@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,9 +92,13 @@ struct HullFillers {
   std::function<std::vector<Simplex>(const PointSet&)> triangulate;
 };
 
+// Of each polygon the segments that its own lines list; the others in it were adopted.
+using ListedSegments = std::vector<std::set<Simplex>>;
+
 // Requires: the claim, which is about a domain, holds of the mesh. Error: why there is none, for people.
 tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMesh& mesh,
                                                                    const Domain& domain,
+                                                                   const ListedSegments& listed,
                                                                    Claim claim,
                                                                    const HullFillers& fillers);
 

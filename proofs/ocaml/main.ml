@@ -1,15 +1,17 @@
 (* circumspect-verified FILE: checks a certificate or a refutation, prints one line.
-   circumspect-verified FILE MESH.node MESH.ele: the same, and whether the mesh is that of these files.
+   circumspect-verified FILE MESH.node MESH.ele [DOMAIN.poly]: the same, and whether the mesh, and the domain, is that
+   of these files.
    circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
    Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified FILE [[--coordinates decimal] MESH.node MESH.ele]\n\
+let usage = "usage: circumspect-verified FILE [[--coordinates decimal] MESH.node MESH.ele [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
-the simplices in their order. Decimals mean the nearest double, unless they are taken at their word.\n\
+the simplices in their order; and whether the domain is: its vertices by their exact coordinates, its segments,\n\
+polygons and hole points. Decimals mean the nearest double, unless they are taken at their word.\n\
 --mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
 checks nothing."
 
@@ -84,7 +86,7 @@ let counts d points simplices =
      else counted simplices "tetrahedron" "tetrahedra")
 
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
-type content = { mesh : Users_mesh.mesh; verdict : unit -> string * int }
+type content = { mesh : Users_mesh.mesh; domain : domain_certificate option; verdict : unit -> string * int }
 
 (* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
 let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canonical, ", canonical") ]
@@ -107,7 +109,7 @@ let certificate (c : Reading.context) space claimed standing =
       match settle space certificate standing with
       | Settled -> verified extra
       | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
-  { mesh; verdict }
+  { mesh; domain = None; verdict }
 
 (* The mesh is that of the kept simplices. *)
 let domain (c : Reading.context) space claimed kind =
@@ -134,7 +136,7 @@ let domain (c : Reading.context) space claimed kind =
          (some (List.length part.segments) "segment" "segments")
          (some (List.length certificate.polygons) "polygon" "polygons")
          (some (List.length part.holes) "hole" "holes"), 0) in
-  { mesh; verdict }
+  { mesh; domain = Some certificate; verdict }
 
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
@@ -147,7 +149,7 @@ let refutation (c : Reading.context) space claimed rule =
     if refute space refutation then
       (Printf.sprintf "verified: not %s, %s" (claim_name refutation.refuted) rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  { mesh; verdict }
+  { mesh; domain = None; verdict }
 
 let content source =
   let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull]' or 'circumspect-refutation 2 CLAIM D RULE'" in
@@ -167,24 +169,35 @@ let content source =
     refutation c space claimed rule
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
-(* The line to print if the mesh is that of the user's files, too; the other line if it is another. *)
-let of_users_files ~exactly node ele content =
-  let compared name compare =
+(* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
+   line if it is another. *)
+let of_users_files ~exactly node ele poly content =
+  let compared what name compare =
     match compare (Text.of_string (read_file name)) with
     | result -> Ok result
     | exception Sys_error message ->
       Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name)
                (String.escaped message), 3)
     | exception Users_mesh.Another how ->
-      Error (Printf.sprintf "rejected: another mesh, %s:%s" (String.escaped name) how, 1)
+      Error (Printf.sprintf "rejected: another %s, %s:%s" what (String.escaped name) how, 1)
     | exception Text.Malformed (line, message) ->
       Error (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3) in
-  let both = Result.bind
-      (compared node (Users_mesh.compare_points ~exactly content.mesh)) (fun number_of ->
-        compared ele (Users_mesh.compare_simplices content.mesh number_of)) in
-  match both, content.verdict () with
+  let of_domain name = match content.domain with
+    | None -> Error (Printf.sprintf "rejected: another domain, %s: the certificate is about none" (String.escaped name), 1)
+    | Some domain ->
+      let points_elsewhere () =
+        Users_domain.points ~exactly (Text.of_string (read_file (Filename.remove_extension name ^ ".node"))) in
+      compared "domain" name (Users_domain.compare_domain content.mesh domain points_elsewhere ~exactly) in
+  let ( let* ) = Result.bind in
+  let same =
+    let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in
+    let* () = compared "mesh" ele (Users_mesh.compare_simplices content.mesh number_of) in
+    Option.fold ~none:(Ok ()) ~some:of_domain poly in
+  match same, content.verdict () with
   | Error answer, (_, 0) -> answer
-  | Ok (), (line, 0) -> (Printf.sprintf "%s: %s %s" line (String.escaped node) (String.escaped ele), 0)
+  | Ok (), (line, 0) ->
+    let names = List.map String.escaped (node :: ele :: Option.to_list poly) in
+    (Printf.sprintf "%s: %s" line (String.concat " " names), 0)
   | _, answer -> answer
 
 let () =
@@ -194,8 +207,11 @@ let () =
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print content.mesh; exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
-    | [ name; node; ele ] -> (of_users_files ~exactly:false node ele, name)
-    | [ name; "--coordinates"; "decimal"; node; ele ] -> (of_users_files ~exactly:true node ele, name)
+    | [ name; "--coordinates"; "decimal"; node; ele ] -> (of_users_files ~exactly:true node ele None, name)
+    | [ name; "--coordinates"; "decimal"; node; ele; poly ] ->
+      (of_users_files ~exactly:true node ele (Some poly), name)
+    | [ name; node; ele ] -> (of_users_files ~exactly:false node ele None, name)
+    | [ name; node; ele; poly ] -> (of_users_files ~exactly:false node ele (Some poly), name)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in
   let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in
