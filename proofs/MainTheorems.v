@@ -8,14 +8,15 @@
     What a line of the program does not say:
     - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
       they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not proved;
+      so is what a domain is, with [DOMAIN.poly] too;
     - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
-    - that a domain is a piecewise linear complex, or is the one in your file;
+    - that a domain is a piecewise linear complex, unless it adds [plc];
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Settling Refutation DomainChecker Definitions Domains.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound Completeness
+From Circumspect Require Import Checker Settling Refutation ComplexChecker Definitions Domains.
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -59,8 +60,7 @@ Theorem verified_rule D c w : refute D c = true ->
 Proof. apply RefutationSound.refute_breach. Qed.
 
 (** An accepted certificate about a domain: its kept simplices are what it claims of the domain that
-    its vertices, segments, polygons and hole points describe. (Whether this domain is a piecewise
-    linear complex, Definition 4.3, is not said.) *)
+    its vertices, segments, polygons and hole points describe. *)
 Theorem verified_domain D c : check_domain D c = Accepted ->
   let P := domain_of_certificate (dimension_of D) c in
   let T := mesh_of_domain (dimension_of D) c in
@@ -72,6 +72,11 @@ Theorem verified_domain D c : check_domain D c = Accepted ->
   | SteinerCdt => steiner_cdt P T
   end.
 Proof. apply DomainSound.check_domain_sound. Qed.
+
+(** And if the certificate says so ([plc]), this domain is a piecewise linear complex (Definition 4.3). *)
+Theorem verified_complex D c x : check_domain D c = Accepted -> check_complex D c x = Accepted ->
+  piecewise_linear_complex (domain_of_certificate (dimension_of D) c).
+Proof. apply ComplexSound.check_complex_sound. Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
     of the points is that of the certificate, which is lexicographic ([points-increasing]). *)

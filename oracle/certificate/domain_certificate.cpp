@@ -96,8 +96,8 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDo
     if (!listed.contains(segment)) continue;
     const auto found =
         std::lower_bound(in.complex.segments.begin(), in.complex.segments.end(), segment);
-    const std::vector<Vertex> chain =
-        seen(in.chains.chain(static_cast<std::size_t>(found - in.complex.segments.begin())));
+    polygon.rim.push_back(static_cast<std::size_t>(found - in.complex.segments.begin()));
+    const std::vector<Vertex> chain = seen(in.chains.chain(polygon.rim.back()));
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       part.walls[sorted({chain[i], chain[i + 1]})] = {part.chains.size(), 0};
     }
@@ -186,7 +186,10 @@ tl::expected<DomainCertificate, std::string> certificate_in(
   auto found = domain_part(part);
   if (!found) return tl::unexpected(std::string(kNoCertificate) + found.error());
   made.part = std::move(*found);
-  if (dimension == 2) return made;
+  if (dimension == 2) {
+    made.complex = complex_part(made);
+    return made;
+  }
   const auto places = places_of_facets(in.mesh, made.mesh);
   for (std::size_t cell = 0; cell < tiles.size(); ++cell) {
     auto polygon = polygon_certificate(in, made.mesh, cell, listed[cell], tiles[cell], fillers);
@@ -199,6 +202,7 @@ tl::expected<DomainCertificate, std::string> certificate_in(
     }
     made.polygons.push_back(std::move(*polygon));
   }
+  made.complex = complex_part(made);
   return made;
 }
 

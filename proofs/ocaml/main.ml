@@ -45,6 +45,8 @@ let condition = function
   | Mark_consistent -> "mark-consistent" | Wall_shown -> "wall-shown"
   | Way_out_shown -> "way-out-shown" | Polygon_flat -> "polygon-flat"
   | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
+  | Face_held -> "face-held" | Segment_in_polygon -> "segment-in-polygon"
+  | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
 
 let place =
   let n = string_of_int in
@@ -112,8 +114,8 @@ let certificate (c : Reading.context) space claimed standing =
   { mesh; domain = None; verdict }
 
 (* The mesh is that of the kept simplices. *)
-let domain (c : Reading.context) space claimed kind =
-  let certificate, labels = Domain_file.read c claimed kind in
+let domain (c : Reading.context) space claimed kind ~is_complex =
+  let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex in
   let whole = certificate.whole_mesh and part = certificate.domain_part in
   let rec kept_of found simplices marks = match simplices, marks with
     | (e : simplex_entry) :: simplices, (mark : mark) :: marks ->
@@ -124,14 +126,18 @@ let domain (c : Reading.context) space claimed kind =
                labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
                simplices } in
-  let verdict () = match check_domain space certificate with
+  let checked () = match check_domain space certificate, complex with
+    | Accepted, Some complex -> check_complex space certificate complex
+    | result, _ -> result in
+  let verdict () = match checked () with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
       let vertices = List.length (List.filter (function Corner _ -> true | Steiner _ -> false) part.roles) in
       let some n one several = if n = 0 then "" else ", " ^ counted n one several in
-      (Printf.sprintf "verified: %s, %s; domain: %s, %s%s%s%s" (domain_claim_name claimed)
+      (Printf.sprintf "verified: %s, %s; domain: %s, %s%s%s%s%s" (domain_claim_name claimed)
          (counts c.d (List.length whole.points) (List.length simplices))
          (fst (List.find (fun (_, k) -> k = kind) kinds))
+         (if is_complex then "plc, " else "")
          (counted vertices "vertex" "vertices")
          (some (List.length part.segments) "segment" "segments")
          (some (List.length certificate.polygons) "polygon" "polygons")
@@ -152,7 +158,7 @@ let refutation (c : Reading.context) space claimed rule =
   { mesh; domain = None; verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull]' or 'circumspect-refutation 2 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
@@ -163,7 +169,10 @@ let content source =
     certificate c space claimed (Some standing)
   | [ "circumspect-certificate"; "1"; claim; dimension; kind ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
-    domain c space claimed (List.assoc kind kinds)
+    domain c space claimed (List.assoc kind kinds) ~is_complex:false
+  | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain c space claimed (List.assoc kind kinds) ~is_complex:true
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
