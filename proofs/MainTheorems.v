@@ -1,6 +1,6 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v] or, of domains, of [Domains.v].  [check], [refute] and [check_domain]
+    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v].  [check], [refute] and [check_domain]
     are the functions that the program evaluates; how they decide ([checker/Checker.v],
     [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.
     The theorems of the book stand in [BookTheorems.v].
@@ -15,8 +15,9 @@
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Settling Refutation ComplexChecker Definitions Domains.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound Completeness
+From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation.
+From Circumspect Require Import Definitions Domains DomainRules.
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -77,6 +78,17 @@ Proof. apply DomainSound.check_domain_sound. Qed.
 Theorem verified_complex D c x : check_domain D c = Accepted -> check_complex D c x = Accepted ->
   piecewise_linear_complex (domain_of_certificate (dimension_of D) c).
 Proof. apply ComplexSound.check_complex_sound. Qed.
+
+(** An accepted refutation of a claim about a domain: whatever domain has the vertices and, among others, the
+    segments of the refutation, the claim is false of it and the mesh, ... *)
+Theorem verified_not_domain D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c)).
+Proof. apply DomainRefuted.refute_domain_sound. Qed.
+
+(** ... because it breaks the rule that is printed. *)
+Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
+Proof. apply DomainRefuted.refute_domain_rule. Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
     of the points is that of the certificate, which is lexicographic ([points-increasing]). *)

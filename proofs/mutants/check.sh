@@ -174,6 +174,16 @@ varied "rejected: another domain, varied-space.poly:*: expected the segment from
 varied "rejected: another domain, varied-space.poly:8: found a polygon with other holes" '8s/1 0/1 1/;s/^  0 1/  0 1\n1 1 1 0/' space.poly
 varied "malformed: varied-space.poly:*" '$d;21,$d' space.poly
 varied "malformed: varied-space.poly:8: expected 'POLYGONS \[HOLES \[MARKER\]\]', found other numbers" '8s/^1/-1/' space.poly
+# A refutation says which vertices and segments the domain has.
+certificate=domain.segment-missing--shown.cert
+printf '7 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 .5\n5 1 1\n6 .5 1.5\n' >refuted.node
+printf '4 3\n0 0 1 4\n1 1 2 4\n2 2 3 4\n3 3 0 4\n' >refuted.ele
+printf '4 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n5\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 0 2\n0\n' >refuted.poly
+domain "verified: not cdt, domain.segment-missing; domain: 4 vertices, 5 segments: refuted.node refuted.ele refuted.poly" \
+  refuted.node refuted.ele refuted.poly
+varied "rejected: another domain, varied-refuted.poly:11: found the segment from (2 0) to (0 2), which is none*" 's/^4 0 2/4 1 3/' refuted.poly
+varied "rejected: another domain, varied-refuted.poly:*: expected the segment from (0 0) to (2 2), found none" 's/^5$/4/;/^4 0 2/d' refuted.poly
+varied "rejected: another domain, varied-refuted.poly:5: found the vertex (0 3), which is none*" 's/^3 0 2/3 0 3/' refuted.poly
 [ "$failures" -eq 0 ]
 cd - >/dev/null
 # Every condition of the checker has a mutant.

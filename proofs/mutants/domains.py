@@ -308,3 +308,44 @@ def complexes(mutant, put, sound, dented, hull):
                  "one-sided-shown--of-a-polygon")
     yield mutant(space, put("complex", "polygons", 1, "rim", 0, 1, "both"), "one-sided-shown, polygon 2",
                  "one-sided-shown--of-a-rim")
+
+
+def refutations_of_domains():
+    """Meshes of a square with a diagonal, and what is wrong with them, right or not."""
+    square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1), (2, 2), (1, 3)]
+    fan = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]]
+    crossed = [[1, 2, 3], [1, 2, 4]]
+    pair = [[1, 2, 3], [1, 3, 7]]
+    corners = square[:4]
+    sides = [(1, 2), (2, 3), (3, 4), (1, 4), (1, 3)]
+    cases = [
+        ("domain.segment-missing", "cdt", fan, "5 4 4 2", True, ""),
+        ("domain.segment-missing", "cdt", fan, "1 4 0 2", False, "--an-edge"),
+        ("domain.segment-missing", "cdt", fan, "5 1 0 1", False, "--off-the-segment"),
+        ("domain.segment-missing", "cdt", fan, "5 0 0 1", False, "--its-end"),
+        ("domain.segment-missing", "cdt", fan, "5 0 0 0", False, "--no-point"),
+        ("domain.segment-missing", "cdt", fan, "6 4 4 2", False, "--no-segment"),
+        ("domain.segment-missing", "cdt", fan + [[1, 2]], "5 4 4 2", False, "--not-all-triangles"),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "4", True, ""),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "3", False, ""),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "5", False, "--no-vertex"),
+        ("domain.steiner-forbidden", "plc-triangulation", fan, "1 2", True, ""),
+        ("domain.steiner-forbidden", "plc-triangulation", fan, "1 1", False, ""),
+        ("domain.steiner-forbidden", "steiner-triangulation", fan, "1 2", False, "--allowed"),
+        ("complex.overlap", "steiner-cdt", crossed, "1 2 4 1 2", True, "--of-a-domain"),
+        ("complex.overlap", "steiner-cdt", crossed, "1 2 0 0 1", False, "--of-a-domain"),
+        ("delaunay.facet-not-local", "conforming-delaunay", pair, "1 1 2 2", True, "--of-a-domain"),
+        ("delaunay.facet-not-local", "steiner-cdt", pair, "1 1 2 2", False, "--of-a-domain"),
+        ("triangulation.hull-not-convex", "steiner-cdt", fan[:3], "1 1 4", False, "--of-a-domain"),
+    ]
+    for rule, claim, simplices, because, is_shown, why in cases:
+        lines = ["circumspect-refutation 2 %s 2 %s" % (claim, rule), "scale 1 2", "points %d" % len(square)]
+        lines += ["%d %d %d" % (*p, v) for v, p in enumerate(square)]
+        lines += ["simplices %d" % len(simplices)]
+        lines += [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        lines += ["spans 1 2 3", "vertices %d" % len(corners)] + ["%d %d" % p for p in corners]
+        lines += ["segments %d" % len(sides)] + ["%d %d" % s for s in sides]
+        yield "%s--%s%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            "\n".join(lines + ["because " + because, "end"]) + "\n", \
+            "verified: not %s, %s; domain: 4 vertices, 5 segments" % (claim, rule) if is_shown else \
+            "rejected: the evidence does not show " + rule

@@ -88,7 +88,10 @@ let counts d points simplices =
      else counted simplices "tetrahedron" "tetrahedra")
 
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
-type content = { mesh : Users_mesh.mesh; domain : domain_certificate option; verdict : unit -> string * int }
+type content = {
+  mesh : Users_mesh.mesh;
+  compare_domain : ((unit -> Users_domain.points) -> exactly:bool -> Text.t -> unit) option;  (* with a user's file *)
+  verdict : unit -> string * int }
 
 (* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
 let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canonical, ", canonical") ]
@@ -111,7 +114,7 @@ let certificate (c : Reading.context) space claimed standing =
       match settle space certificate standing with
       | Settled -> verified extra
       | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
-  { mesh; domain = None; verdict }
+  { mesh; compare_domain = None; verdict }
 
 (* The mesh is that of the kept simplices. *)
 let domain (c : Reading.context) space claimed kind ~is_complex =
@@ -142,7 +145,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
          (some (List.length part.segments) "segment" "segments")
          (some (List.length certificate.polygons) "polygon" "polygons")
          (some (List.length part.holes) "hole" "holes"), 0) in
-  { mesh; domain = Some certificate; verdict }
+  { mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
@@ -155,7 +158,22 @@ let refutation (c : Reading.context) space claimed rule =
     if refute space refutation then
       (Printf.sprintf "verified: not %s, %s" (claim_name refutation.refuted) rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  { mesh; domain = None; verdict }
+  { mesh; compare_domain = None; verdict }
+
+let domain_refutation (c : Reading.context) space claimed rule =
+  let refutation, labels = Refutation_file.read_domain c claimed rule in
+  let about = refutation.mesh_refuted in
+  let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
+               labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
+               simplices = about.rows } in
+  let verdict () =
+    let rule = domain_rule_name (domain_rule_of refutation) in
+    if refute_domain space refutation then
+      (Printf.sprintf "verified: not %s, %s; domain: %s, %s" (domain_claim_name claimed) rule
+         (counted (List.length refutation.vertices_given) "vertex" "vertices")
+         (counted (List.length refutation.segments_given) "segment" "segments"), 0)
+    else ("rejected: the evidence does not show " ^ rule, 1) in
+  { mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
 
 let content source =
   let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE'" in
@@ -173,6 +191,9 @@ let content source =
   | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain c space claimed (List.assoc kind kinds) ~is_complex:true
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when List.mem_assoc claim domain_claims ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain_refutation c space claimed rule
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
@@ -191,12 +212,12 @@ let of_users_files ~exactly node ele poly content =
       Error (Printf.sprintf "rejected: another %s, %s:%s" what (String.escaped name) how, 1)
     | exception Text.Malformed (line, message) ->
       Error (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3) in
-  let of_domain name = match content.domain with
+  let of_domain name = match content.compare_domain with
     | None -> Error (Printf.sprintf "rejected: another domain, %s: the certificate is about none" (String.escaped name), 1)
-    | Some domain ->
+    | Some compare_domain ->
       let points_elsewhere () =
         Users_domain.points ~exactly (Text.of_string (read_file (Filename.remove_extension name ^ ".node"))) in
-      compared "domain" name (Users_domain.compare_domain content.mesh domain points_elsewhere ~exactly) in
+      compared "domain" name (compare_domain points_elsewhere ~exactly) in
   let ( let* ) = Result.bind in
   let same =
     let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in

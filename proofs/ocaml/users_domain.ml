@@ -8,6 +8,7 @@ type place = Q.t list
 type edge = int * int  (* of the vertices, the smaller first *)
 module Edges = Set.Make (struct type t = edge let compare = compare end)
 
+type points = (place * int) list * int * int  (* with their lines; the dimension, and the index of the first *)
 type polygon = { rim : Edges.t; gaps : place list; line : int }
 type domain = {
   vertices : (place * int) list;  (* and the line *)
@@ -35,7 +36,7 @@ let header source expected =
 let repeated n read = List.rev (let rec go n found = if n = 0 then found else go (n - 1) (read () :: found) in go n [])
 
 (* The points, or nothing if they are in a file of their own; the index of the first. *)
-let points ~exactly source =
+let points ~exactly source : points =
   let expected = "'POINTS DIMENSION [ATTRIBUTES [MARKERS]]'" in
   let given = List.map (natural source) (Text.next_of source expected) in
   let field i = Option.value (List.nth_opt given i) ~default:0 in
@@ -171,16 +172,14 @@ let beyond places place =
 (* What is in one list of places and not in the other. *)
 let without places others = List.filter (fun p -> not (List.exists (same_place p) others)) places
 
-let compare_domain mesh (c : domain_certificate) points_elsewhere ~exactly source =
-  let domain = read ~exactly points_elsewhere source in
-  let differs_at line format =
-    Printf.ksprintf (fun what -> raise (Another (Printf.sprintf "%d: %s" line what))) format in
-  let places = Array.map (fun site -> place_of mesh.unit site Big.one) mesh.sites in
+let differs_at line format =
+  Printf.ksprintf (fun what -> raise (Another (Printf.sprintf "%d: %s" line what))) format
+
+(* Vertices, which are some of the places by their numbers, and segments between them; how the file's edges
+   are called here. *)
+let compare_segments places corners expected domain source =
   let number_of = Hashtbl.create (2 * Array.length places) in
-  let corners = ref 0 in
-  List.iteri (fun k -> function
-      | Corner _ -> incr corners; Hashtbl.replace number_of (shown places.(k)) k
-      | Steiner _ -> ()) c.domain_part.roles;
+  List.iter (fun k -> Hashtbl.replace number_of (shown places.(k)) k) corners;
   let seen = Hashtbl.create 64 in
   let numbers = Array.of_list (List.map (fun (place, line) ->
       match Hashtbl.find_opt number_of (shown place) with
@@ -189,10 +188,9 @@ let compare_domain mesh (c : domain_certificate) points_elsewhere ~exactly sourc
         if Hashtbl.mem seen k then differs_at line "found the vertex (%s) twice" (shown place);
         Hashtbl.add seen k ();
         k) domain.vertices) in
-  if Array.length numbers <> !corners then
-    differs source "expected %d vertices, found %d" !corners (Array.length numbers);
+  if Array.length numbers <> List.length corners then
+    differs source "expected %d vertices, found %d" (List.length corners) (Array.length numbers);
   let renamed (u, v) = edge numbers.(u) numbers.(v) in
-  let expected = Edges.of_list (List.map (fun s -> let u, v = ends s in edge u v) c.domain_part.segments) in
   let found = List.map (fun (e, line) -> (renamed e, line)) domain.segments in
   List.iter (fun (e, line) -> if not (Edges.mem e expected) then
                 differs_at line "found the segment from (%s) to (%s), which is none of the certificate's domain"
@@ -202,6 +200,25 @@ let compare_domain mesh (c : domain_certificate) points_elsewhere ~exactly sourc
    | None -> ()
    | Some (u, v) -> differs source "expected the segment from (%s) to (%s), found none"
                       (shown places.(u)) (shown places.(v)));
+  renamed
+
+(* A refutation says of the domain which vertices and segments it has. *)
+let compare_refuted (c : domain_refutation) points_elsewhere ~exactly source =
+  let domain = read ~exactly points_elsewhere source in
+  let scale = (c.mesh_refuted.unit_numerator, c.mesh_refuted.unit_denominator) in
+  let places = Array.of_list (List.map (fun site -> place_of scale site Big.one) c.vertices_given) in
+  let n = Array.length places in
+  let expected = Edges.of_list (List.map (fun (j, k) ->
+      if j > n || k > n then differs source "expected %d vertices, found a segment with another" n;
+      edge (j - 1) (k - 1)) c.segments_given) in
+  ignore (compare_segments places (List.init n Fun.id) expected domain source : edge -> edge)
+
+let compare_domain mesh (c : domain_certificate) points_elsewhere ~exactly source =
+  let domain = read ~exactly points_elsewhere source in
+  let places = Array.map (fun site -> place_of mesh.unit site Big.one) mesh.sites in
+  let corners = List.concat (List.mapi (fun k -> function Corner _ -> [ k ] | Steiner _ -> []) c.domain_part.roles) in
+  let expected = Edges.of_list (List.map (fun s -> let u, v = ends s in edge u v) c.domain_part.segments) in
+  let renamed = compare_segments places corners expected domain source in
   (* Each polygon by its segments: of those with the same, by its hole points. *)
   let left = Hashtbl.create 64 in
   List.iter (fun (f : polygon_entry) ->
