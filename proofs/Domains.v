@@ -57,6 +57,25 @@ Record domain_certificate := DomainCertificate {
   polygons : list polygon_entry    (* none in the plane *)
 }.
 
+(** What shows that the domain of a certificate is a piecewise linear complex.  A face of the mesh (a vertex, an
+    edge, in polygons a triangle) in a segment or a polygon is held by it: in no other segment or polygon is there
+    this face, but that polygons may have segments in them; a vertex of the domain need not be held. *)
+Inductive holder := InSegment (k : positive) | InPolygon (k : positive).
+(** The face with these vertices and the one, of a smaller number, at which the entry stands. *)
+Record face_entry := FaceEntry { others : list positive; face_holder : holder }.
+(** Of a polygon: for each of its own segments which segment of the domain this is, and whether the polygon
+    is on one side of it only; and all the segments of the domain in it, for each of their steps with a
+    piece of the polygon that has it for an edge. *)
+Record polygon_faces := PolygonFaces {
+  rim_segments : list (positive * bool);
+  segments_in : list (positive * list positive)
+}.
+Record complex_part := ComplexPart {
+  faces : list (list face_entry);  (* one list a point *)
+  one_sided : list bool;           (* one a wall: is the domain on one side of it only? *)
+  polygon_parts : list polygon_faces
+}.
+
 Definition domain_claim_name (c : domain_claim) : string :=
   match c with
   | PlcTriangulation => "plc-triangulation"
@@ -133,6 +152,46 @@ Definition cells (P : domain) : list (point d -> Prop) :=
   map polygon_points (domain_polygons P) ++ [region P].
 (** |P| *)
 Definition underlying (P : domain) (q : point d) : Prop := exists X, In X (cells P) /\ X q.
+
+(** ** Definition 4.3
+
+    A linear cell, with its dimension and its affine hull.  What the domain fills is a cell if walls enclose
+    it; the hull of its vertices, of which no boundary is listed, is none. *)
+Record linear_cell := LinearCell {
+  cell_dimension : nat; affine_hull : point d -> Prop; cell_points : point d -> Prop }.
+Definition linear_cells (P : domain) : list linear_cell :=
+  map (fun v => LinearCell 0 (fun q => q = v) (fun q => q = v)) (domain_vertices P) ++
+  map (fun ab => LinearCell 1 (fun q => exists s, q = between (fst ab) (snd ab) s) (conv [fst ab; snd ab]))
+    (domain_segments P) ++
+  map (fun f => LinearCell 2 (fun q => inner (plane_normal f) q = plane_offset f) (polygon_points f))
+    (domain_polygons P) ++
+  match what_it_fills P with
+  | Enclosed => [LinearCell d (fun _ => True) (region P)]
+  | Hull => []
+  end.
+(** The boundary of a union of finitely many convex polytopes: the points from which one gets out of it, within
+    its affine hull, along a segment that has nothing else in common with it. *)
+Definition boundary (f : linear_cell) (q : point d) : Prop := cell_points f q /\
+  exists r, affine_hull f r /\ forall s, 0 < s <= 1 -> ~ cell_points f (between q r s).
+Definition within (X Y : point d -> Prop) : Prop := forall q, X q -> Y q.
+
+Record piecewise_linear_complex (P : domain) : Prop := {
+  (** The vertices and segments form a simplicial complex. *)
+  complex_of_segments : simplicial_complex (fun s => NoDup s /\
+    ((exists v, In v (domain_vertices P) /\ same s [v]) \/
+     exists a b, In (a, b) (domain_segments P) /\ same s [a; b]));
+  (** The boundary of each cell is a union of cells. *)
+  boundary_of_cells : forall f q, In f (linear_cells P) -> boundary f q ->
+    exists g, In g (linear_cells P) /\ cell_points g q /\ within (cell_points g) (boundary f);
+  (** Where two cells meet, if they are not the same, is a union of cells, each of a lower dimension than
+      one of the two. *)
+  meeting_cells : forall f g q, In f (linear_cells P) -> In g (linear_cells P) ->
+    ~ (within (cell_points f) (cell_points g) /\ within (cell_points g) (cell_points f)) ->
+    cell_points f q -> cell_points g q ->
+    exists h, In h (linear_cells P) /\ cell_points h q /\
+      within (cell_points h) (cell_points f) /\ within (cell_points h) (cell_points g) /\
+      (cell_dimension h < cell_dimension f \/ cell_dimension h < cell_dimension g)%nat
+}.
 
 (** ** Triangulations of domains
 

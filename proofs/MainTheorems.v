@@ -1,6 +1,6 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v] or, of domains, of [Domains.v].  [check], [refute] and [check_domain]
+    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v].  [check], [refute] and [check_domain]
     are the functions that the program evaluates; how they decide ([checker/Checker.v],
     [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.
     The theorems of the book stand in [BookTheorems.v].
@@ -8,14 +8,16 @@
     What a line of the program does not say:
     - whose points and simplices these are: they are those in the file, scaled by its P/Q.  Whether
       they are yours is compared by [circumspect-verified FILE MESH.node MESH.ele], which is not proved;
+      so is what a domain is, with [DOMAIN.poly] too;
     - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
-    - that a domain is a piecewise linear complex, or is the one in your file;
+    - that a domain is a piecewise linear complex, unless it adds [plc];
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Settling Refutation DomainChecker Definitions Domains.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound Completeness
+From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation.
+From Circumspect Require Import Definitions Domains DomainRules.
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -59,8 +61,7 @@ Theorem verified_rule D c w : refute D c = true ->
 Proof. apply RefutationSound.refute_breach. Qed.
 
 (** An accepted certificate about a domain: its kept simplices are what it claims of the domain that
-    its vertices, segments, polygons and hole points describe. (Whether this domain is a piecewise
-    linear complex, Definition 4.3, is not said.) *)
+    its vertices, segments, polygons and hole points describe. *)
 Theorem verified_domain D c : check_domain D c = Accepted ->
   let P := domain_of_certificate (dimension_of D) c in
   let T := mesh_of_domain (dimension_of D) c in
@@ -72,6 +73,22 @@ Theorem verified_domain D c : check_domain D c = Accepted ->
   | SteinerCdt => steiner_cdt P T
   end.
 Proof. apply DomainSound.check_domain_sound. Qed.
+
+(** And if the certificate says so ([plc]), this domain is a piecewise linear complex (Definition 4.3). *)
+Theorem verified_complex D c x : check_domain D c = Accepted -> check_complex D c x = Accepted ->
+  piecewise_linear_complex (domain_of_certificate (dimension_of D) c).
+Proof. apply ComplexSound.check_complex_sound. Qed.
+
+(** An accepted refutation of a claim about a domain: whatever domain has the vertices and, among others, the
+    segments of the refutation, the claim is false of it and the mesh, ... *)
+Theorem verified_not_domain D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c)).
+Proof. apply DomainRefuted.refute_domain_sound. Qed.
+
+(** ... because it breaks the rule that is printed. *)
+Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
+Proof. apply DomainRefuted.refute_domain_rule. Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
     of the points is that of the certificate, which is lexicographic ([points-increasing]). *)

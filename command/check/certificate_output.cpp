@@ -98,6 +98,21 @@ std::optional<std::vector<Simplex>> fill_delaunay(const PointSet& points,
   return rest;
 }
 
+// Of joined polygons, which nobody listed, all segments.
+certificate::ListedSegments listed_segments(const LoadedDomain& loaded) {
+  const auto& lines = loaded.file.input.polygons;
+  const auto& polygons = loaded.domain.complex.polygons;
+  certificate::ListedSegments listed;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (lines.size() == polygons.size()) {
+      listed.push_back(edges_of(lines[i]));
+    } else {
+      listed.emplace_back(polygons[i].segments.begin(), polygons[i].segments.end());
+    }
+  }
+  return listed;
+}
+
 }  // namespace
 
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
@@ -116,8 +131,8 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
 }
 
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
-                              const ExactMesh& mesh, const Domain& domain, const Verdict& verdict,
-                              Output& output) {
+                              const ExactMesh& mesh, const LoadedDomain& loaded,
+                              const Verdict& verdict, Output& output) {
   if (!verdict.holds()) {
     output.error(ExitCode::kUsage, "mesh", mesh_name,
                  fmt::format("{}: expected a claim that holds of the mesh and its domain, found {} "
@@ -126,7 +141,7 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
     return false;
   }
   const auto document = certificate::domain_certificate_of(
-      mesh, domain, verdict.claim(),
+      mesh, loaded.domain, listed_segments(loaded), verdict.claim(),
       {.fill = fill, .fill_delaunay = fill_delaunay, .triangulate = delaunay_simplices});
   if (!document) {
     output.error(ExitCode::kUsage, "mesh", mesh_name,

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "command/input/domain_input.hpp"
 #include "command/output/output.hpp"
-#include "oracle/model/domain.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 
@@ -17,7 +17,7 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
 
 // The same for a claim about a domain. There is none if the claim does not hold.
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
-                              const ExactMesh& mesh, const Domain& domain, const Verdict& verdict,
-                              Output& output);
+                              const ExactMesh& mesh, const LoadedDomain& loaded,
+                              const Verdict& verdict, Output& output);
 
 }  // namespace circumspect::cli

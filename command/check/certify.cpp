@@ -76,7 +76,7 @@ void certify(const CertifyOptions& options, Output& output) {
   const bool written =
       about == nullptr
           ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
-          : write_domain_certificate(options.certificate, options.mesh, mesh, *about, *verdict,
+          : write_domain_certificate(options.certificate, options.mesh, mesh, *domain, *verdict,
                                      output);
   if (written) report(options, *verdict, loaded->mesh, about, output);
 }

@@ -55,6 +55,7 @@ void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCerti
 tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDomain& in,
                                                                   const Certificate& mesh,
                                                                   std::size_t cell,
+                                                                  const std::set<Simplex>& listed,
                                                                   const std::vector<Simplex>& tiles,
                                                                   const HullFillers& fillers) {
   const Polygon& given = in.complex.polygons[cell];
@@ -92,19 +93,23 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDo
     part.is_corner.push_back(in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex);
   }
   for (const Simplex& segment : given.segments) {
+    if (!listed.contains(segment)) continue;
     const auto found =
         std::lower_bound(in.complex.segments.begin(), in.complex.segments.end(), segment);
-    const std::vector<Vertex> chain =
-        seen(in.chains.chain(static_cast<std::size_t>(found - in.complex.segments.begin())));
+    polygon.rim.push_back(static_cast<std::size_t>(found - in.complex.segments.begin()));
+    const std::vector<Vertex> chain = seen(in.chains.chain(polygon.rim.back()));
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       part.walls[sorted({chain[i], chain[i + 1]})] = {part.chains.size(), 0};
     }
     part.chains.push_back(chain);
   }
   for (const Point& seed : given.hole_seeds) {
-    polygon.seeds.push_back(scaled(mesh.points, seed));
-    HomogeneousPoint& flat = part.seeds.emplace_back(polygon.seeds.back());
+    const HomogeneousPoint in_space = scaled(mesh.points, seed);
+    HomogeneousPoint flat = in_space;
     flat.numerators.erase(flat.numerators.begin() + static_cast<std::ptrdiff_t>(polygon.axis));
+    if (!simplex_around(part, flat)) continue;
+    polygon.seeds.push_back(in_space);
+    part.seeds.push_back(std::move(flat));
   }
   auto found = domain_part(part);
   if (!found)
@@ -143,10 +148,9 @@ void weigh(const MeshedDomain& in, const HullFillers& fillers, const Certificate
   }
 }
 
-tl::expected<DomainCertificate, std::string> certificate_in(const MeshedDomain& in,
-                                                            const Domain& domain, Claim claim,
-                                                            const std::vector<WallPiece>& pieces,
-                                                            const HullFillers& fillers) {
+tl::expected<DomainCertificate, std::string> certificate_in(
+    const MeshedDomain& in, const Domain& domain, const ListedSegments& listed, Claim claim,
+    const std::vector<WallPiece>& pieces, const HullFillers& fillers) {
   const std::size_t dimension = in.complex.ambient_dimension();
   auto points = scaled_to_integers(in.mesh.points);
   if (!points) return tl::unexpected(points.error());
@@ -168,8 +172,10 @@ tl::expected<DomainCertificate, std::string> certificate_in(const MeshedDomain& 
   if (made.kind == DomainKind::kHull) {
     weigh(in, fillers, made.mesh, part);
   } else {
-    for (const Point& seed : seeds_of_holes(in))
-      part.seeds.push_back(scaled(made.mesh.points, seed));
+    for (const Point& seed : in.complex.hole_seeds) {
+      HomogeneousPoint point = scaled(made.mesh.points, seed);
+      if (simplex_around(part, point)) part.seeds.push_back(std::move(point));
+    }
   }
   std::vector<std::vector<Simplex>> tiles(in.complex.polygons.size());
   for (const WallPiece& piece : pieces) {
@@ -180,10 +186,13 @@ tl::expected<DomainCertificate, std::string> certificate_in(const MeshedDomain& 
   auto found = domain_part(part);
   if (!found) return tl::unexpected(std::string(kNoCertificate) + found.error());
   made.part = std::move(*found);
-  if (dimension == 2) return made;
+  if (dimension == 2) {
+    made.complex = complex_part(made);
+    return made;
+  }
   const auto places = places_of_facets(in.mesh, made.mesh);
   for (std::size_t cell = 0; cell < tiles.size(); ++cell) {
-    auto polygon = polygon_certificate(in, made.mesh, cell, tiles[cell], fillers);
+    auto polygon = polygon_certificate(in, made.mesh, cell, listed[cell], tiles[cell], fillers);
     if (!polygon) return tl::unexpected(polygon.error());
     for (const Simplex& tile : tiles[cell]) {
       const auto place = places.find(tile);
@@ -193,6 +202,7 @@ tl::expected<DomainCertificate, std::string> certificate_in(const MeshedDomain& 
     }
     made.polygons.push_back(std::move(*polygon));
   }
+  made.complex = complex_part(made);
   return made;
 }
 
@@ -200,6 +210,7 @@ tl::expected<DomainCertificate, std::string> certificate_in(const MeshedDomain& 
 
 tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMesh& mesh,
                                                                    const Domain& domain,
+                                                                   const ListedSegments& listed,
                                                                    Claim claim,
                                                                    const HullFillers& fillers) {
   const PiecewiseLinearComplex& complex = domain.complex;
@@ -224,7 +235,7 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
   Verdict verdict(claim, 1);
   const auto pieces = check::wall_pieces(in, verdict);
   if (!pieces) return tl::unexpected(std::string(kNoCertificate) + "its walls are not tiled");
-  return certificate_in(in, domain, claim, *pieces, fillers);
+  return certificate_in(in, domain, listed, claim, *pieces, fillers);
 }
 
 }  // namespace circumspect::certificate

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +71,24 @@ struct PolygonCertificate {
   std::vector<Vertex> above = {};  // by its vertices, those of the mesh in space
   std::vector<std::pair<std::uint32_t, std::size_t>> tiles = {};  // of its kept triangles: facets
   std::vector<HomogeneousPoint> seeds = {};
+  std::vector<std::size_t> rim = {};  // which segments of the domain its own are
+};
+
+// What shows that the domain is a piecewise linear complex. A face of the mesh (a vertex, an edge, in polygons a
+// triangle) is held by a segment, or by the polygon it is in; vertices of the domain by nothing.
+struct Holder {
+  bool is_segment;
+  std::size_t number;
+};
+struct PolygonFaces {
+  std::vector<std::pair<std::size_t, bool>> rim = {};  // its own segments: is it on one side only?
+  // Those in it, and for each of their steps a triangle of the polygon with this edge.
+  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> segments = {};
+};
+struct ComplexPart {
+  std::map<Simplex, Holder> faces = {};
+  std::vector<bool> one_sided = {};  // by the walls: is the domain on one side only?
+  std::vector<PolygonFaces> polygons = {};
 };
 
 struct DomainCertificate {
@@ -78,6 +98,7 @@ struct DomainCertificate {
   Certificate mesh = {};
   DomainPart part = {};
   std::vector<PolygonCertificate> polygons = {};
+  std::optional<ComplexPart> complex = {};
 };
 
 // What a domain certificate needs and does not construct: it need not be trusted.
@@ -91,9 +112,16 @@ struct HullFillers {
   std::function<std::vector<Simplex>(const PointSet&)> triangulate;
 };
 
+// Nothing if the boundary of a polygon or of what is filled is no union of segments and polygons.
+std::optional<ComplexPart> complex_part(const DomainCertificate& in);
+
+// Of each polygon the segments that its own lines list; the others in it were adopted.
+using ListedSegments = std::vector<std::set<Simplex>>;
+
 // Requires: the claim, which is about a domain, holds of the mesh. Error: why there is none, for people.
 tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMesh& mesh,
                                                                    const Domain& domain,
+                                                                   const ListedSegments& listed,
                                                                    Claim claim,
                                                                    const HullFillers& fillers);
 

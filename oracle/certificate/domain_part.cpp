@@ -74,22 +74,6 @@ bool find_steps(const PartInput& input, DomainPart& part) {
   return true;
 }
 
-// The simplex that has the seed strictly inside, if there is one that is not kept; else one that has it.
-std::optional<std::uint32_t> simplex_around(const PartInput& input, const HomogeneousPoint& seed) {
-  Sidedness sidedness(input.mesh.points);
-  std::optional<std::uint32_t> found;
-  for (std::size_t s = input.kept; s < input.mesh.simplices.size(); ++s) {
-    const auto vertices = vertices_of(input.mesh, s);
-    int least = 1;
-    for (std::size_t place = 0; least >= 0 && place < vertices.size(); ++place) {
-      least = std::min(least, sidedness.orientation_with(vertices, place, seed));
-    }
-    if (least >= 0) found = static_cast<std::uint32_t>(s);
-    if (least > 0) break;
-  }
-  return found;
-}
-
 // From the holes and the outside through facets that are in no wall, in as few steps as possible.
 bool find_ways_out(const PartInput& input, DomainPart& part) {
   std::deque<std::uint32_t> reached;
@@ -148,11 +132,7 @@ tl::expected<DomainPart, std::string> domain_part(const PartInput& input) {
     }
   }
   for (const HomogeneousPoint& seed : input.seeds) {
-    const auto around = simplex_around(input, seed);
-    if (!around) {
-      return tl::unexpected(std::string("no simplex of what fills a hole contains its point"));
-    }
-    part.holes.push_back({seed, *around});
+    part.holes.push_back({seed, *simplex_around(input, seed)});
   }
   if (!find_ways_out(input, part)) return tl::unexpected(std::string("something dangles"));
   return part;
@@ -188,13 +168,19 @@ std::vector<std::pair<Integer, Vertex>> combination(const ScaledPoints& points,
   return {};
 }
 
-std::vector<Point> seeds_of_holes(const check::MeshedDomain& in) {
-  std::vector<Point> seeds;
-  for (const Point& seed : in.complex.hole_seeds) {
-    const auto region = in.regions.region_at(seed);
-    if (region && in.regions.where(*region) == Where::kHole) seeds.push_back(seed);
+std::optional<std::uint32_t> simplex_around(const PartInput& input, const HomogeneousPoint& seed) {
+  Sidedness sidedness(input.mesh.points);
+  std::optional<std::uint32_t> found;
+  for (std::size_t s = input.kept; s < input.mesh.simplices.size(); ++s) {
+    const auto vertices = vertices_of(input.mesh, s);
+    int least = 1;
+    for (std::size_t place = 0; least >= 0 && place < vertices.size(); ++place) {
+      least = std::min(least, sidedness.orientation_with(vertices, place, seed));
+    }
+    if (least >= 0) found = static_cast<std::uint32_t>(s);
+    if (least > 0) break;
   }
-  return seeds;
+  return found;
 }
 
 }  // namespace circumspect::certificate

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/domain_certificate.hpp"
-#include "oracle/judge/domain/meshed_domain.hpp"
 
 namespace circumspect::certificate {
 
@@ -20,7 +20,7 @@ struct PartInput {
   std::vector<std::vector<std::pair<Integer, Vertex>>> weights = {};  // likewise, or empty
   std::vector<std::vector<Vertex>> chains = {};                       // of the segments
   std::map<Simplex, std::pair<std::size_t, std::size_t>> walls = {};  // facets, ascending
-  std::vector<HomogeneousPoint> seeds = {};                           // of the holes
+  std::vector<HomogeneousPoint> seeds = {};  // of the holes, each in a simplex that is not kept
 };
 
 // Error: why there is none, for people.
@@ -32,7 +32,8 @@ std::vector<std::pair<Integer, Vertex>> combination(const ScaledPoints& points,
                                                     const std::vector<Simplex>& simplices,
                                                     Vertex v);
 
-// The hole seeds that make holes.
-std::vector<Point> seeds_of_holes(const check::MeshedDomain& in);
+// The simplex that has the seed strictly inside, if there is one that is not kept; else one that has it.
+// None: it is in a kept one or beyond all of them, and makes no hole.
+std::optional<std::uint32_t> simplex_around(const PartInput& input, const HomogeneousPoint& seed);
 
 }  // namespace circumspect::certificate

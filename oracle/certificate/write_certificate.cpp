@@ -1,4 +1,6 @@
 // Numbers count from 1, positions of vertices in their simplex from 0: proofs/CERTIFICATE.md.
+#include <fmt/format.h>
+
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/lines.hpp"
@@ -189,13 +191,59 @@ void write_polygon(Lines& lines, const std::vector<std::size_t>& number,
   }
 }
 
+// By the numbers of the vertices: the faces of which a vertex has the least.
+void write_complex(Lines& lines, const std::vector<std::size_t>& number,
+                   const ComplexPart& complex) {
+  std::vector<std::vector<std::pair<Simplex, Holder>>> faces(number.size());
+  for (const auto& [face, holder] : complex.faces) {
+    Simplex numbers;
+    for (const Vertex v : face) {
+      numbers.push_back(static_cast<Vertex>(number[static_cast<std::size_t>(v)]));
+    }
+    numbers = sorted(numbers);
+    const auto least = static_cast<std::size_t>(numbers.front() - 1);
+    numbers.erase(numbers.begin());
+    faces[least].emplace_back(std::move(numbers), holder);
+  }
+  begin_section(lines, "faces", faces.size());
+  for (const auto& at_vertex : faces) {
+    for (const auto& [others, holder] : at_vertex) {
+      lines.gap() << (holder.is_segment ? "segment" : "polygon") << holder.number + 1
+                  << others.size();
+      for (const Vertex v : others) lines << v;
+    }
+    if (at_vertex.empty()) lines << "-";
+    lines.end_line();
+  }
+  const auto sides = [](bool one) { return one ? "one" : "both"; };
+  begin_section(lines, "sides", complex.one_sided.size());
+  for (const bool one : complex.one_sided) {
+    lines << sides(one);
+    lines.end_line();
+  }
+  for (const PolygonFaces& polygon : complex.polygons) {
+    begin_section(lines, "rim", polygon.rim.size());
+    for (const auto& [segment, one] : polygon.rim) {
+      lines << segment + 1 << sides(one);
+      lines.end_line();
+    }
+    begin_section(lines, "inside", polygon.segments.size());
+    for (const auto& [segment, pieces] : polygon.segments) {
+      lines << segment + 1;
+      for (const std::size_t piece : pieces) lines << piece + 1;
+      lines.end_line();
+    }
+  }
+}
+
 }  // namespace
 
 void write(std::ostream& out, const DomainCertificate& certificate) {
   Lines lines(out);
   const std::size_t dimension = certificate.mesh.points.dimension;
   write_first_line(lines, "circumspect-certificate 1", certificate.claim, dimension,
-                   certificate.kind == DomainKind::kHull ? "hull" : "enclosed");
+                   fmt::format("{}{}", certificate.kind == DomainKind::kHull ? "hull" : "enclosed",
+                               certificate.complex ? " plc" : ""));
   write_mesh(lines, certificate.whole, certificate.mesh);
   write_part(lines, certificate.mesh, certificate.part);
   if (dimension == 3) {
@@ -204,6 +252,9 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
     for (const PolygonCertificate& polygon : certificate.polygons) {
       write_polygon(lines, number, polygon);
     }
+  }
+  if (certificate.complex) {
+    write_complex(lines, numbers_of(certificate.mesh), *certificate.complex);
   }
   lines << "end";
   lines.end_line();

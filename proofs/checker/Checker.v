@@ -19,7 +19,9 @@ Inductive condition :=
   | sample_inside | sample_outside | sample_inside_hull | facet_locally_delaunay
   (* of domains only: domain/DomainChecker.v *)
   | claim_of_mesh | role_shown | segment_linked | hole_inside | mark_consistent | wall_shown
-  | way_out_shown | polygon_flat | polygon_tiled | vertices_of_domain.
+  | way_out_shown | polygon_flat | polygon_tiled | vertices_of_domain
+  (* domain/ComplexChecker.v *)
+  | face_held | segment_in_polygon | rim_listed | one_sided_shown.
 
 Inductive place :=
   | Nowhere | AtPoint (k : positive) | AtSimplex (t : positive) | AtFacet (t : positive) (i : nat)

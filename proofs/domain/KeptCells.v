@@ -197,11 +197,10 @@ Proof.
   destruct (nth_error (walls e) i); [discriminate|discriminate].
 Qed.
 
-(** A segment is a union of edges of kept simplices; in the plane, of walls. *)
-Theorem segment_edges s : In s (segments p) -> exists F : list (list positive),
-  (forall x, In x F -> exists y z t i, x = [y; z] /\ edge_of m planar kind marks_of t i y z = true) /\
-  forall q, conv [fst (segment_ends d c s); snd (segment_ends d c s)] q <->
-    exists x, In x F /\ conv (map spot x) q.
+(** A segment is what its steps cover. *)
+Theorem segment_covered s : In s (segments p) -> forall q,
+  conv [fst (segment_ends d c s); snd (segment_ends d c s)] q <->
+    exists x, In x (edges_from (from s) (links s)) /\ conv (map spot x) q.
 Proof.
   intros I. apply in_numbered in I. destruct I as (n & E).
   destruct (segment_checked n s E) as (a & b & Fa & Fb & O & L).
@@ -210,22 +209,40 @@ Proof.
   unfold segment_ends. cbn [fst snd]. rewrite Sa, Sb.
   assert (Start : on_it a b (from s)).
   { unfold on_it, ratio_of. rewrite <- Qa, ratio_start, between_start, Sa. split; [lra|reflexivity]. }
-  exists (edges_from (from s) (links s)). split.
-  - intros x Ix. destruct (linked_edges a b Ha Hb _ _ Start L x Ix) as (y & z & t & i & -> & _ & _ & K).
-    exists y, z, t, i. auto.
-  - intros q. split.
-    + intros C. apply conv_two in C. destruct C as (t & Ht & ->).
-      apply (linked_covers a b Ha Hb); try assumption.
-      * intros N. rewrite N in Fb. change (last (map reached []) (from s)) with (from s) in Fb.
-        rewrite Fb in Fa. injection Fa as ->.
-        pose proof (ratio_end a a O) as R1. rewrite ratio_start in R1. lra.
-      * unfold ratio_of. rewrite <- Qa, ratio_start. lra.
-      * unfold ratio_of. rewrite <- Qb, ratio_end by assumption. lra.
-    + intros (x & Ix & C).
-      destruct (linked_edges a b Ha Hb _ _ Start L x Ix) as (y & z & t & i & -> & (Y1 & Y2) & (Z1 & Z2) & _).
-      apply (conv_conv (map spot [y; z])); [|assumption]. intros v [<-|[<-|[]]].
-      * rewrite Y2. apply conv_two. eauto.
-      * rewrite Z2. apply conv_two. eauto.
+  intros q. split.
+  - intros C. apply conv_two in C. destruct C as (t & Ht & ->).
+    apply (linked_covers a b Ha Hb); try assumption.
+    + intros N. rewrite N in Fb. change (last (map reached []) (from s)) with (from s) in Fb.
+      rewrite Fb in Fa. injection Fa as ->.
+      pose proof (ratio_end a a O) as R1. rewrite ratio_start in R1. lra.
+    + unfold ratio_of. rewrite <- Qa, ratio_start. lra.
+    + unfold ratio_of. rewrite <- Qb, ratio_end by assumption. lra.
+  - intros (x & Ix & C).
+    destruct (linked_edges a b Ha Hb _ _ Start L x Ix) as (y & z & t & i & -> & (Y1 & Y2) & (Z1 & Z2) & _).
+    apply (conv_conv (map spot [y; z])); [|assumption]. intros v [<-|[<-|[]]].
+    + rewrite Y2. apply conv_two. eauto.
+    + rewrite Z2. apply conv_two. eauto.
+Qed.
+(** The steps are edges of kept simplices; in the plane, walls. *)
+Lemma step_edge s x : In s (segments p) -> In x (edges_from (from s) (links s)) ->
+  exists u l, x = [u; reached l] /\ In l (links s) /\
+    edge_of m planar kind marks_of (link_simplex l) (link_facet l) u (reached l) = true.
+Proof.
+  intros I Ix. apply in_numbered in I. destruct I as (n & E).
+  destruct (segment_checked n s E) as (a & b & _ & _ & _ & L). revert L Ix.
+  generalize (from s) as u. induction (links s) as [|l r IH]; intros u L Ix; [destruct Ix|].
+  cbn [linked] in L. cbv zeta in L. apply andb_prop in L. destruct L as [L L2].
+  apply andb_prop in L. destruct L as [Ed _]. destruct Ix as [<-|Ix].
+  - exists u, l. split; [reflexivity|]. split; [now left|assumption].
+  - destruct (IH _ L2 Ix) as (v & k & -> & Ik & K). exists v, k. split; [reflexivity|]. split; [now right|assumption].
+Qed.
+Theorem segment_edges s : In s (segments p) -> exists F : list (list positive),
+  (forall x, In x F -> exists y z t i, x = [y; z] /\ edge_of m planar kind marks_of t i y z = true) /\
+  forall q, conv [fst (segment_ends d c s); snd (segment_ends d c s)] q <->
+    exists x, In x F /\ conv (map spot x) q.
+Proof.
+  intros I. exists (edges_from (from s) (links s)). split; [|now apply segment_covered].
+  intros x Ix. destruct (step_edge s x I Ix) as (u & l & -> & _ & K). eauto 6.
 Qed.
 Theorem segment_union s : In s (segments p) ->
   union_of_simplices T (fun q => conv [fst (segment_ends d c s); snd (segment_ends d c s)] q).

@@ -30,6 +30,26 @@ Let mesh_ok := plane_mesh_accepted.
 Let part_ok := plane_part_accepted.
 Let two : (1 <= 2)%nat := le_S 1 1 (le_n 1).
 
+(** What is shown to be part of a segment is on it. *)
+Lemma shown_segment K i w : shown_by_segment c p K i w = true -> exists s, numbered (segments p) (fst w) = Some s /\
+  forall q, conv (map spot (Checker.remove i K)) q ->
+    conv [fst (segment_ends 2 c s); snd (segment_ends 2 c s)] q.
+Proof.
+  intros Sh. unfold shown_by_segment in Sh. cbv zeta in Sh. rewrite find_id in Sh.
+  destruct (numbered (segments p) (fst w)) as [s|] eqn:Es; [|discriminate]. exists s. split; [exact eq_refl|].
+  destruct (Table.find (from s) (points_of (mesh_of c))) as [a|] eqn:Fa; [|discriminate].
+  destruct (Table.find (last (map reached (links s)) (from s)) (points_of (mesh_of c))) as [b|] eqn:Fb;
+    [|discriminate].
+  destruct (point_known plane_computes c mesh_ok _ _ Fa) as (Sa & Ha & _).
+  destruct (point_known plane_computes c mesh_ok _ _ Fb) as (Sb & Hb & _).
+  intros q C. apply (conv_conv (map spot (Checker.remove i K))); [|assumption].
+  intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik).
+  rewrite forallb_forall in Sh. specialize (Sh k Ik).
+  destruct (Table.find k (points_of (mesh_of c))) as [x|] eqn:Fx; [|discriminate].
+  destruct (point_known plane_computes c mesh_ok _ _ Fx) as (Sx & Hx & _).
+  unfold segment_ends. cbn [fst snd]. rewrite Sa, Sb, Sx. apply conv_two. exists (ratio a b x).
+  now apply on_segment_between.
+Qed.
 Lemma segments_flagged q : kind = Enclosed ->
   on_segments (part_segments 2 c p) q <-> flagged_points (d := 2) c p q.
 Proof.
@@ -45,22 +65,9 @@ Proof.
   - intros (t & e & i & E & Hi & Fl & C).
     destruct (flagged_is_shown oriented2 plane_computes two c mesh_ok p true kind _ part_ok t e i K E Hi Fl)
       as (w & Sh).
-    unfold shown_by_segment in Sh. cbv zeta in Sh. rewrite find_id in Sh.
-    destruct (numbered (segments p) (fst w)) as [s|] eqn:Es; [|discriminate].
-    destruct (Table.find (from s) (points_of (mesh_of c))) as [a|] eqn:Fa; [|discriminate].
-    destruct (Table.find (last (map reached (links s)) (from s)) (points_of (mesh_of c))) as [b|] eqn:Fb;
-      [|discriminate].
-    destruct (point_known plane_computes c mesh_ok _ _ Fa) as (Sa & Ha & _).
-    destruct (point_known plane_computes c mesh_ok _ _ Fb) as (Sb & Hb & _).
-    exists (spot (from s)), (spot (last (map reached (links s)) (from s))). split.
-    + change (In (segment_ends 2 c s) (part_segments 2 c p)). apply in_map. now apply numbered_in with (fst w).
-    + apply (conv_conv (map spot (Checker.remove i (corners e)))); [|assumption].
-      intros v Iv. apply in_map_iff in Iv. destruct Iv as (k & <- & Ik).
-      rewrite forallb_forall in Sh. specialize (Sh k Ik).
-      destruct (Table.find k (points_of (mesh_of c))) as [x|] eqn:Fx; [|discriminate].
-      destruct (point_known plane_computes c mesh_ok _ _ Fx) as (Sx & Hx & _).
-      rewrite Sa, Sb, Sx. apply conv_two. exists (ratio a b x).
-      now apply on_segment_between.
+    destruct (shown_segment _ _ _ Sh) as (s & Es & In_s).
+    exists (fst (segment_ends 2 c s)), (snd (segment_ends 2 c s)). split; [|now apply In_s].
+    rewrite <- surjective_pairing. apply in_map. now apply numbered_in with (fst w).
 Qed.
 
 Theorem plane_enclosed q : kind = Enclosed ->
@@ -154,28 +161,30 @@ Proof.
   destruct (above_spec k e E) as (j & J & F). unfold up. now rewrite J.
 Qed.
 
+(** One of its segments, and its picture. *)
+Lemma rim_segment s : In s (segments part2) -> forall x,
+  conv [up (from s); up (last (map reached (links s)) (from s))] x <->
+  flat n o x /\ conv [fst (segment_ends 2 p2 s); snd (segment_ends 2 p2 s)] (sh x).
+Proof.
+  intros Is x. apply in_numbered in Is. destruct Is as (k & Ks).
+  destruct (segment_checked p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) k s Ks)
+    as (a & b & Fa & Fb & _).
+  destruct (up_spec _ _ Fa) as [Fla Sa]. destruct (up_spec _ _ Fb) as [Flb Sb].
+  rewrite (conv_shadow (axis f) n o polygon_seen).
+  - cbn [map]. rewrite Sa, Sb. reflexivity.
+  - intros y [<-|[<-|[]]]; assumption.
+Qed.
 Lemma rim_shadow q : flat n o q ->
   on_segments (rim (polygon_of 3 D f)) q <-> on_segments (part_segments 2 p2 part2) (sh q).
 Proof.
-  intros Q. unfold polygon_of. rewrite of_D. cbn [rim]. fold up.
-  assert (G : forall s, In s (segments part2) -> forall x,
-    conv [up (from s); up (last (map reached (links s)) (from s))] x <->
-    flat n o x /\ conv [fst (segment_ends 2 p2 s); snd (segment_ends 2 p2 s)] (sh x)).
-  { intros s Is x. apply in_numbered in Is. destruct Is as (k & Ks).
-    destruct (segment_checked p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) k s Ks)
-      as (a & b & Fa & Fb & _).
-    destruct (up_spec _ _ Fa) as [Fla Sa]. destruct (up_spec _ _ Fb) as [Flb Sb].
-    rewrite (conv_shadow (axis f) n o polygon_seen).
-    - cbn [map]. rewrite Sa, Sb. reflexivity.
-    - intros y [<-|[<-|[]]]; assumption. }
-  split.
+  intros Q. unfold polygon_of. rewrite of_D. cbn [rim]. fold up. split.
   - intros (a & b & I & C). apply in_map_iff in I. destruct I as (s & E & Is). injection E as <- <-.
-    apply (G s Is) in C. destruct C as [_ C]. eexists _, _. split; [|exact C].
+    apply (rim_segment s Is) in C. destruct C as [_ C]. eexists _, _. split; [|exact C].
     unfold part_segments. rewrite <- surjective_pairing. now apply in_map.
   - intros (a & b & I & C). apply in_map_iff in I. destruct I as (s & E & Is).
     exists (up (from s)), (up (last (map reached (links s)) (from s))). split.
     + apply in_map_iff. exists s. split; [reflexivity|assumption].
-    + apply (G s Is). rewrite E. auto.
+    + apply (rim_segment s Is). rewrite E. auto.
 Qed.
 Lemma seed_spec k h s : numbered (holes part2) k = Some h -> numbered (seeds f) k = Some s ->
   flat n o (seed_point 3 c (fst s) (snd s)) /\
@@ -215,8 +224,8 @@ Proof.
       + cbn [map]. now rewrite Sj, M. }
   intros l Known. destruct (G l Known) as (k & -> & Fl & M). auto.
 Qed.
-Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+Lemma tile_at u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
+  exists t i e, numbered (tiles f) u = Some (t, i) /\ numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
     (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
     forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
       In x (Checker.remove i (corners e)).
@@ -232,6 +241,7 @@ Proof.
   rewrite (find_simplex (c := c)) in M.
   destruct (numbered (simplices c) (fst ti)) as [e|] eqn:Ee; [|discriminate].
   apply andb_prop in M. destruct M as [Fa M]. exists (fst ti), (snd ti), e.
+  split; [now rewrite <- surjective_pairing|].
   split; [assumption|]. split; [assumption|]. split; [|split].
   - apply (CertifiedMesh.wall_index space_computes c accepts (fst ti) e); [assumption|].
     unfold has_facet in Fa. destruct (nth_error (walls e) (snd ti)); discriminate.
@@ -239,42 +249,53 @@ Proof.
   - now apply same_members_spec.
 Qed.
 
+Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
+  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
+    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
+      In x (Checker.remove i (corners e)).
+Proof. intros E K. destruct (tile_at u s E K) as (t & i & e & _ & H). eauto. Qed.
+
+(** A point of its plane is in it if the picture is in a kept triangle. *)
+Lemma polygon_at x : flat n o x -> polygon_points (polygon_of 3 D f) x <->
+  exists t, In t (part_simplices 2 p2 part2) /\ conv t (sh x).
+Proof.
+  intros X. rewrite <- (plane_enclosed Enclosed p2 part2 plane_ok (sh x) eq_refl).
+  unfold polygon_points.
+  apply (enclosed_shadow (axis f) (plane_normal (polygon_of 3 D f)) (plane_offset (polygon_of 3 D f)));
+    unfold polygon_of; rewrite ?of_D; cbn [plane_normal plane_offset gaps].
+  - exact polygon_seen.
+  - intros y Y. pose proof (rim_shadow y Y) as R. unfold polygon_of in R. now rewrite of_D in R.
+  - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
+    destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (s & <- & Is).
+    apply in_numbered in Is. destruct Is as (k & Sk). symmetry in L.
+    destruct (numbered_beside _ _ _ _ L Sk) as (h & Hk). destruct (seed_spec k h s Hk Sk) as [F S].
+    split; [exact F|]. rewrite S. unfold part_holes.
+    apply (in_map (fun h => seed_point 2 p2 (hole_point h) (hole_w h))). now apply numbered_in with k.
+  - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
+    destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (h & <- & Ih).
+    apply in_numbered in Ih. destruct Ih as (k & Hk).
+    destruct (numbered_beside _ _ _ _ L Hk) as (s & Sk). destruct (seed_spec k h s Hk Sk) as [F S].
+    exists (seed_point 3 c (fst s) (snd s)). split; [|exact S].
+    apply (in_map (fun s => seed_point 3 c (fst s) (snd s))). now apply numbered_in with k.
+  - exact X.
+Qed.
+Lemma polygon_is_flat x : polygon_points (polygon_of 3 D f) x -> flat n o x.
+Proof. intros (F & _). unfold polygon_of in F. rewrite of_D in F. exact F. Qed.
+
 Theorem polygon_covered q : polygon_points (polygon_of 3 D f) q <->
   exists u s, numbered (simplices p2) u = Some s /\ kept_at (mark_table part2) u = true /\
     conv (map spot (named_above (Table.of_list Datatypes.id (above f)) (corners s))) q.
 Proof.
-  assert (Plane : forall x, flat n o x -> polygon_points (polygon_of 3 D f) x <->
-    exists t, In t (part_simplices 2 p2 part2) /\ conv t (sh x)).
-  { intros x X. rewrite <- (plane_enclosed Enclosed p2 part2 plane_ok (sh x) eq_refl).
-    unfold polygon_points.
-    apply (enclosed_shadow (axis f) (plane_normal (polygon_of 3 D f)) (plane_offset (polygon_of 3 D f)));
-      unfold polygon_of; rewrite ?of_D; cbn [plane_normal plane_offset gaps].
-    - exact polygon_seen.
-    - intros y Y. pose proof (rim_shadow y Y) as R. unfold polygon_of in R. now rewrite of_D in R.
-    - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
-      destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (s & <- & Is).
-      apply in_numbered in Is. destruct Is as (k & Sk). symmetry in L.
-      destruct (numbered_beside _ _ _ _ L Sk) as (h & Hk). destruct (seed_spec k h s Hk Sk) as [F S].
-      split; [exact F|]. rewrite S. unfold part_holes.
-      apply (in_map (fun h => seed_point 2 p2 (hole_point h) (hole_w h))). now apply numbered_in with k.
-    - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
-      destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (h & <- & Ih).
-      apply in_numbered in Ih. destruct Ih as (k & Hk).
-      destruct (numbered_beside _ _ _ _ L Hk) as (s & Sk). destruct (seed_spec k h s Hk Sk) as [F S].
-      exists (seed_point 3 c (fst s) (snd s)). split; [|exact S].
-      apply (in_map (fun s => seed_point 3 c (fst s) (snd s))). now apply numbered_in with k.
-    - exact X. }
-  assert (Flat : forall x, polygon_points (polygon_of 3 D f) x -> flat n o x).
-  { intros x (F & _). unfold polygon_of in F. rewrite of_D in F. exact F. }
   split.
-  - intros H. pose proof (Flat q H) as X. apply (Plane q X) in H. destruct H as (t & It & C).
+  - intros H. pose proof (polygon_is_flat q H) as X. apply (polygon_at q X) in H. destruct H as (t & It & C).
     apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
       (plane_part_accepted _ _ _ plane_ok)) in It.
     destruct It as (u & s & E & K & ->). exists u, s. split; [assumption|]. split; [assumption|].
     destruct (named_spec u s E) as [Fl M].
     apply (conv_shadow (axis f) n o polygon_seen _ q Fl). rewrite M. auto.
   - intros (u & s & E & K & C). destruct (named_spec u s E) as [Fl M].
-    apply (conv_shadow (axis f) n o polygon_seen _ q Fl) in C. destruct C as [X C]. apply (Plane q X).
+    apply (conv_shadow (axis f) n o polygon_seen _ q Fl) in C. destruct C as [X C]. apply (polygon_at q X).
     rewrite M in C. exists (map spot2 (corners s)). split; [|assumption].
     apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
       (plane_part_accepted _ _ _ plane_ok)). eauto.

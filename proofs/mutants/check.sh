@@ -74,6 +74,116 @@ users "rejected: another mesh, more.ele:3: found more simplices than 1" own.node
 printf '0 3\n' >none.ele
 users "rejected: another mesh, none.ele:1: expected 1 simplices, found 0" own.node none.ele
 users "malformed: cannot read absent.ele*" own.node absent.ele
+# A domain in the plane and one in space, as files of their users.
+domain() {  # what is expected, then options, MESH.node, MESH.ele and DOMAIN.poly
+  local expected=$1 found
+  shift
+  found=$("$program" "$certificate" "$@") || true
+  if [[ "$found" != $expected ]]; then
+    echo "circumspect-verified $certificate $*: expected '$expected', found '$found'" >&2
+    failures=$((failures + 1))
+  fi
+}
+varied() {  # what is expected, a line of sed, and the file: held against the same mesh
+  sed "$2" "$3" >"varied-$3"
+  [ "$(cat "$3")" != "$(cat "varied-$3")" ]
+  domain "$1" "${3%.poly}.node" "${3%.poly}.ele" "varied-$3"
+}
+certificate=sound--domain-in-the-plane.cert
+printf '9 2 0 0\n0 0 0\n1 4 2\n2 8 0\n3 8 8\n4 0 8\n5 3 4\n6 5 4\n7 4 6\n8 4 8\n' >plane.node
+printf '9 3 0\n0 0 1 5\n1 1 6 5\n2 1 2 6\n3 2 3 6\n4 3 7 6\n5 3 8 7\n6 8 4 7\n7 4 5 7\n8 4 0 5\n' >plane.ele
+cat >plane.poly <<'END'
+8 2 0 1  # other indices; and vertex 8 of the mesh is none of the domain
+1 0 0 0
+2 4 2 0
+3 8 0 0
+4 8 8 0
+5 0 8 0
+6 3 4 0
+7 5 4 0
+8 4 6 0
+9 0
+1 1 2
+2 2 3
+3 4 3
+4 5 4
+5 5 1
+6 6 7
+7 7 8
+8 8 6
+9 6 8  # listed again
+1
+1 4 9/2
+END
+domain "verified: steiner-triangulation, 9 points*, 1 hole: plane.node plane.ele plane.poly" plane.node plane.ele plane.poly
+domain "verified*" --coordinates decimal plane.node plane.ele plane.poly
+sed -n '1,9p' plane.poly >elsewhere.node
+sed -e '2,9d' -e '1s/^8/0/' plane.poly >elsewhere.poly
+domain "verified*elsewhere.poly" plane.node plane.ele elsewhere.poly
+varied "rejected: another domain, varied-plane.poly:2: found the vertex (0 1/2), which is none*" 's/^1 0 0/1 0 0.5/' plane.poly
+varied "rejected: another domain, varied-plane.poly:*: found the vertex (3 4) twice" 's/^7 5 4/7 3 4/' plane.poly
+varied "rejected: another domain, varied-plane.poly:*: expected 8 vertices, found 7" \
+  -e\ '1s/8/7/;/^8 4 6/d;/^[789] [678] [678]/d;s/^9 0/6 0/' plane.poly
+varied "rejected: another domain, varied-plane.poly:11: found the segment from (0 0) to (8 0), which is none*" 's/^1 1 2/1 1 3/' plane.poly
+varied "rejected: another domain, varied-plane.poly:*: expected the segment from (3 4) to (4 6), found none" \
+  's/^9 0/7 0/;/^[89] [68] [68]/d' plane.poly
+varied "rejected: another domain, varied-plane.poly:21: found the hole point (4 5), which is none*" 's/9\/2/5/' plane.poly
+varied "rejected: another domain, varied-plane.poly:*: expected the hole point (4 9/2), found none" \
+  's/^1$/0/;/9\/2/d' plane.poly
+varied "verified*" '$s/$/\n2 9 9/;s/^1$/2/' plane.poly  # a hole point beyond all the mesh makes no hole
+varied "malformed: varied-plane.poly:11: expected a vertex of the file, found '12'" 's/^1 1 2/1 1 12/' plane.poly
+varied "malformed: varied-plane.poly:*: expected the end of the file, found 'and'" '$s/$/\n0\nand more/' plane.poly
+varied "malformed: varied-plane.poly:4: expected the index 3, found 4" 's/^3 8 0/4 8 0/' plane.poly
+domain "malformed: cannot read absent.poly*" plane.node plane.ele absent.poly
+certificate=triangle
+domain "rejected: another domain, plane.poly: the certificate is about none" own.node own.ele plane.poly
+certificate=sound--domain-in-space.cert
+printf '5 3 0 0\n0 8 0 0\n1 0 8 0\n2 0 0 8\n3 2 2 2\n4 0 0 0\n' >space.node
+printf '3 4 0\n0 4 0 1 3\n1 4 0 2 3\n2 4 1 2 3\n' >space.ele
+cat >space.poly <<'END'
+5 3 0 0
+0 8 0 0
+1 0 8 0
+2 0 0 8
+3 2 2 2
+4 0 0 0
+7 1
+1 0 1
+3 4
+  0 1
+1 0 1
+4 4 0 0 2  # a corner that repeats the one before it
+1 0
+3 4 1 2
+1 0
+3 1 0 3
+1 0
+3 0 2 3
+1 0
+3 1 2 3
+2 0  # no polygon: two segments
+2 0 4
+2 4 1
+0
+END
+domain "verified: plc-triangulation, 5 points*6 polygons: space.node space.ele space.poly" space.node space.ele space.poly
+varied "rejected: another domain, varied-space.poly:21: found a polygon that is none*" 's/^2 0  #.*/3 0/;s/^2 4 1/2 4 1\n2 1 0/' space.poly
+varied "rejected: another domain, varied-space.poly:*: expected 6 polygons, found 5" 's/^7 1/6 1/;8,10d' space.poly
+varied "rejected: another domain, varied-space.poly:*: expected the segment from (0 0 8) to (2 2 2), found none" \
+  's/^7 1/5 1/;19,20d;17,18d' space.poly
+varied "rejected: another domain, varied-space.poly:8: found a polygon with other holes" '8s/1 0/1 1/;s/^  0 1/  0 1\n1 1 1 0/' space.poly
+varied "malformed: varied-space.poly:*" '$d;21,$d' space.poly
+varied "malformed: varied-space.poly:8: expected 'POLYGONS \[HOLES \[MARKER\]\]', found other numbers" '8s/^1/-1/' space.poly
+# A refutation says which vertices and segments the domain has.
+certificate=domain.segment-missing--shown.cert
+printf '7 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 .5\n5 1 1\n6 .5 1.5\n' >refuted.node
+printf '4 3\n0 0 1 4\n1 1 2 4\n2 2 3 4\n3 3 0 4\n' >refuted.ele
+printf '4 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n5\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 0 2\n0\n' >refuted.poly
+domain "verified: not cdt, domain.segment-missing; domain: 4 vertices, 5 segments: refuted.node refuted.ele refuted.poly" \
+  refuted.node refuted.ele refuted.poly
+varied "rejected: another domain, varied-refuted.poly:11: found the segment from (2 0) to (0 2), which is none*" 's/^4 0 2/4 1 3/' refuted.poly
+varied "rejected: another domain, varied-refuted.poly:*: expected the segment from (0 0) to (2 2), found none" 's/^5$/4/;/^4 0 2/d' refuted.poly
+varied "rejected: another domain, varied-refuted.poly:5: found the vertex (0 3), which is none*" 's/^3 0 2/3 0 3/' refuted.poly
 [ "$failures" -eq 0 ]
 cd - >/dev/null
 # Every condition of the checker has a mutant.

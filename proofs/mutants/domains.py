@@ -25,13 +25,81 @@ def polygon_text(f):
 
 def domain_text(c):
     lines = mesh_text(c["mesh"]).split("\n")[1:-2]
-    lines.insert(0, "circumspect-certificate 1 %s %d %s" % (c["claim"], c["mesh"]["d"], c["kind"]))
+    lines.insert(0, "circumspect-certificate 1 %s %d %s%s" % (
+        c["claim"], c["mesh"]["d"], c["kind"], " plc" if "complex" in c else ""))
     lines += part_text(c["part"])
     if c["mesh"]["d"] == 3:
         lines.append("polygons %d" % len(c["polygons"]))
         for f in c["polygons"]:
             lines += polygon_text(f)
+    if "complex" in c:
+        lines += complex_text(c["complex"])
     return "\n".join(lines + ["end"]) + "\n"
+
+
+def complex_text(x):
+    def section(name, rows):
+        return ["%s %d" % (name, len(rows))] + [" ".join(map(str, flat(row))) for row in rows]
+    lines = section("faces", [row or ["-"] for row in x["faces"]]) + section("sides", x["sides"])
+    for f in x["polygons"]:
+        lines += section("rim", f["rim"]) + section("inside", f["inside"])
+    return lines
+
+
+def complex_of(c):
+    """What shows that the domain is a piecewise linear complex; that it is one is not looked at."""
+    def steps(segment):
+        numbers = [segment[0]] + [link[0] for link in segment[1:]]
+        return list(zip(numbers, numbers[1:]))
+
+    def exposed(mesh, p, t, i):
+        wall = mesh["simplices"][t - 1][1][i]
+        return wall[0] == "-" or p["marks"][wall[0] - 1][0] == "-"
+
+    def sides(mesh, p, facets):
+        return "one" if exposed(mesh, p, *facets[0]) else "both"
+
+    segments = c["part"]["segments"]
+    corners = {k + 1 for k, role in enumerate(c["part"]["roles"]) if role[0] != "-"}
+    holders = {}
+    for k, segment in enumerate(segments):
+        for u, v in steps(segment):
+            holders.setdefault(frozenset([u, v]), ["segment", k + 1])
+            if v not in corners:
+                holders.setdefault(frozenset([v]), ["segment", k + 1])
+    polygons = []
+    for k, f in enumerate(c.get("polygons", [])):
+        pieces = [frozenset(f["above"][v - 1][0] for v in row[0]) for row in f["mesh"]["simplices"]]
+        inside = set()
+        for piece in pieces[:len(f["tiles"])]:
+            for bits in range(1, 8):
+                face = frozenset(v for i, v in enumerate(sorted(piece)) if bits >> i & 1)
+                if not (len(face) == 1 and face <= corners):
+                    holder = holders.setdefault(face, ["polygon", k + 1])
+                    if holder[0] == "segment":
+                        inside.add(holder[1])
+        rim = []
+        for segment in f["part"]["segments"]:
+            ends = {f["above"][segment[0] - 1][0], f["above"][segment[-1][0] - 1][0]}
+            number = next((j + 1 for j, s in enumerate(segments) if {s[0], s[-1][0]} == ends), 1)
+            rim.append([number, sides(f["mesh"], f["part"], [link[1:] for link in segment[1:]])])
+        polygons.append({"rim": rim, "inside": [
+            [j] + [next(t + 1 for t, piece in enumerate(pieces) if {u, v} <= piece)
+                   for u, v in steps(segments[j - 1])] for j in sorted(inside)]})
+    if c["mesh"]["d"] == 2:
+        walls = [[link[1:] for link in segment[1:]] for segment in segments]
+    else:
+        walls = [f["tiles"] for f in c["polygons"]]
+    faces = [[] for _ in c["mesh"]["points"]]
+    for face, holder in holders.items():
+        least, *others = sorted(face)
+        faces[least - 1].append(holder + [len(others)] + others)
+    return {"faces": [sorted(row) for row in faces], "polygons": polygons,
+            "sides": [[sides(c["mesh"], c["part"], facets)] for facets in walls] if c["kind"] == "enclosed" else []}
+
+
+def with_complex(c):
+    return dict(copy.deepcopy(c), complex=complex_of(c))
 
 
 def part(mesh, kept, corners, chains, walls, holes=(), weights=None):
@@ -194,3 +262,90 @@ def domains(mutant, put, square_points, square_mesh):
                  "polygon-flat, polygon 1")
     yield mutant(dented, put("polygons", 3, "tiles", 0, dented["polygons"][4]["tiles"][0]),
                  "polygon-tiled, polygon 4")
+    yield from complexes(mutant, put, sound, dented, hull)
+
+
+def complexes(mutant, put, sound, dented, hull):
+    """The same domains, said to be piecewise linear complexes."""
+    plane = with_complex(sound)
+    yield "sound--complex-in-the-plane", plane, \
+        "verified: steiner-triangulation, 9 points, 9 triangles; domain: enclosed, plc, 8 vertices, 8 segments, 1 hole"
+    space = with_complex(dented)
+    yield "sound--complex-in-space", space, \
+        "verified: plc-triangulation, 5 points, 3 tetrahedra; domain: enclosed, plc, 5 vertices, 9 segments, 6 polygons"
+    yield "sound--complex-of-a-hull", with_complex(hull), \
+        "verified: steiner-triangulation, 5 points, 4 triangles; domain: hull, plc, 4 vertices"
+    # The vertex (4, 8), which was no vertex of the domain, is one: inside a segment.
+    inside = plane_domain("steiner-triangulation", "enclosed", NOTCHED, NOTCHED_MESH + NOTCH_AND_HOLE, 9,
+                          set(range(9)), NOTCHED_SEGMENTS, [(11, [8, 9], 2)])
+    yield "face-held--vertex-in-a-segment", with_complex(inside), "rejected: face-held, segment 4"
+    # A segment lies on another: (3, 8) on (3, 4), whose other step is (8, 4).
+    lying = plane_domain("steiner-triangulation", "enclosed", NOTCHED, NOTCHED_MESH + NOTCH_AND_HOLE, 9,
+                         set(range(9)), NOTCHED_SEGMENTS + [(3, 8)], [(11, [8, 9], 2)])
+    yield "face-held--segments-overlap", with_complex(lying), "rejected: face-held, segment 4"
+    held = next(k for k, row in enumerate(plane["complex"]["faces"]) if row)
+    yield mutant(plane, put("complex", "faces", held, 0, 1, 9), "face-held, segment 1")
+    yield mutant(plane, put("complex", "faces", held, []), "face-held, segment 1", "face-held--by-nothing")
+    yield mutant(plane, put("complex", "sides", 0, ["both"]), "one-sided-shown, simplex")
+    yield mutant(plane, put("complex", "sides", []), "one-sided-shown, simplex", "one-sided-shown--not-at-all")
+    # A polygon twice.
+    twice = space_domain("plc-triangulation", "enclosed", DENTED, DENTED_MESH, 3,
+                         DENTED_TRIANGLES, DENTED_SEGMENTS)
+    twice["polygons"].append(copy.deepcopy(twice["polygons"][0]))
+    yield "face-held--polygon-twice", with_complex(twice), "rejected: face-held, polygon 7"
+    # Edges of a polygon that are no segments of the domain.
+    bare = space_domain("plc-triangulation", "enclosed", DENTED, DENTED_MESH, 3, DENTED_TRIANGLES,
+                        DENTED_SEGMENTS[1:])
+    yield "rim-listed--no-segment", with_complex(bare), "rejected: rim-listed, polygon 1"
+    yield mutant(space, put("complex", "polygons", 0, "rim", 0, 0, space["complex"]["polygons"][0]["rim"][1][0]),
+                 "rim-listed, polygon 1")
+    yield mutant(space, put("complex", "polygons", 2, "inside", 0, 1, 2), "segment-in-polygon, polygon 3")
+    yield mutant(space, put("complex", "polygons", 2, "inside", 0, 0, 1), "segment-in-polygon, polygon 3",
+                 "segment-in-polygon--another")
+    yield mutant(space, put("complex", "polygons", 2, "inside", []), "face-held, polygon 3",
+                 "face-held--by-a-segment-elsewhere")
+    yield mutant(space, put("complex", "sides", 5, ["both"]), "one-sided-shown, simplex",
+                 "one-sided-shown--of-a-polygon")
+    yield mutant(space, put("complex", "polygons", 1, "rim", 0, 1, "both"), "one-sided-shown, polygon 2",
+                 "one-sided-shown--of-a-rim")
+
+
+def refutations_of_domains():
+    """Meshes of a square with a diagonal, and what is wrong with them, right or not."""
+    square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1), (2, 2), (1, 3)]
+    fan = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]]
+    crossed = [[1, 2, 3], [1, 2, 4]]
+    pair = [[1, 2, 3], [1, 3, 7]]
+    corners = square[:4]
+    sides = [(1, 2), (2, 3), (3, 4), (1, 4), (1, 3)]
+    cases = [
+        ("domain.segment-missing", "cdt", fan, "5 4 4 2", True, ""),
+        ("domain.segment-missing", "cdt", fan, "1 4 0 2", False, "--an-edge"),
+        ("domain.segment-missing", "cdt", fan, "5 1 0 1", False, "--off-the-segment"),
+        ("domain.segment-missing", "cdt", fan, "5 0 0 1", False, "--its-end"),
+        ("domain.segment-missing", "cdt", fan, "5 0 0 0", False, "--no-point"),
+        ("domain.segment-missing", "cdt", fan, "6 4 4 2", False, "--no-segment"),
+        ("domain.segment-missing", "cdt", fan + [[1, 2]], "5 4 4 2", False, "--not-all-triangles"),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "4", True, ""),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "3", False, ""),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "5", False, "--no-vertex"),
+        ("domain.steiner-forbidden", "plc-triangulation", fan, "1 2", True, ""),
+        ("domain.steiner-forbidden", "plc-triangulation", fan, "1 1", False, ""),
+        ("domain.steiner-forbidden", "steiner-triangulation", fan, "1 2", False, "--allowed"),
+        ("complex.overlap", "steiner-cdt", crossed, "1 2 4 1 2", True, "--of-a-domain"),
+        ("complex.overlap", "steiner-cdt", crossed, "1 2 0 0 1", False, "--of-a-domain"),
+        ("delaunay.facet-not-local", "conforming-delaunay", pair, "1 1 2 2", True, "--of-a-domain"),
+        ("delaunay.facet-not-local", "steiner-cdt", pair, "1 1 2 2", False, "--of-a-domain"),
+        ("triangulation.hull-not-convex", "steiner-cdt", fan[:3], "1 1 4", False, "--of-a-domain"),
+    ]
+    for rule, claim, simplices, because, is_shown, why in cases:
+        lines = ["circumspect-refutation 2 %s 2 %s" % (claim, rule), "scale 1 2", "points %d" % len(square)]
+        lines += ["%d %d %d" % (*p, v) for v, p in enumerate(square)]
+        lines += ["simplices %d" % len(simplices)]
+        lines += [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        lines += ["spans 1 2 3", "vertices %d" % len(corners)] + ["%d %d" % p for p in corners]
+        lines += ["segments %d" % len(sides)] + ["%d %d" % s for s in sides]
+        yield "%s--%s%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            "\n".join(lines + ["because " + because, "end"]) + "\n", \
+            "verified: not %s, %s; domain: 4 vertices, 5 segments" % (claim, rule) if is_shown else \
+            "rejected: the evidence does not show " + rule

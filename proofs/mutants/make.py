@@ -300,7 +300,8 @@ def main():
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
     for name, content, answer in itertools.chain(
-            ((name, text(c), answer) for name, c, answer in files()), refutations(), malformed()):
+            ((name, text(c), answer) for name, c, answer in files()), refutations(),
+            domains.refutations_of_domains(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -100,8 +100,41 @@ let polygon c =
   let seeds = section c "seeds" expected (pair (site c expected false) (integer c expected)) in
   { normal; offset; axis; plane_mesh; plane_part; above; tiles; seeds }
 
-(* The certificate, and the labels of its points. *)
-let read c domain_claimed kind =
+(* What shows that the domain is a piecewise linear complex; [polygons] of them in space. *)
+let complex c polygons =
+  let expected = "'-', or faces: segment or polygon, its number, and how many other vertices, and which" in
+  let face tokens =
+    let held = function
+      | "segment" :: rest -> let k, rest = number c expected rest in (InSegment k, rest)
+      | "polygon" :: rest -> let k, rest = number c expected rest in (InPolygon k, rest)
+      | token :: _ -> Text.fail c.source "segment or polygon" (Text.quote token)
+      | [] -> assert false in
+    let face_holder, rest = held tokens in
+    let counts, rest = take c count 1 expected rest in
+    let others, rest = take c Reading.number (List.hd counts) expected rest in
+    ({ others; face_holder }, rest) in
+  let faces = section c "faces" expected (function
+      | [ "-" ] -> ([], [])
+      | tokens -> (all face tokens, [])) in
+  let expected = "one or both" in
+  let side = function
+    | "one" :: rest -> (true, rest)
+    | "both" :: rest -> (false, rest)
+    | token :: _ -> Text.fail c.source expected (Text.quote token)
+    | [] -> Text.fail c.source expected "the end of the line" in
+  let one_sided = section c "sides" expected side in
+  let polygon () =
+    let expected = "the number of a segment, and one or both" in
+    let rim_segments = section c "rim" expected (pair (number c expected) side) in
+    let expected = "the number of a segment, and pieces of the polygon" in
+    let segments_in = section c "inside" expected (fun tokens ->
+        let k, rest = number c expected tokens in ((k, all (number c expected) rest), [])) in
+    { rim_segments; segments_in } in
+  let rec several n = if n = 0 then [] else let f = polygon () in f :: several (n - 1) in
+  { faces; one_sided; polygon_parts = several polygons }
+
+(* The certificate, and the labels of its points; and what shows that the domain is a complex, if it says so. *)
+let read c domain_claimed kind ~is_complex =
   let claimed = if domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
   let whole_mesh, labels = Certificate_file.body c claimed in
   let domain_part = part c in
@@ -112,5 +145,6 @@ let read c domain_claimed kind =
       let rec several n = if n = 0 then [] else let f = polygon c in f :: several (n - 1) in
       several (List.hd counts)
     end in
+  let complex = if is_complex then Some (complex c (List.length polygons)) else None in
   ending c;
-  ({ domain_claimed; kind; whole_mesh; domain_part; polygons }, labels)
+  ({ domain_claimed; kind; whole_mesh; domain_part; polygons }, complex, labels)

@@ -1,15 +1,17 @@
 (* circumspect-verified FILE: checks a certificate or a refutation, prints one line.
-   circumspect-verified FILE MESH.node MESH.ele: the same, and whether the mesh is that of these files.
+   circumspect-verified FILE MESH.node MESH.ele [DOMAIN.poly]: the same, and whether the mesh, and the domain, is that
+   of these files.
    circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
    Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified FILE [[--coordinates decimal] MESH.node MESH.ele]\n\
+let usage = "usage: circumspect-verified FILE [[--coordinates decimal] MESH.node MESH.ele [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
-the simplices in their order. Decimals mean the nearest double, unless they are taken at their word.\n\
+the simplices in their order; and whether the domain is: its vertices by their exact coordinates, its segments,\n\
+polygons and hole points. Decimals mean the nearest double, unless they are taken at their word.\n\
 --mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
 checks nothing."
 
@@ -43,6 +45,8 @@ let condition = function
   | Mark_consistent -> "mark-consistent" | Wall_shown -> "wall-shown"
   | Way_out_shown -> "way-out-shown" | Polygon_flat -> "polygon-flat"
   | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
+  | Face_held -> "face-held" | Segment_in_polygon -> "segment-in-polygon"
+  | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
 
 let place =
   let n = string_of_int in
@@ -84,7 +88,10 @@ let counts d points simplices =
      else counted simplices "tetrahedron" "tetrahedra")
 
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
-type content = { mesh : Users_mesh.mesh; verdict : unit -> string * int }
+type content = {
+  mesh : Users_mesh.mesh;
+  compare_domain : ((unit -> Users_domain.points) -> exactly:bool -> Text.t -> unit) option;  (* with a user's file *)
+  verdict : unit -> string * int }
 
 (* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
 let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canonical, ", canonical") ]
@@ -107,11 +114,11 @@ let certificate (c : Reading.context) space claimed standing =
       match settle space certificate standing with
       | Settled -> verified extra
       | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
-  { mesh; verdict }
+  { mesh; compare_domain = None; verdict }
 
 (* The mesh is that of the kept simplices. *)
-let domain (c : Reading.context) space claimed kind =
-  let certificate, labels = Domain_file.read c claimed kind in
+let domain (c : Reading.context) space claimed kind ~is_complex =
+  let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex in
   let whole = certificate.whole_mesh and part = certificate.domain_part in
   let rec kept_of found simplices marks = match simplices, marks with
     | (e : simplex_entry) :: simplices, (mark : mark) :: marks ->
@@ -122,19 +129,23 @@ let domain (c : Reading.context) space claimed kind =
                labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
                simplices } in
-  let verdict () = match check_domain space certificate with
+  let checked () = match check_domain space certificate, complex with
+    | Accepted, Some complex -> check_complex space certificate complex
+    | result, _ -> result in
+  let verdict () = match checked () with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
       let vertices = List.length (List.filter (function Corner _ -> true | Steiner _ -> false) part.roles) in
       let some n one several = if n = 0 then "" else ", " ^ counted n one several in
-      (Printf.sprintf "verified: %s, %s; domain: %s, %s%s%s%s" (domain_claim_name claimed)
+      (Printf.sprintf "verified: %s, %s; domain: %s, %s%s%s%s%s" (domain_claim_name claimed)
          (counts c.d (List.length whole.points) (List.length simplices))
          (fst (List.find (fun (_, k) -> k = kind) kinds))
+         (if is_complex then "plc, " else "")
          (counted vertices "vertex" "vertices")
          (some (List.length part.segments) "segment" "segments")
          (some (List.length certificate.polygons) "polygon" "polygons")
          (some (List.length part.holes) "hole" "holes"), 0) in
-  { mesh; verdict }
+  { mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
@@ -147,10 +158,25 @@ let refutation (c : Reading.context) space claimed rule =
     if refute space refutation then
       (Printf.sprintf "verified: not %s, %s" (claim_name refutation.refuted) rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  { mesh; verdict }
+  { mesh; compare_domain = None; verdict }
+
+let domain_refutation (c : Reading.context) space claimed rule =
+  let refutation, labels = Refutation_file.read_domain c claimed rule in
+  let about = refutation.mesh_refuted in
+  let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
+               labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
+               simplices = about.rows } in
+  let verdict () =
+    let rule = domain_rule_name (domain_rule_of refutation) in
+    if refute_domain space refutation then
+      (Printf.sprintf "verified: not %s, %s; domain: %s, %s" (domain_claim_name claimed) rule
+         (counted (List.length refutation.vertices_given) "vertex" "vertices")
+         (counted (List.length refutation.segments_given) "segment" "segments"), 0)
+    else ("rejected: the evidence does not show " ^ rule, 1) in
+  { mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull]' or 'circumspect-refutation 2 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
@@ -161,30 +187,47 @@ let content source =
     certificate c space claimed (Some standing)
   | [ "circumspect-certificate"; "1"; claim; dimension; kind ] when List.mem_assoc kind kinds ->
     let c, claimed, space = context source domain_claims claim dimension in
-    domain c space claimed (List.assoc kind kinds)
+    domain c space claimed (List.assoc kind kinds) ~is_complex:false
+  | [ "circumspect-certificate"; "1"; claim; dimension; kind; "plc" ] when List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain c space claimed (List.assoc kind kinds) ~is_complex:true
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when List.mem_assoc claim domain_claims ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    domain_refutation c space claimed rule
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
-(* The line to print if the mesh is that of the user's files, too; the other line if it is another. *)
-let of_users_files ~exactly node ele content =
-  let compared name compare =
+(* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
+   line if it is another. *)
+let of_users_files ~exactly node ele poly content =
+  let compared what name compare =
     match compare (Text.of_string (read_file name)) with
     | result -> Ok result
     | exception Sys_error message ->
       Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name)
                (String.escaped message), 3)
     | exception Users_mesh.Another how ->
-      Error (Printf.sprintf "rejected: another mesh, %s:%s" (String.escaped name) how, 1)
+      Error (Printf.sprintf "rejected: another %s, %s:%s" what (String.escaped name) how, 1)
     | exception Text.Malformed (line, message) ->
       Error (Printf.sprintf "malformed: %s:%d: %s" (String.escaped name) line message, 3) in
-  let both = Result.bind
-      (compared node (Users_mesh.compare_points ~exactly content.mesh)) (fun number_of ->
-        compared ele (Users_mesh.compare_simplices content.mesh number_of)) in
-  match both, content.verdict () with
+  let of_domain name = match content.compare_domain with
+    | None -> Error (Printf.sprintf "rejected: another domain, %s: the certificate is about none" (String.escaped name), 1)
+    | Some compare_domain ->
+      let points_elsewhere () =
+        Users_domain.points ~exactly (Text.of_string (read_file (Filename.remove_extension name ^ ".node"))) in
+      compared "domain" name (compare_domain points_elsewhere ~exactly) in
+  let ( let* ) = Result.bind in
+  let same =
+    let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in
+    let* () = compared "mesh" ele (Users_mesh.compare_simplices content.mesh number_of) in
+    Option.fold ~none:(Ok ()) ~some:of_domain poly in
+  match same, content.verdict () with
   | Error answer, (_, 0) -> answer
-  | Ok (), (line, 0) -> (Printf.sprintf "%s: %s %s" line (String.escaped node) (String.escaped ele), 0)
+  | Ok (), (line, 0) ->
+    let names = List.map String.escaped (node :: ele :: Option.to_list poly) in
+    (Printf.sprintf "%s: %s" line (String.concat " " names), 0)
   | _, answer -> answer
 
 let () =
@@ -194,8 +237,11 @@ let () =
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print content.mesh; exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
-    | [ name; node; ele ] -> (of_users_files ~exactly:false node ele, name)
-    | [ name; "--coordinates"; "decimal"; node; ele ] -> (of_users_files ~exactly:true node ele, name)
+    | [ name; "--coordinates"; "decimal"; node; ele ] -> (of_users_files ~exactly:true node ele None, name)
+    | [ name; "--coordinates"; "decimal"; node; ele; poly ] ->
+      (of_users_files ~exactly:true node ele (Some poly), name)
+    | [ name; node; ele ] -> (of_users_files ~exactly:false node ele None, name)
+    | [ name; node; ele; poly ] -> (of_users_files ~exactly:false node ele (Some poly), name)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in
   let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in

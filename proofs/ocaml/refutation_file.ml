@@ -86,8 +86,8 @@ let evidence c claimed rule simplices tokens =
   no_more c expected rest;
   found
 
-(* The refutation, and the labels of its points. *)
-let read c refuted rule =
+(* The mesh, what it spans, and the labels of its points; [because] is not yet read. *)
+let mesh c refuted =
   let unit_numerator, unit_denominator = scale c in
   let expected = "the coordinates of a point and a label" in
   let sites = section c "points" expected (fun tokens ->
@@ -100,7 +100,49 @@ let read c refuted rule =
   let expected, tokens = line c "spans" "POINTS" in
   let basis, rest = take c number (c.d + 1) expected tokens in
   no_more c expected rest;
+  let nothing = WrongDimension (named c max_int) in
+  ({ refuted; unit_numerator; unit_denominator; sites; rows; basis; because = nothing }, labels)
+
+(* The refutation, and the labels of its points. *)
+let read c refuted rule =
+  let mesh, labels = mesh c refuted in
   let _, tokens = line c "because" "EVIDENCE" in
-  let because = evidence c refuted rule rows tokens in
+  let because = evidence c refuted rule mesh.rows tokens in
   ending c;
-  ({ refuted; unit_numerator; unit_denominator; sites; rows; basis; because }, labels)
+  ({ mesh with because }, labels)
+
+(* The same of a claim about a domain. *)
+let read_domain c domain_refuted rule =
+  let mesh, labels = mesh c Delaunay in
+  let expected = "the coordinates of a vertex" in
+  let vertices_given = section c "vertices" expected (site c expected false) in
+  let expected = "two vertices" in
+  let segments_given = section c "segments" expected (fun tokens ->
+      match take c number 2 expected tokens with
+      | [ j; k ], rest -> ((j, k), rest)
+      | _ -> assert false) in
+  let expected, tokens = line c "because" "EVIDENCE" in
+  let number tokens = match take c number 1 expected tokens with
+    | [ n ], rest -> (n, rest)
+    | _ -> assert false in
+  let integer tokens = match take c integer 1 expected tokens with
+    | [ n ], rest -> (n, rest)
+    | _ -> assert false in
+  let position tokens = match take c position 1 expected tokens with
+    | [ n ], rest -> (n, rest)
+    | _ -> assert false in
+  let (domain_because, because), rest = match rule with
+    | "domain.vertex-missing" ->
+      let v, rest = number tokens in ((VertexMissing v, mesh.because), rest)
+    | "domain.steiner-forbidden" ->
+      let t, rest = number tokens in
+      let i, rest = position rest in ((SteinerForbidden (t, i), mesh.because), rest)
+    | "domain.segment-missing" ->
+      let k, rest = number tokens in
+      let q, rest = site c expected false rest in
+      let w, rest = integer rest in ((SegmentMissing (k, q, w), mesh.because), rest)
+    | _ -> ((OfMesh, evidence c Delaunay rule mesh.rows tokens), []) in
+  no_more c expected rest;
+  ending c;
+  ({ domain_refuted; mesh_refuted = { mesh with because }; vertices_given; segments_given; domain_because },
+   labels)

@@ -18,6 +18,13 @@ Implicit Types (S : list (point d)) (L : list (list (option (point d)))) (s t u 
 (** What the three claims have in common. *)
 Definition claims_to_fill S L : Prop := exists T, L = map (map Some) T /\ fills S T.
 
+(** What they have in common with those about domains: no simplex twice, and a complex. *)
+Definition claims_complex L : Prop := exists T, L = map (map Some) T /\
+  (forall t, In t T -> NoDup t /\ length t = Datatypes.S d) /\ simplicial_complex (faces_of T) /\
+  ForallOrdPairs (fun s t => ~ same s t) T.
+Lemma claims_fill_complex S L : claims_to_fill S L -> claims_complex L.
+Proof. intros (T & E & D & C & P & _). exists T. auto. Qed.
+
 (** ** Each breach refutes the claim *)
 
 Lemma claims_triangulation_fill S L : claims_triangulation S L -> claims_to_fill S L.
@@ -47,13 +54,13 @@ Qed.
 Section Refuted.
 Variables (S : list (point d)) (L : list (list (option (point d)))).
 
-Theorem wrong_dimension_refutes : wrong_dimension L -> ~ claims_to_fill S L.
+Theorem wrong_dimension_refutes : wrong_dimension L -> ~ claims_complex L.
 Proof.
   intros (s & H & N) (T & -> & D & _). apply in_listed in H. destruct H as (t & -> & H).
   apply N. rewrite map_length. now apply D.
 Qed.
 
-Theorem unknown_vertex_refutes : unknown_vertex L -> ~ claims_to_fill S L.
+Theorem unknown_vertex_refutes : unknown_vertex L -> ~ claims_complex L.
 Proof.
   intros (s & H & N) (T & -> & _). apply in_listed in H. destruct H as (t & -> & _).
   apply in_map_iff in N. destruct N as (p & E & _). discriminate.
@@ -111,9 +118,9 @@ Qed.
 
 (** The breaches of a simplicial complex. *)
 
-Theorem duplicate_simplex_refutes : duplicate_simplex L -> ~ claims_to_fill S L.
+Theorem duplicate_simplex_refutes : duplicate_simplex L -> ~ claims_complex L.
 Proof.
-  intros (L1 & L2 & L3 & s & t & -> & E) (T & ET & _ & _ & P & _).
+  intros (L1 & L2 & L3 & s & t & -> & E) (T & ET & _ & _ & P).
   symmetry in ET. apply map_eq_app in ET. destruct ET as (T1 & R & -> & <- & ET).
   apply map_eq_cons in ET. destruct ET as (s' & R' & -> & Es & ET).
   apply map_eq_app in ET. destruct ET as (T2 & R'' & -> & <- & ET).
@@ -123,7 +130,7 @@ Proof.
   apply (proj1 (Forall_forall _ _) F t); [|assumption]. apply in_or_app. right. now left.
 Qed.
 
-Theorem repeated_vertex_refutes : repeated_vertex L -> ~ claims_to_fill S L.
+Theorem repeated_vertex_refutes : repeated_vertex L -> ~ claims_complex L.
 Proof.
   intros (r & i & j & p & H & N & Hi & Hj) (T & -> & D & _). apply in_listed in H.
   destruct H as (t & -> & H). destruct (D t H) as [ND _]. apply N.
@@ -134,7 +141,7 @@ Proof.
   - cbn in Hi, Hj. congruence.
 Qed.
 
-Theorem degenerate_refutes : degenerate L -> ~ claims_to_fill S L.
+Theorem degenerate_refutes : degenerate L -> ~ claims_complex L.
 Proof.
   intros (s & H & N) (T & -> & D & C & _). apply listed_in in H. apply N.
   apply C. apply member_face; auto; [intros; now apply D | now apply D].
@@ -155,7 +162,7 @@ Proof.
   - destruct (facet_of_two S T f s t u) as [E|[E|E]]; auto; lia.
 Qed.
 
-Theorem overlap_refutes : overlap L -> ~ claims_to_fill S L.
+Theorem overlap_refutes : overlap L -> ~ claims_complex L.
 Proof.
   intros (s & t & q & Hs & Ht & Cs & Ct & N) (T & -> & D & C & _). apply listed_in in Hs, Ht.
   assert (F : forall s, In s T -> faces_of T s).
@@ -164,7 +171,7 @@ Proof.
   exact (N f Fs Ft (I q Cs Ct)).
 Qed.
 
-Theorem covered_twice_refutes : covered_twice L -> ~ claims_to_fill S L.
+Theorem covered_twice_refutes : covered_twice L -> ~ claims_complex L.
 Proof.
   intros (s & t & q & [Hs _] & [Ht _] & N & [Cs Face] & Ct) (T & -> & D & C & _).
   apply listed_in in Hs, Ht.

@@ -26,15 +26,16 @@ Qed.
 Theorem broken_refutes c w S L e : concerns e c = true ->
   broken c (lifted c w) S L (rule_of e) -> ~ claims c w S L.
 Proof.
-  intros C B H. assert (F := claims_fill c w S L H). destruct e; cbn in B.
-  - now apply (wrong_dimension_refutes S L).
-  - now apply (unknown_vertex_refutes S L).
-  - now apply (repeated_vertex_refutes S L).
-  - now apply (degenerate_refutes S L).
-  - now apply (duplicate_simplex_refutes S L).
+  intros C B H. assert (F := claims_fill c w S L H).
+  assert (Cx := claims_fill_complex S L F). destruct e; cbn in B.
+  - now apply (wrong_dimension_refutes L).
+  - now apply (unknown_vertex_refutes L).
+  - now apply (repeated_vertex_refutes L).
+  - now apply (degenerate_refutes L).
+  - now apply (duplicate_simplex_refutes L).
   - now apply (facet_overused_refutes S L).
-  - now apply (overlap_refutes S L).
-  - now apply (covered_twice_refutes S L).
+  - now apply (overlap_refutes L).
+  - now apply (covered_twice_refutes L).
   - destruct c; try discriminate; apply (unused_point_refutes S L B); [assumption|].
     now apply claims_delaunay_triangulation.
   - destruct c; try discriminate. now apply (uncovered_point_refutes S L).

@@ -1,0 +1,250 @@
+(** * What the acceptance of a refutation of a claim about a domain means *)
+From Coq Require Import Reals Lra Psatz Lia List Arith ZArith Bool.
+From Circumspect Require Import DomainRefutation Numbering.
+From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces LiftingMap Breach.
+From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound Broken RefutationSound.
+From Circumspect Require Import Combinations Soundness.
+From Circumspect Require KeptCells.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** A broken rule refutes the claim *)
+
+Section Refutes.
+Context {d : nat}.
+Implicit Types (P : domain d) (L : list (list (option (point d)))).
+
+Lemma claims_steiner c P L : claims_of_domain c P L -> exists T, L = map (map Some) T /\ steiner_triangulation P T.
+Proof. intros (T & E & H). exists T. split; [assumption|]. destruct c; try apply H; assumption. Qed.
+Lemma claims_a_complex c P L : claims_of_domain c P L -> claims_complex L.
+Proof.
+  intros H. destruct (claims_steiner c P L H) as (T & E & Nd & Di & Cx & _). exists T. auto.
+Qed.
+
+Lemma vertex_missing_refutes c P L : vertex_missing P L -> ~ claims_of_domain c P L.
+Proof.
+  intros (v & Iv & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & V & _).
+  destruct (V v Iv) as (t & It & I). apply (N (map Some t)); now apply in_map.
+Qed.
+Lemma steiner_forbidden_refutes c P L : only_vertices c = true -> steiner_forbidden P L -> ~ claims_of_domain c P L.
+Proof.
+  intros O (r & v & Ir & Iv & N) (T & -> & H). apply in_listed in Ir. destruct Ir as (t & -> & It).
+  apply in_map_iff in Iv. destruct Iv as (x & E & Ix). injection E as ->. apply N.
+  destruct c; try discriminate; [now apply (proj2 H t v)|now apply (proj2 (proj1 H) t v)].
+Qed.
+Lemma segment_missing_refutes c P L : segment_missing P L -> ~ claims_of_domain c P L.
+Proof.
+  intros (a & b & q & I & C & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & _ & U & _).
+  destruct (U (conv [a; b])) as (F & HF & E).
+  { unfold cells. apply in_or_app. right. apply in_or_app. left.
+    apply (in_map (fun ab q => conv [fst ab; snd ab] q) _ (a, b) I). }
+  apply E in C. destruct C as (s & Is & Cs). destruct (HF s Is) as (_ & _ & t & It & J).
+  apply (N t s); try assumption; [unfold listed; now apply in_map|]. intros x X. apply E. eauto.
+Qed.
+Lemma mesh_rule_refutes c P L e : of_mesh e c = true -> broken Delaunay norm2 [] L (rule_of e) ->
+  ~ claims_of_domain c P L.
+Proof.
+  intros O B H. pose proof (claims_a_complex c P L H) as Cx. destruct e; try discriminate; cbn in B.
+  - now apply (wrong_dimension_refutes L).
+  - now apply (unknown_vertex_refutes L).
+  - now apply (repeated_vertex_refutes L).
+  - now apply (degenerate_refutes L).
+  - now apply (duplicate_simplex_refutes L).
+  - now apply (overlap_refutes L).
+  - now apply (covered_twice_refutes L).
+  - destruct c; try discriminate. destruct H as (T & -> & _ & De).
+    destruct B as (s1 & s2 & f1 & u1 & v1 & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N).
+    apply listed_in in Hs, Ht. destruct (De s1 Hs) as (o & r2 & Ci & E).
+    apply (E v1); [|exact (N o r2 Ci)]. apply in_concat. eauto.
+Qed.
+End Refutes.
+
+(** ** Points on segments are found to be on them *)
+
+Lemma differences_between d : forall (A B P : list Z) t, length A = d -> length B = d -> length P = d ->
+  integer_point d P = between (integer_point d A) (integer_point d B) t ->
+  map IZR (differences P A) = map (fun z => t * IZR z) (differences B A).
+Proof.
+  induction d as [|d IH]; intros [|a A] [|b B] [|p P] t LA LB LP E; try discriminate; [reflexivity|].
+  injection LA as LA. injection LB as LB. injection LP as LP. cbn [differences map].
+  assert (Eh := f_equal Vector.hd E). assert (Et := f_equal Vector.tl E).
+  cbn in Eh, Et. rewrite !minus_IZR. f_equal; [lra|]. now apply IH.
+Qed.
+Lemma inner_differences (u v : list Z) t : map IZR v = map (fun z => t * IZR z) u ->
+  IZR (inner_product u v) = t * IZR (inner_product u u).
+Proof.
+  revert v. induction u as [|x u IH]; intros [|y v] E; try discriminate; cbn [inner_product]; [cbn; ring|].
+  cbn [map] in E. injection E as Ex E. rewrite !plus_IZR, !mult_IZR, (IH v E), Ex. ring.
+Qed.
+Lemma same_integers_refl l : same_integers l l = true.
+Proof. induction l as [|x l IH]; [reflexivity|]. cbn. now rewrite Z.eqb_refl. Qed.
+Lemma inner_nonneg u : (0 <= inner_product u u)%Z.
+Proof. induction u as [|x u IH]; cbn; [lia|]. nia. Qed.
+
+Lemma on_segment_complete d r a b p t : 0 < r -> well_shaped d a -> well_shaped d b -> well_shaped d p ->
+  coordinates a <> coordinates b -> 0 <= t <= 1 -> @place_of d r p = between (place_of r a) (place_of r b) t ->
+  on_segment a b p = true.
+Proof.
+  intros Pr Sa Sb Sp Ne Ht E.
+  assert (E' : integer_point d (coordinates p) = between (integer_point d (coordinates a)) (integer_point d (coordinates b)) t).
+  { apply (f_equal (scale (/ r))) in E. unfold place_of, between in *. rewrite scale_plus, !scale_scale in E.
+    replace (/ r * r) with 1 in E by (field; lra). rewrite scale_one in E. rewrite E. f_equal; f_equal; field; lra. }
+  pose proof (differences_between d _ _ _ t Sa Sb Sp E') as Df.
+  unfold on_segment. cbv zeta. set (u := differences (coordinates b) (coordinates a)) in *.
+  set (v := differences (coordinates p) (coordinates a)) in *.
+  pose proof (inner_differences u v t Df) as In_. pose proof (inner_nonneg u) as Nn.
+  assert (Pos : (0 < inner_product u u)%Z).
+  { assert (Z0 : forall A B : list Z, length A = length B -> inner_product (differences B A) (differences B A) = 0%Z -> A = B).
+    { induction A as [|x A IH]; intros [|y B] L Z; try discriminate; [reflexivity|]. cbn in Z.
+      pose proof (inner_nonneg (differences B A)). injection L as L. assert (x = y) by nia. subst y. f_equal.
+      apply IH; [assumption|nia]. }
+    destruct (Z.eq_dec (inner_product u u) 0) as [Z|]; [|lia]. exfalso. apply Ne. apply Z0; [|exact Z].
+    unfold well_shaped in Sa, Sb. congruence. }
+  pose proof (IZR_lt _ _ Pos) as PosR.
+  assert (B1 : (0 <= inner_product u v)%Z) by (apply le_IZR; rewrite In_; nra).
+  assert (B2 : (inner_product u v <= inner_product u u)%Z) by (apply le_IZR; rewrite In_; nra).
+  apply andb_true_intro. split.
+  - rewrite (proj2 (Z.ltb_lt _ _) Pos), (proj2 (Z.leb_le _ _) B1), (proj2 (Z.leb_le _ _) B2). reflexivity.
+  - replace (map (Z.mul (inner_product u u)) v) with (map (Z.mul (inner_product u v)) u); [apply same_integers_refl|].
+    revert Df In_. generalize (inner_product u u) as l, (inner_product u v) as n. clearbody u v. clear. intros l n Df E.
+    revert v Df. induction u as [|x u IH]; intros [|y v] Df; try discriminate; [reflexivity|].
+    cbn [map] in Df. injection Df as Dx Df. cbn [map]. f_equal; [|now apply IH].
+    apply eq_IZR. rewrite !mult_IZR, Dx, E. ring.
+Qed.
+
+(** ** The evidence shows the rule *)
+
+Section Shown.
+Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
+Hypothesis M : forall r, 0 < r -> measured orient pr r.
+Variable c : domain_refutation.
+Notation m := (mesh_refuted c).
+Notation r := (refuted_unit m).
+Variable P : domain d.
+Hypothesis vertices_described : forall v, In v (domain_vertices P) <-> In v (map (@place_of d r) (vertices_given c)).
+Hypothesis segments_described : forall j k a b, In (j, k) (segments_given c) ->
+  option_map (@place_of d r) (numbered (vertices_given c) j) = Some a ->
+  option_map (@place_of d r) (numbered (vertices_given c) k) = Some b -> In (a, b) (domain_segments P).
+Notation L := (@caller_rows d r (sites m) (rows m)).
+
+Theorem shown_rule : refute_domain_in pr c = true -> broken_of_domain P L (domain_rule_of c) /\
+  forall e, domain_because c = OfMesh -> because m = e -> of_mesh e (domain_refuted c) = true.
+Proof.
+  intros H. unfold refute_domain_in in H. cbv zeta in H. unfold domain_rule_of.
+  destruct (domain_because c) as [k|t i|k q w|] eqn:Be.
+  4: { apply andb_true_iff in H. destruct H as [O H]. split; [|now intros e _ <-].
+    destruct (refuted m) eqn:R; try discriminate.
+    pose proof (accepted_breach M m H (fun _ => 0)) as [_ B]; [rewrite R; discriminate|].
+    rewrite R in B. cbn [broken_of_domain]. cbn [lifted] in B.
+    destruct (because m); try discriminate; exact B. }
+  all: (split; [|discriminate]); rewrite !andb_true_iff in H; destruct H as [[[[[Ov Pn] Pd] Sh] Sv] H];
+    apply Z.ltb_lt, IZR_lt in Pn, Pd;
+    assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat);
+    assert (ShV : forall v, In v (vertices_given c) -> well_shaped d v) by
+      (intros v Iv; rewrite forallb_forall in Sv; specialize (Sv v Iv); unfold shaped in Sv;
+       apply Nat.eqb_eq in Sv; now rewrite (dimension_d (M r Pr)) in Sv);
+    pose proof (sites_shaped M m Pr Sh) as ShS; pose proof (sites_found m) as Fs;
+    cbn [holds_of_domain broken_of_domain] in *.
+  - rewrite table_find in H. destruct (numbered (vertices_given c) k) as [v|] eqn:Ev; [|discriminate].
+    cbn [option_map] in H. unfold Datatypes.id in H. apply numbered_in in Ev. apply negb_true_iff in H.
+    exists (place_of r v). split; [apply vertices_described; now apply in_map|].
+    rewrite <- (rows_site_for (d := d) m). intros s Hs I. apply in_map_iff in Hs. destruct Hs as (x & E & Hx).
+    assert (T : existsb (lists (Table.of_list (site_for (refuted m)) (sites m)) v) (rows m) = true); [|congruence].
+    apply existsb_exists. exists x. split; [assumption|]. unfold lists. apply existsb_exists.
+    rewrite <- E in I. apply in_map_iff in I. destruct I as (n & En & Hn).
+    exists n. split; [assumption|].
+    rewrite (caller_named (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in En.
+    destruct (named _ n) as [y|] eqn:Ey; [|discriminate]. injection En as En.
+    apply (same_place_place (M r Pr)); [now apply ShV| |congruence].
+    pose proof (proj1 (Forall_forall _ _) ShS) as All. apply All.
+    now apply (named_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m) n).
+  - apply (entry_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in H.
+    destruct H as (x & n & _ & I & En & H). destruct (named _ n) as [y|] eqn:Ey; [|discriminate].
+    exists (map (@caller_entry d r (map (site_for (refuted m)) (sites m))) x), (place_of r y).
+    rewrite <- (rows_site_for (d := d) m). split; [assumption|]. split.
+    + apply nth_error_In in En. replace (Some (place_of r y)) with (@caller_entry d r (map (site_for (refuted m)) (sites m)) n);
+        [now apply in_map|].
+      rewrite (caller_named (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)), Ey. reflexivity.
+    + intros Iv. apply vertices_described, in_map_iff in Iv. destruct Iv as (v & E & Iv).
+      apply negb_true_iff in H. assert (T : existsb (same_place y) (vertices_given c) = true); [|congruence].
+      apply existsb_exists. exists v. split; [assumption|].
+      apply (same_place_place (M r Pr)); [|now apply ShV|congruence].
+      pose proof (proj1 (Forall_forall _ _) ShS) as All. apply All.
+      now apply (named_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m) n).
+  - rewrite table_find in H. destruct (numbered (segments_given c) k) as [(i, j)|] eqn:Ek; [|discriminate].
+    cbn [option_map] in H. unfold Datatypes.id in H. rewrite !table_find in H.
+    destruct (numbered (vertices_given c) i) as [a|] eqn:Ea; [|discriminate].
+    destruct (numbered (vertices_given c) j) as [b|] eqn:Eb; [|discriminate].
+    cbn [option_map] in H. unfold Datatypes.id in H.
+    rewrite !andb_true_iff in H. destruct H as [[Wr On] Al].
+    pose proof (ShV a (numbered_in _ _ _ Ea)) as Sa. pose proof (ShV b (numbered_in _ _ _ Eb)) as Sb.
+    unfold point_written in Wr. apply andb_true_iff in Wr. destruct Wr as [Sq Pw].
+    unfold shaped in Sq. apply Nat.eqb_eq in Sq. rewrite (dimension_d (M r Pr)) in Sq.
+    apply Z.ltb_lt in Pw. pose proof (IZR_lt _ _ Pw) as PwR.
+    assert (Times : forall x, well_shaped d x -> well_shaped d (times w x) /\
+      @place_of d (r / IZR w) (times w x) = place_of r x).
+    { intros x Sx. split; [unfold well_shaped, times in *; cbn; now rewrite map_length|].
+      unfold place_of, times. cbn [coordinates]. rewrite (KeptCells.integer_multiple d w _ Sx), scale_scale.
+      f_equal. field. lra. }
+    destruct (Times a Sa) as [Sta Ta]. destruct (Times b Sb) as [Stb Tb].
+    destruct (on_segment_between d (r / IZR w) _ _ q Sta Stb Sq On) as [Ht Eq]. rewrite Ta, Tb in Eq.
+    assert (Ne : coordinates a <> coordinates b).
+    { intros E. unfold on_segment in On. cbv zeta in On. unfold times in On. cbn [coordinates] in On.
+      rewrite E in On. apply andb_true_iff in On. destruct On as [On _].
+      apply andb_true_iff in On. destruct On as [On _]. apply andb_true_iff in On. destruct On as [On _].
+      apply Z.ltb_lt in On. assert (Z : forall l, inner_product (differences l l) (differences l l) = 0%Z).
+      { induction l as [|x l IH]; [reflexivity|]. cbn. rewrite IH. lia. }
+      rewrite Z in On. lia. }
+    exists (place_of r a), (place_of r b), (@place_over d r q w). split; [|split].
+    + apply (segments_described i j); [now apply numbered_in with k| |]; [now rewrite Ea|now rewrite Eb].
+    + apply conv_two. exists (ratio (times w a) (times w b) q). split; [assumption|exact Eq].
+    + intros s f Ls If Cf Wi. rewrite <- (rows_site_for (d := d) m) in Ls.
+      apply in_map_iff in Ls. destruct Ls as (x & E & Ix). rewrite forallb_forall in Al. specialize (Al x Ix).
+      unfold not_along in Al.
+      destruct (proper_simplex_of pr _ x) as [X|] eqn:Px; [|discriminate].
+      apply (proper_simplex_of_frame (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in Px. destruct Px as (Vx & g & G).
+      pose proof (vertices_rows _ x X Vx) as Er. rewrite Er in E. apply map_some_inj in E. subst s.
+      pose proof (framed_vertices X g G) as Vg. rewrite <- Vg in If.
+      pose proof Cf as Cg. apply (conv_face g f _ If) in Cg. destruct Cg as [Ig Car].
+      apply orb_true_iff in Al. destruct Al as [N|Al].
+      * apply negb_true_iff in N. assert (T : in_simplex pr X q w = true); [|congruence].
+        unfold in_simplex. apply forallb_forall. intros i0 Hi. unfold corners_numbered in Hi.
+        rewrite (dimension_d (M r Pr)) in Hi. apply in_seq_d in Hi.
+        apply Z.leb_le, le_IZR.
+        rewrite (coordinate_sign_bary (M r Pr) X g G q w i0 Hi Sq Pw).
+        pose proof (square_positive X g G). specialize (Ig i0 Hi).
+        apply Rmult_le_pos; [apply Rmult_le_pos; lra|assumption].
+      * apply existsb_exists in Al. destruct Al as (v & Iv & N). apply negb_true_iff in N.
+        assert (Sv' : well_shaped d v).
+        { apply carrier_of_incl in Iv. pose proof (framed_shaped X g G) as Sh'.
+          rewrite Forall_forall in Sh'. now apply Sh'. }
+        assert (Cv : In (place_of r v) (carrier g (@place_over d r q w))).
+        { apply (carrier_of_carrier (M r Pr) X g G q w Sq Pw). now apply in_map. }
+        apply in_carrier in Cv. destruct Cv as (i0 & Hi & Pi & Ev).
+        pose proof (Car i0 Hi Pi) as Fv. rewrite <- Ev in Fv.
+        pose proof (Wi _ (conv_point f _ Fv)) as Cv. apply conv_two in Cv. destruct Cv as (t & Ht' & Et).
+        rewrite (on_segment_complete d r a b v t Pr Sa Sb Sv' Ne Ht' Et) in N. discriminate.
+Qed.
+End Shown.
+
+(** ** The theorem *)
+
+Theorem refute_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
+Proof.
+  intros A (V & S). unfold refuted_simplices. destruct D; cbn [dimension_of] in *.
+  - now apply (shown_rule measured_plane c P V S).
+  - now apply (shown_rule measured_space c P V S).
+Qed.
+Theorem refute_domain_sound D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
+  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c)).
+Proof.
+  intros A De. pose proof (refute_domain_rule D c P A De) as B. unfold domain_rule_of in B.
+  destruct (domain_because c) as [k|t i|k q w|] eqn:Be; cbn [broken_of_domain] in B.
+  - now apply vertex_missing_refutes.
+  - apply steiner_forbidden_refutes; [|assumption]. unfold refute_domain, refute_domain_in in A. rewrite Be in A.
+    rewrite !andb_true_iff in A. apply A.
+  - now apply segment_missing_refutes.
+  - apply (mesh_rule_refutes _ _ _ (because (mesh_refuted c))); [|assumption].
+    unfold refute_domain, refute_domain_in in A. rewrite Be in A. now apply andb_true_iff in A.
+Qed.
