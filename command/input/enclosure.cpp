@@ -61,7 +61,7 @@ std::string name_of(const Simplex& wall, const Domain& domain) {
 // "edge 1 2, from (0, 0, 0) to (1, 0, 0), belongs to one polygon alone, polygon 3 (line 17), and so
 // do 2 more". A surface without an open edge may yet enclose nothing: Bing's house with two rooms.
 std::string open_place(const std::map<Simplex, Simplex>& open, const Domain& domain) {
-  if (open.empty()) return "though none of their edges is open";
+  if (open.empty()) return "none of their edges is open";
   const auto& [ridge, wall] = *open.begin();
   const PointSet& points = domain.complex.points;
   std::string text =
