@@ -19,15 +19,16 @@ export PYTHONDONTWRITEBYTECODE := 1
 # The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 
-.PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-builds test-release test-sanitize build-release \
-        build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
-        bench format clean deps deps-demo deps-docs deps-proofs deps-test deps-bench
+.PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-builds test-release \
+        test-sanitize build-release build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
+        bench format clean deb dist fresh-root deps deps-demo deps-docs deps-proofs deps-test deps-deb deps-bench
 
 deps: ; @cmake/packages.sh demo proofs test browser bench
 deps-demo: ; @cmake/packages.sh demo
 deps-docs: ; @cmake/packages.sh docs
 deps-proofs: ; @cmake/packages.sh proofs
 deps-test: ; @cmake/packages.sh demo proofs test browser
+deps-deb: ; @cmake/packages.sh demo deb
 deps-bench: ; @cmake/packages.sh demo bench
 
 # The command, and what `cmake --install` installs. A first build leaves the tests out; a build that has them
@@ -58,6 +59,21 @@ page: deps-test
 	@$(MAKE) --no-print-directory build
 	@oracle/picture/page/images.sh $(COMMAND) docs/images
 	@echo "built oracle/picture/page/page.built.html and docs/images"
+
+# Debian packages of the command, the libraries and the Python package, in build/deb; lintian looks at them.
+deb: deps-deb
+	@JOBS=$(JOBS) cmake/deb.sh build/deb
+
+# The command as one file for any Linux, in an archive with its man pages and all licences, in build/dist.
+dist: deps-demo
+	@$(CONFIGURE) -S . -B build/static -G Ninja -DCMAKE_BUILD_TYPE=Release -DCIRCUMSPECT_BUILD_TESTS=OFF \
+	  -DCIRCUMSPECT_STATIC=ON
+	@cmake --build build/static -j $(JOBS) --target circumspect_cli
+	@cmake/dist.sh build/static build/dist
+
+# Installs both into a bare Debian 12 and judges there: for `make soak`.
+fresh-root: deps-deb
+	@debian/fresh_root_test.sh build/deb build/dist/circumspect-*-linux-*.tar.gz
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs

@@ -12,6 +12,16 @@ macro(circumspect_find_package package target)
   endif()
 endmacro()
 
+# For one file that runs on any Linux: archives instead of libraries. Debian has none of {fmt}, whose headers do,
+# and none of oneTBB, whose place plain threads take (oracle/judge/fast/in_chunks.hpp).
+if(CIRCUMSPECT_STATIC)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+  add_library(fmt::fmt INTERFACE IMPORTED GLOBAL)
+  target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+  add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
+  target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
+endif()
+
 # circumspect_find_library(NAME HEADER [LIBRARY...] DEBIAN PACKAGE)
 # makes the target circumspect::NAME.
 function(circumspect_find_library name header)

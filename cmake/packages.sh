@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|browser|bench...
+#   cmake/packages.sh demo|docs|proofs|test|browser|deb|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -66,13 +66,27 @@ gappa                 proves the error bounds of the floating-point filters
 python3               makes the mutants of certificates; in tests, runs tidy/tidy.py
 END
       ;;
+    deb) cat <<'END'
+debhelper             makes Debian packages
+dpkg-dev              the same
+fakeroot              the same, for who is not root
+dh-python             puts the Python package where Debian's Python looks
+pybuild-plugin-pyproject  reads its pyproject.toml
+python3-dev           compiles the Python module (the file Python.h)
+pybind11-dev          binds it to Python
+python3-setuptools    makes a wheel of it
+python3-wheel         the same
+lintian               looks for faults in the packages
+debootstrap           makes the bare Debian in which they are tried (make soak)
+END
+      ;;
     docs) cat <<'END'
 mkdocs-material       makes a site of the pages in docs
 python3               checks the links of all pages
 END
       ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, browser or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, browser, deb or bench" >&2; exit 2 ;;
   esac
 }
 

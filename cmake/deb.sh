@@ -1,0 +1,35 @@
+#!/bin/bash
+# Builds the Debian packages, and has lintian look at them:
+#   cmake/deb.sh FOLDER
+# The packages, and the copy of the sources that they are built in, are then in FOLDER, such as build/deb.
+set -euo pipefail
+
+folder=${1:?usage: cmake/deb.sh FOLDER}
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+version=$(sed -n 's/^project(circumspect VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
+packed=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)
+if [ "${packed%-*}" != "$version" ]; then
+  echo "debian/changelog: expected an entry for version $version, found $packed; add one at its top" >&2
+  exit 1
+fi
+rm -rf "$folder"
+mkdir -p "$folder/circumspect-$version"
+folder=$(realpath "$folder")
+sources=$folder/circumspect-$version
+tar -C "$root" --exclude=./build --exclude=./.git -c . | tar -C "$sources" -x
+cd "$sources"
+# debhelper has another home, in which there is no cache of what was compiled before.
+export CCACHE_DIR=${CCACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/ccache}
+# Debian's own programs and no others that stand before them, as another Python.
+export PATH=/usr/sbin:/usr/bin:/sbin:/bin
+export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym"
+dpkg-buildpackage --build=binary --no-sign --jobs="${JOBS:-$(nproc)}"
+rm -rf "$sources"
+lintian --fail-on error "$folder"/*.changes
+echo "built, in $folder:"
+for package in "$folder"/*.deb; do
+  case $package in *-dbgsym_*) continue ;; esac
+  printf '  %-45s %5.1f MB, installed %5.1f MB\n' "${package##*/}" \
+    "$(stat -c %s "$package" | awk '{ print $1 / 1e6 }')" \
+    "$(dpkg-deb -f "$package" Installed-Size | awk '{ print $1 / 1e3 }')"
+done
