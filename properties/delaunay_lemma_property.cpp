@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
 #include "oracle/judge/points/check.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
@@ -160,7 +160,7 @@ TEST_CASE("D10 the weighted Delaunay Lemma, on all triangulations of some of the
   for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);
     CHECK(holds("weighted: every simplex, or every facet and every point left out", 50, [d] {
-      const PointsCase set = *generators::weighted(generators::any_point_set(d, d + 3), d + 3);
+      const PointsCase set = *generators::weighted(generators::any_point_set(d, d + 3));
       const PointSet points(set.points, set.weights);
       std::size_t delaunay_ones = 0;
       for (const Triangulation& one : all_triangulations(points, VertexUse::kSomePoints)) {

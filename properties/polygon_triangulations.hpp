@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/complex/star_index.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

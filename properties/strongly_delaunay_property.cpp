@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/genericity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
@@ -93,7 +93,7 @@ TEST_CASE("D3 every answer of the simplex predicates carries its proof (Section 
     CHECK(holds("witnessing balls and obstructions", 20, [d] {
       const auto sets = generators::any_point_set(d, d + 3);
       const PointsCase set =
-          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, d + 3));
+          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
       const PointSet points(set.points, set.weights);
       for (const Simplex& simplex : all_simplices(points)) {
         const SimplexDelaunayhood answer = delaunay::delaunayhood(points, simplex);

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/any_case.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/by_definition.hpp"
 #include "reference/delaunay/vertex_deletion.hpp"

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "inputs/dice.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/mixed.hpp"
 
 namespace circumspect::harness {
 namespace {
@@ -43,7 +43,7 @@ DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std
   const generators::Family& family = *families[index % families.size()];
   const std::uint64_t seed = mixed_seed(run_seed, index);
   return {family.name, seed,
-          generators::in_doubles(generators::drawn(family.cases(dimension, max_points), seed),
+          generators::in_doubles(generators::drawn(family, dimension, {max_points}, seed),
                                  family.repeats_points)};
 }
 

@@ -19,7 +19,7 @@
 
 #include <circumspect/fuzz.hpp>
 
-#include "fuzz/harness/dice.hpp"
+#include "inputs/dice.hpp"
 
 namespace circumspect {
 namespace {
@@ -118,7 +118,7 @@ class Recipe {
   std::vector<double> weights_ = {};
 };
 
-using harness::Dice;
+using generators::Dice;
 
 using Step = std::array<std::uint8_t, kStep>;
 

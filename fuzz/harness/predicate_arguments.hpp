@@ -6,9 +6,11 @@
 
 #include <circumspect/predicates.hpp>
 
-#include "fuzz/harness/dice.hpp"
+#include "inputs/dice.hpp"
 
 namespace circumspect::harness {
+
+using generators::Dice;
 
 struct ArgumentFamily {
   std::string_view name;

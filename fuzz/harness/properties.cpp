@@ -3,11 +3,11 @@
 
 #include <circumspect/properties.hpp>
 
-#include "fuzz/campaign/minimise.hpp"
 #include "fuzz/harness/cases.hpp"
 #include "fuzz/harness/node_text.hpp"
 #include "fuzz/harness/property_rule.hpp"
 #include "inputs/arrays.hpp"
+#include "inputs/minimise.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/affine_hull.hpp"
 
@@ -30,7 +30,7 @@ Finding finding(const Triangulator& subject, Property property, const PropertyOp
     return is_wanted(options, smaller) && harness::are_doubles(smaller) &&
            harness::broken_rule(subject, property, options, smaller, drawn.seed).rule == rule;
   };
-  const PointsCase smallest = campaign::minimised(drawn.set, still_fails);
+  const PointsCase smallest = generators::minimised(drawn.set, still_fails);
   const Broken broken = harness::broken_rule(subject, property, options, smallest, drawn.seed);
   Finding result{property,
                  drawn.family,

@@ -4,11 +4,13 @@
 #include <map>
 #include <utility>
 
-#include "fuzz/harness/dice.hpp"
 #include "inputs/arrays.hpp"
+#include "inputs/dice.hpp"
 
 namespace circumspect::harness {
 namespace {
+
+using generators::Dice;
 
 // What is removed in between: nothing, a few points, about as many as are inserted.
 std::size_t removals_in_ten(const SequenceOptions& options, Dice& dice) {

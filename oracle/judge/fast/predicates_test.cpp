@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/run.hpp"
 #include "oracle/judge/fast/reference_signs_test.hpp"
 #include "oracle/judge/fast/tuples_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/complex/facet_table.hpp"
 #include "reference/kernel/complex/star_index.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/numbers.hpp"
 
 namespace circumspect {
 namespace {
@@ -58,7 +58,7 @@ TEST_CASE("point set: it is the points and weights it was given") {
   CHECK(rc::check([] {
     const auto sets = generators::any_point_set(3, 7);
     const PointsCase set =
-        *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, 7));
+        *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
     const PointSet points(set.points, set.weights);
     RC_ASSERT(points.size() == set.points.size());
     RC_ASSERT(points.empty() == set.points.empty());

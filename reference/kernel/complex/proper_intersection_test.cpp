@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
+#include "properties/arguments/laws.hpp"
 
 namespace circumspect {
 namespace {
@@ -124,8 +124,8 @@ TEST_CASE("proper intersection: it agrees with circuits, and the point is what i
     std::size_t improper = 0;
     CHECK(rc::check("dimension " + std::to_string(d), [&] {
       const std::size_t most = d + 4;
-      const auto sets =
-          rc::gen::oneOf(generators::grid_points(d, most), generators::integer_points(d, most));
+      const auto sets = rc::gen::oneOf(generators::sets_of(generators::grid_points, d, most),
+                                       generators::sets_of(generators::integer_points, d, most));
       const PointsCase set = *generators::unweighted(sets);
       RC_PRE(set.points.size() >= 2U);
       const PointSet points(set.points);

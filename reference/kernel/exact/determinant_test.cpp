@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 
 #include "inputs/plain_algebra.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
 
 namespace circumspect {
 namespace {

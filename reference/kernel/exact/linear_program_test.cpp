@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/plain_algebra.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/exact/linear_system.hpp"
 
 namespace circumspect {

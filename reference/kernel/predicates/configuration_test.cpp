@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
+#include "properties/arguments/laws.hpp"
 
 namespace circumspect {
 namespace {
@@ -44,7 +44,7 @@ TEST_CASE("configuration: doubles always share a denominator, unrelated fraction
   CHECK(Configuration(std::vector<Point>{{exact_value(0x1p-1074)}, {exact_value(0x1p1023)}})
             .has_common_denominator());
   CHECK(rc::check([] {
-    const std::vector<Point> doubles = *generators::extreme_points(3, 8);
+    const std::vector<Point> doubles = *generators::sets_of(generators::extreme_points, 3, 8);
     RC_ASSERT(Configuration(doubles).has_common_denominator());
   }));
   std::vector<Point> fractions;

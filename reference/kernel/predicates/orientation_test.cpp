@@ -6,9 +6,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/numbers.hpp"
 
 namespace circumspect {
 namespace {
@@ -155,9 +155,9 @@ TEST_CASE("O6 the orientation is the sign of the rational determinant, however i
 
 TEST_CASE("O6 a set without a common scale has its points scaled one by one") {
   CHECK(rc::check([] {
-    const PointsCase set =
-        *rc::gen::suchThat(generators::unweighted(generators::unrelated_denominator_points(3, 8)),
-                           [](const PointsCase& some) { return some.points.size() >= 4; });
+    const PointsCase set = *rc::gen::suchThat(
+        generators::unweighted(generators::sets_of(generators::unrelated_denominator_points, 3, 8)),
+        [](const PointsCase& some) { return some.points.size() >= 4; });
     const Configuration points = configuration(set, Scaling::kCommon);
     RC_PRE(!points.has_common_denominator());
     for_all_axes(set, [&](const Axes& axes, const Vertices& simplex) {
