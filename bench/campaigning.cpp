@@ -20,9 +20,9 @@
 
 #include "bench/point_families.hpp"
 #include "fuzz/campaign/campaign.hpp"
+#include "inputs/dice.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/mixed.hpp"
 
 namespace circumspect::bench {
 namespace {
@@ -120,9 +120,10 @@ double in_campaign(campaign::Plan plan) {
 
 // The first inputs of the family that span space, from this seed on.
 campaign::Input drawn_uniform(std::uint64_t seed) {
-  const auto cases = generators::find_family("uniform")->cases(3, kPoints);
+  const generators::Family& uniform = *generators::find_family("uniform");
   while (true) {
-    generators::PointsCase set = generators::in_doubles(generators::drawn(cases, seed));
+    generators::PointsCase set =
+        generators::in_doubles(generators::drawn(uniform, 3, {kPoints}, seed));
     if (PointSet(set.points).dimension() == 3) return set;
     seed = generators::mixed(seed);
   }

@@ -38,9 +38,9 @@ SimplexArray right_answer(const generators::PointsCase& set) {
 bool time_one(const Row& row) {
   const auto families = harness::chosen_families({}, row.dimension, false);
   const auto drawn = [&](std::uint64_t index) {
-    const auto cases = families[index % families.size()]->cases(row.dimension, row.max_points);
-    return generators::in_doubles(
-        generators::drawn(cases, harness::mixed_seed(kSeed, index), generators::kFullSize));
+    return generators::in_doubles(generators::drawn(*families[index % families.size()],
+                                                    row.dimension, {row.max_points, true},
+                                                    harness::mixed_seed(kSeed, index)));
   };
   std::vector<SimplexArray> answers;
   std::size_t points = 0;

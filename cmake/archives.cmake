@@ -52,16 +52,12 @@ circumspect_add_archive(circumspect_check_archive check circumspect-check
   LINKS fmt::fmt TBB::tbb Threads::Threads
         "$<BUILD_INTERFACE:circumspect::gmp;circumspect::mpfr;circumspect::pugixml;circumspect::zlib>"
         "$<INSTALL_INTERFACE:gmpxx;gmp;mpfr;pugixml;z>")
-if(TARGET circumspect_harness)
-  set(harness_layers)
-  circumspect_layers_behind(circumspect_harness harness_layers)
-  list(REMOVE_ITEM harness_layers ${check_layers})
-  circumspect_add_archive(circumspect_archive harness circumspect-harness
-    LAYERS ${harness_layers}
-    LINKS circumspect_check_archive rapidcheck)
-else()
-  add_custom_target(circumspect_archive)
-endif()
+set(harness_layers)
+circumspect_layers_behind(circumspect_harness harness_layers)
+list(REMOVE_ITEM harness_layers ${check_layers})
+circumspect_add_archive(circumspect_archive harness circumspect-harness
+  LAYERS ${harness_layers}
+  LINKS circumspect_check_archive)
 
 # circumspect_show_only(TARGET MAP) hides all symbols of a shared library but those that the file MAP names.
 function(circumspect_show_only target map)

@@ -8,11 +8,7 @@ set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/circumspect")
 set(target_of_check circumspect_check_archive)
 set(target_of_harness circumspect_archive)
 set(target_of_c circumspect_c_library)
-set(libraries check c)
-if(TARGET circumspect_harness)
-  list(APPEND libraries harness)
-endif()
-foreach(library IN LISTS libraries)
+foreach(library check c harness)
   install(TARGETS ${target_of_${library}} EXPORT circumspect_${library}
           ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT harness
           LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT harness)

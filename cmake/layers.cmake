@@ -46,7 +46,7 @@ function(circumspect_layer name folder)
 
   if(built_elsewhere)
     # Its flags are that build's.
-  elseif(folder MATCHES "^(properties/|inputs)")
+  elseif(folder MATCHES "^properties/")
     circumspect_compile_quickly(circumspect_${name})
   elseif(sources AND CIRCUMSPECT_BUILD_FUZZERS)
     # libFuzzer is to see which code its inputs reach; the tests need not be looked at.
@@ -54,8 +54,8 @@ function(circumspect_layer name folder)
   endif()
   # The lowest layers see less than the others, and are compiled as they stand.
   if(sources AND ARG_DEPENDS AND NOT built_elsewhere)
-    if(folder MATCHES "^(properties/|inputs)")
-      circumspect_precompile(circumspect_${name} inputs)
+    if(folder MATCHES "^properties/")
+      circumspect_precompile(circumspect_${name} properties)
     else()
       circumspect_precompile(circumspect_${name} layers)
     endif()
@@ -68,7 +68,7 @@ function(circumspect_layer name folder)
 endfunction()
 
 # The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags agree
-# share them precompiled: KIND is `layers`, `inputs` (with RapidCheck), or `tests` (with doctest).
+# share them precompiled: KIND is `layers`, `properties` (with RapidCheck), or `tests` (with doctest).
 # Nothing of the project is among them, so that a change in the project makes none anew. A file must
 # still include what it uses: without the option, as in a plain preset, each is compiled as it stands.
 function(circumspect_precompile target kind)
@@ -88,7 +88,7 @@ function(circumspect_precompile target kind)
                           circumspect::expected CGAL::CGAL Threads::Threads)
     if(kind STREQUAL "layers" AND CIRCUMSPECT_BUILD_FUZZERS)
       target_compile_options(${shared} PRIVATE -fsanitize=fuzzer-no-link)
-    elseif(kind STREQUAL "inputs")
+    elseif(kind STREQUAL "properties")
       circumspect_compile_quickly(${shared})
       target_link_libraries(${shared} PRIVATE rapidcheck)
       list(APPEND headers <rapidcheck.h>)

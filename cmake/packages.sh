@@ -20,7 +20,6 @@ libpugixml-dev        XML, in which VTK writes meshes
 zlib1g-dev            their compressed arrays
 libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
-librapidcheck-dev     generates and shrinks inputs
 libtbb-dev            threads of the fast judge (oneTBB)
 libboost-dev          spatial indexes, and headers that CGAL includes
 tetgen                a program to put to the test, at the end of the demonstration
@@ -28,6 +27,7 @@ END
       ;;
     test) cat <<'END'
 doctest-dev           runs the tests
+librapidcheck-dev     tries properties on random arguments
 libtet1.5-dev         TetGen as a function, put to the test
 libqhull-dev          Qhull as a function, put to the test
 topcom                a second opinion on the number of triangulations, in tests only

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "command/same_bytes.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::cli {
 namespace {

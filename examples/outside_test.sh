@@ -37,13 +37,13 @@ echo "judge, by find_package"
 quietly cmake -S "$work/examples/judge" -B "$work/judge" -DCMAKE_PREFIX_PATH="$work/installed"
 quietly cmake --build "$work/judge"
 "$work/judge/judge_arrays" >/dev/null || fail "the judge of arrays was wrong"
-! grep -q "rapidcheck" "$work/judge/CMakeFiles/judge_arrays.dir/link.txt" ||
-  fail "expected the judge to do without RapidCheck"
 
 echo "properties, by find_package"
 quietly cmake -S "$work/examples/properties" -B "$work/properties" -DCMAKE_PREFIX_PATH="$work/installed"
 quietly cmake --build "$work/properties"
 "$work/properties/triangulate_test"
+! grep -q "rapidcheck" "$work"/{judge,properties}/CMakeFiles/*.dir/link.txt ||
+  fail "expected judge and harness to do without RapidCheck"
 
 echo "properties fail where doubles are rounded"
 sed -i '/\.families/d' "$work/examples/properties/triangulate_test.cpp"

@@ -38,82 +38,6 @@ void print_facets(std::ostream& out, const PiecewiseLinearInput& input) {
   }
 }
 
-// Collects the simpler inputs that are valid.
-class Simpler {
- public:
-  explicit Simpler(const ComplexCase& whole) : whole_(whole) {}
-
-  // `change` takes a copy of the input and makes it simpler.
-  template <typename Change>
-  void try_out(const Change& change) {
-    ComplexCase part = whole_;
-    change(part.input);
-    if (!part.input.points.empty() && validated(part.input, 1)) found_.push_back(std::move(part));
-  }
-
-  std::vector<ComplexCase> take() { return std::move(found_); }
-
- private:
-  const ComplexCase& whole_;
-  std::vector<ComplexCase> found_;
-};
-
-template <typename T>
-void erase_at(std::vector<T>& list, std::size_t place) {
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
-}
-
-template <typename T>
-void drop_half(std::vector<T>& list, bool first_half) {
-  const auto middle = list.begin() + static_cast<std::ptrdiff_t>((list.size() + 1) / 2);
-  first_half ? list.erase(list.begin(), middle) : list.erase(middle, list.end());
-}
-
-void try_out_fewer_points(const ComplexCase& whole, Simpler& simpler) {
-  std::vector<bool> unused = is_used(whole.input);
-  unused.flip();
-  const auto count = std::count(unused.begin(), unused.end(), true);
-  if (count == 0) return;
-  simpler.try_out([&](PiecewiseLinearInput& input) { drop_points(input, unused); });
-  for (std::size_t v = 0; v < unused.size() && count > 1; ++v) {
-    if (!unused[v]) continue;
-    std::vector<bool> dropped(unused.size());
-    dropped[v] = true;
-    simpler.try_out([&](PiecewiseLinearInput& input) { drop_points(input, dropped); });
-  }
-}
-
-std::vector<ComplexCase> simpler(const ComplexCase& whole) {
-  Simpler result(whole);
-  const auto fewer = [&](auto PiecewiseLinearInput::*list) {
-    const std::size_t count = (whole.input.*list).size();
-    for (const bool first_half : {true, false}) {
-      if (count < 3) break;
-      result.try_out([&](PiecewiseLinearInput& input) { drop_half(input.*list, first_half); });
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      result.try_out([&](PiecewiseLinearInput& input) { erase_at(input.*list, i); });
-    }
-  };
-  fewer(&PiecewiseLinearInput::polygons);
-  fewer(&PiecewiseLinearInput::segments);
-  fewer(&PiecewiseLinearInput::hole_seeds);
-  for (std::size_t i = 0; i < whole.input.polygons.size(); ++i) {
-    const PolygonLines& polygon = whole.input.polygons[i];
-    for (std::size_t line = 1; line < polygon.lines.size(); ++line) {
-      result.try_out([&](PiecewiseLinearInput& input) { erase_at(input.polygons[i].lines, line); });
-    }
-    if (!polygon.hole_seeds.empty()) {
-      result.try_out([&](PiecewiseLinearInput& input) {
-        input.polygons[i].lines.resize(1);
-        input.polygons[i].hole_seeds.clear();
-      });
-    }
-  }
-  try_out_fewer_points(whole, result);
-  return result.take();
-}
-
 }  // namespace
 
 std::vector<bool> is_used(const PiecewiseLinearInput& input) {
@@ -164,14 +88,6 @@ std::ostream& operator<<(std::ostream& out, const ComplexCase& value) {
   out << input.hole_seeds.size() << "\n";
   print_points(out, input.hole_seeds);
   return out;
-}
-
-Complexes shrinking(const Complexes& complexes) {
-  return [=](const rc::Random& random, int size) {
-    return rc::shrinkable::shrinkRecur(
-        complexes(random, size).value(),
-        [](const ComplexCase& whole) { return rc::seq::fromContainer(simpler(whole)); });
-  };
 }
 
 PolygonLines polygon_along(std::vector<Vertex> line) { return {{std::move(line)}, {}}; }

@@ -1,12 +1,9 @@
-// A generated piecewise linear complex, printed so that a failing case can be pasted into a file, and
-// made simpler until what fails is small.
+// A generated piecewise linear complex, printed so that a failing case can be pasted into a file.
 #pragma once
 
 #include <iosfwd>
 #include <string>
 #include <vector>
-
-#include <rapidcheck.h>
 
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
@@ -23,13 +20,6 @@ struct ComplexCase {
 // As a .poly file counted from 0, with exact rationals. In space a lone segment is a facet of one
 // line with two corners.
 std::ostream& operator<<(std::ostream& out, const ComplexCase& value);
-
-using Complexes = rc::Gen<ComplexCase>;
-
-// The same complexes, but a failing one shrinks: it drops polygons, segments, holes, hole seeds and
-// vertices that no cell uses, whatever it was made of. What is left is a valid input, and edge-protected
-// if the whole was: its edges are edges of the whole, and its vertices are among those of the whole.
-Complexes shrinking(const Complexes& complexes);
 
 // Cells that are added together or not at all.
 struct Cells {

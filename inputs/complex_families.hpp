@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,8 @@ struct ComplexFamily {
   std::string name;
   std::string about;  // one line: what the domains are, and the notion of the book that they stress
   std::size_t dimension = 3;  // 2 or 3
-  // Valid complexes; of about as many points where the family leaves a choice.
-  std::function<Complexes(std::size_t max_points)> complexes;
+  // Valid complexes, of up to `max_points` points where the family leaves a choice.
+  ComplexCase (*draw)(Dice& dice, std::size_t max_points);
 };
 
 // The families that need no Delaunay triangulation to be drawn. All of them, with those that are
@@ -26,9 +25,9 @@ struct ComplexFamily {
 const std::vector<ComplexFamily>& complex_families();
 
 // Sets of integers, never empty: what the families take for vertices.
-PointSets integer_vertices(std::size_t dimension, std::size_t max_points);
+std::vector<Point> integer_vertices(Dice& dice, std::size_t dimension, std::size_t max_points);
 
 // The complex that a seed stands for, the same on every machine.
-ComplexCase drawn(const Complexes& complexes, std::uint64_t seed);
+ComplexCase drawn(const ComplexFamily& family, std::size_t max_points, std::uint64_t seed);
 
 }  // namespace circumspect::generators

@@ -20,17 +20,16 @@ std::string text(const ComplexCase& made) {
 TEST_CASE("families of domains: valid, of their dimension, also in doubles, the same for a seed") {
   for (const ComplexFamily& family : complex_families()) {
     CAPTURE(family.name);
-    const Complexes complexes = family.complexes(10);
     std::set<std::string> different;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
       CAPTURE(seed);
-      const ComplexCase made = drawn(complexes, seed);
+      const ComplexCase made = drawn(family, 10, seed);
       CHECK(validated(made.input, 1));
       const ComplexCase rounded = in_doubles(made);
       CHECK(rounded.input.points == made.input.points);
       CHECK(validated(rounded.input, 1));
       for (const Point& point : made.input.points) CHECK(point.size() == family.dimension);
-      CHECK(text(made) == text(drawn(family.complexes(10), seed)));
+      CHECK(text(made) == text(drawn(family, 10, seed)));
       different.insert(text(made));
     }
     CHECK(different.size() >= 4);
@@ -42,7 +41,7 @@ TEST_CASE("families of domains: what they are named for occurs") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     for (const ComplexFamily& family : complex_families()) {
       if (family.name != "furnished-boxes" && family.name != "named-complexes") continue;
-      const PiecewiseLinearInput input = drawn(family.complexes(10), seed).input;
+      const PiecewiseLinearInput input = drawn(family, 10, seed).input;
       for (const PolygonLines& polygon : input.polygons) {
         if (!polygon.hole_seeds.empty()) ++holes;
         if (polygon.lines.size() > 1) ++slits;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "inputs/named_complexes.hpp"
-#include "inputs/scalars.hpp"
+#include "inputs/set_parts.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
@@ -14,15 +14,13 @@
 namespace circumspect::generators {
 namespace {
 
-// Within rc::gen::exec: uniform in [0, count), yes or no, some distinct vertices in random order.
-std::size_t pick(std::size_t count) {
-  return static_cast<std::size_t>(*below(static_cast<long>(count)));
-}
-bool toss() { return pick(2) == 0; }
-std::vector<Vertex> pick_vertices(std::size_t count, std::vector<Vertex> from) {
+bool toss(Dice& dice) { return dice.below(2) == 0; }
+
+// Some distinct vertices in random order.
+std::vector<Vertex> pick_vertices(Dice& dice, std::size_t count, std::vector<Vertex> from) {
   std::vector<Vertex> picked;
   while (picked.size() < count && !from.empty()) {
-    const auto place = from.begin() + static_cast<std::ptrdiff_t>(pick(from.size()));
+    const auto place = from.begin() + static_cast<std::ptrdiff_t>(dice.below(from.size()));
     picked.push_back(*place);
     from.erase(place);
   }
@@ -35,7 +33,7 @@ std::vector<Vertex> vertices_of(const PiecewiseLinearInput& input) {
   return vertices;
 }
 
-DomainKind any_kind() { return toss() ? DomainKind::kHull : DomainKind::kEnclosed; }
+DomainKind any_kind(Dice& dice) { return toss(dice) ? DomainKind::kHull : DomainKind::kEnclosed; }
 
 // The other vertices in the plane of a triangle.
 std::vector<Vertex> coplanar_with(const PiecewiseLinearInput& input,
@@ -52,20 +50,21 @@ std::vector<Vertex> coplanar_with(const PiecewiseLinearInput& input,
 }
 
 // A few tries to add a random triangle or quadrilateral, or a segment.
-void add_random_polygons(PiecewiseLinearInput& input, std::size_t tries) {
+void add_random_polygons(Dice& dice, PiecewiseLinearInput& input, std::size_t tries) {
   for (std::size_t i = 0; i < tries; ++i) {
-    std::vector<Vertex> line = pick_vertices(3, vertices_of(input));
+    std::vector<Vertex> line = pick_vertices(dice, 3, vertices_of(input));
     if (line.size() < 3) return;
-    if (toss()) {
-      const std::vector<Vertex> more = pick_vertices(1 + pick(2), coplanar_with(input, line));
+    if (toss(dice)) {
+      const std::size_t most = 1 + dice.below(2);
+      const std::vector<Vertex> more = pick_vertices(dice, most, coplanar_with(input, line));
       line.insert(line.end(), more.begin(), more.end());
     }
     add_if_valid(input, {{}, {polygon_along(line)}});
   }
 }
-void add_random_segments(PiecewiseLinearInput& input, std::size_t tries) {
+void add_random_segments(Dice& dice, PiecewiseLinearInput& input, std::size_t tries) {
   for (std::size_t i = 0; i < tries; ++i) {
-    const std::vector<Vertex> ends = pick_vertices(2, vertices_of(input));
+    const std::vector<Vertex> ends = pick_vertices(dice, 2, vertices_of(input));
     if (ends.size() < 2) return;
     add_if_valid(input, {{ends}, {}});
   }
@@ -109,13 +108,14 @@ bool fits(const PointSet& points, const Glued& glued, const Simplex& tetrahedron
 // A random tetrahedron, glued to those there are if there are any. None of its facets crosses any
 // that is there, and those that are there lie on its outside: then so do the others' interiors, which
 // are connected through facets.
-void glue_one(PiecewiseLinearInput& input, const PointSet& points, Glued& glued) {
+void glue_one(Dice& dice, PiecewiseLinearInput& input, const PointSet& points, Glued& glued) {
   std::vector<Vertex> vertices;
   if (glued.empty()) {
-    vertices = pick_vertices(4, all_vertices(points));
+    vertices = pick_vertices(dice, 4, all_vertices(points));
   } else {
-    vertices = std::next(glued.begin(), static_cast<std::ptrdiff_t>(pick(glued.size())))->first;
-    vertices.push_back(static_cast<Vertex>(pick(points.size())));
+    vertices =
+        std::next(glued.begin(), static_cast<std::ptrdiff_t>(dice.below(glued.size())))->first;
+    vertices.push_back(static_cast<Vertex>(dice.below(points.size())));
   }
   const Simplex tetrahedron = sorted(vertices);
   if (!fits(points, glued, tetrahedron)) return;
@@ -145,9 +145,11 @@ std::vector<Point> square_in_face(std::size_t axis, const Rational& height, cons
 }
 
 // A square in a face, of which it makes a hole, a polygon within the polygon, or a closed slit.
-void add_square_to_face(PiecewiseLinearInput& input) {
-  const std::size_t axis = pick(3);
-  const Rational height = toss() ? 0 : 6, low = 1 + pick(2), high = 3 + pick(2);
+void add_square_to_face(Dice& dice, PiecewiseLinearInput& input) {
+  const std::size_t axis = dice.below(3);
+  const Rational height = toss(dice) ? 0 : 6;
+  const Rational low = dice.within(1, 2);
+  const Rational high = dice.within(3, 4);
   const auto first = static_cast<Vertex>(input.points.size());
   PiecewiseLinearInput changed = input;
   for (const Point& corner : square_in_face(axis, height, low, high)) {
@@ -161,17 +163,19 @@ void add_square_to_face(PiecewiseLinearInput& input) {
     const auto& outline = face.lines.front();
     if (!std::all_of(outline.begin(), outline.end(), in_plane)) continue;
     face.lines.push_back(line);
-    if (toss()) face.hole_seeds.push_back(square_in_face(axis, height, low + Rational(1, 2), 4)[0]);
-    if (!face.hole_seeds.empty() && toss()) changed.polygons.push_back(polygon_along(line));
+    if (toss(dice))
+      face.hole_seeds.push_back(square_in_face(axis, height, low + Rational(1, 2), 4)[0]);
+    if (!face.hole_seeds.empty() && toss(dice)) changed.polygons.push_back(polygon_along(line));
     break;
   }
   if (validated(changed, 1)) input = changed;
 }
 
-void add_inner_box(PiecewiseLinearInput& input) {
-  const long low = 1 + static_cast<long>(pick(3));
-  PiecewiseLinearInput changed = both(input, box(low, low + 1 + static_cast<long>(pick(2))));
-  if (toss()) changed.hole_seeds.push_back(Point(3, low + Rational(1, 3)));
+void add_inner_box(Dice& dice, PiecewiseLinearInput& input) {
+  const long low = dice.within(1L, 3L);
+  const long side = dice.within(1L, 2L);
+  PiecewiseLinearInput changed = both(input, box(low, low + side));
+  if (toss(dice)) changed.hole_seeds.push_back(Point(3, low + Rational(1, 3)));
   if (validated(changed, 1)) input = changed;
 }
 
@@ -182,117 +186,83 @@ void add_point_if_valid(PiecewiseLinearInput& input, const Point& point) {
 
 }  // namespace
 
-PointSets rather_large(const PointSets& sets, std::size_t dimension) {
-  return rc::gen::map(rc::gen::container<std::vector<std::vector<Point>>>(3, sets),
-                      [dimension](const std::vector<std::vector<Point>>& three) {
-                        const auto largest = std::max_element(
-                            three.begin(), three.end(),
-                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
-                        return largest->empty() ? std::vector<Point>{Point(dimension)} : *largest;
-                      });
+ComplexCase scattered_cells(Dice& dice, std::vector<Point> points) {
+  ComplexCase made{"scattered cells", {std::move(points), {}, {}, {}, any_kind(dice)}};
+  add_random_polygons(dice, made.input, dice.below(10));
+  add_random_segments(dice, made.input, dice.below(8));
+  return made;
 }
 
-Complexes scattered_cells(const PointSets& sets) {
-  return shrinking(rc::gen::exec([=] {
-    ComplexCase made{"scattered cells", {*sets, {}, {}, {}, any_kind()}};
-    add_random_polygons(made.input, pick(10));
-    add_random_segments(made.input, pick(8));
-    return made;
-  }));
-}
-
-Complexes glued_tetrahedra(const PointSets& sets) {
-  return shrinking(rc::gen::exec([=] {
-    ComplexCase made{"glued tetrahedra", {*sets, {}, {}, {}, DomainKind::kEnclosed}};
-    Glued glued;
-    const PointSet points(made.input.points);
-    const std::size_t tries = points.size() < 4 ? 0 : 4 + pick(16);
-    for (std::size_t i = 0; i < tries; ++i) glue_one(made.input, points, glued);
-    made.input.polygons.clear();
-    for (const auto& [facet, apexes] : glued) {
-      if (apexes.size() == 1 || pick(3) == 0) made.input.polygons.push_back(polygon_along(facet));
+ComplexCase glued_tetrahedra(Dice& dice, std::vector<Point> vertices) {
+  ComplexCase made{"glued tetrahedra", {std::move(vertices), {}, {}, {}, DomainKind::kEnclosed}};
+  Glued glued;
+  const PointSet points(made.input.points);
+  const std::size_t tries = points.size() < 4 ? 0 : 4 + dice.below(16);
+  for (std::size_t i = 0; i < tries; ++i) glue_one(dice, made.input, points, glued);
+  made.input.polygons.clear();
+  for (const auto& [facet, apexes] : glued) {
+    if (apexes.size() == 1 || dice.below(3) == 0) {
+      made.input.polygons.push_back(polygon_along(facet));
     }
-    return made;
-  }));
+  }
+  return made;
 }
 
-Complexes furnished_boxes() {
-  return shrinking(rc::gen::exec([] {
-    ComplexCase made{"furnished box", box(0, 6)};
-    made.input.kind = any_kind();
-    for (std::size_t i = pick(2); i > 0; --i) add_square_to_face(made.input);
-    if (pick(3) == 0) add_inner_box(made.input);
-    for (std::size_t i = pick(4); i > 0; --i) {
-      Point point;
-      for (std::size_t axis = 0; axis < 3; ++axis) point.push_back(pick(7));
-      add_point_if_valid(made.input, point);
-    }
-    add_random_polygons(made.input, pick(6));
-    add_random_segments(made.input, pick(6));
-    return made;
-  }));
+ComplexCase furnished_box(Dice& dice) {
+  ComplexCase made{"furnished box", box(0, 6)};
+  made.input.kind = any_kind(dice);
+  for (std::size_t i = dice.below(2); i > 0; --i) add_square_to_face(dice, made.input);
+  if (dice.below(3) == 0) add_inner_box(dice, made.input);
+  for (std::size_t i = dice.below(4); i > 0; --i) {
+    add_point_if_valid(made.input, several(3, [&] { return Rational(dice.within(0, 6)); }));
+  }
+  add_random_polygons(dice, made.input, dice.below(6));
+  add_random_segments(dice, made.input, dice.below(6));
+  return made;
 }
 
-Complexes twisted_prisms() {
-  return shrinking(rc::gen::exec([] {
-    ComplexCase made{"twisted prism", schonhardt()};
-    PiecewiseLinearInput& input = made.input;
-    if (toss()) {
-      input.points = {{8, 0, 0}, {0, 8, 0},  {-8, 0, 0},  {0, -8, 0},
-                      {6, 5, 9}, {-5, 6, 9}, {-6, -5, 9}, {5, -6, 9}};
-      input.polygons = {polygon_along({0, 1, 2, 3}), polygon_along({4, 5, 6, 7})};
-      for (Vertex i = 0; i < 4; ++i) {
-        const Vertex next = (i + 1) % 4;
-        input.polygons.push_back(polygon_along({i, next, next + 4}));
-        input.polygons.push_back(polygon_along({i, next + 4, i + 4}));
-      }
+ComplexCase twisted_prism(Dice& dice) {
+  ComplexCase made{"twisted prism", schonhardt()};
+  PiecewiseLinearInput& input = made.input;
+  if (toss(dice)) {
+    input.points = {{8, 0, 0}, {0, 8, 0},  {-8, 0, 0},  {0, -8, 0},
+                    {6, 5, 9}, {-5, 6, 9}, {-6, -5, 9}, {5, -6, 9}};
+    input.polygons = {polygon_along({0, 1, 2, 3}), polygon_along({4, 5, 6, 7})};
+    for (Vertex i = 0; i < 4; ++i) {
+      const Vertex next = (i + 1) % 4;
+      input.polygons.push_back(polygon_along({i, next, next + 4}));
+      input.polygons.push_back(polygon_along({i, next + 4, i + 4}));
     }
-    for (Point& corner : input.points) {
-      PiecewiseLinearInput changed = input;
-      Point& moved = changed.points[static_cast<std::size_t>(&corner - input.points.data())];
-      for (std::size_t axis = 0; axis < 3; ++axis) moved[axis] += *integer_within(2);
-      if (validated(changed, 1)) corner = moved;
-    }
-    if (pick(3) == 0) add_point_if_valid(input, {*integer_number(2), *integer_number(2), 5});
-    input.kind = any_kind();
-    return made;
-  }));
+  }
+  for (std::size_t v = 0; v < input.points.size(); ++v) {
+    PiecewiseLinearInput changed = input;
+    changed.points[v] = changed.points[v] + integer_point(dice, 3, 2);
+    if (validated(changed, 1)) input = changed;
+  }
+  if (dice.below(3) == 0) {
+    Point inside = integer_point(dice, 2, 2);
+    inside.emplace_back(5);
+    add_point_if_valid(input, inside);
+  }
+  input.kind = any_kind(dice);
+  return made;
 }
 
-Complexes any_complex(std::size_t max_points) {
-  const PointSets sets =
-      rather_large(rc::gen::oneOf(integer_points(3, max_points), grid_points(3, max_points),
-                                  integer_points(3, max_points), any_point_set(3, max_points),
-                                  integer_sphere_points(3, max_points)),
-                   3);
-  return rc::gen::oneOf(scattered_cells(sets), glued_tetrahedra(sets), furnished_boxes(),
-                        twisted_prisms());
-}
-
-Complexes planar_complexes(std::size_t max_points) {
-  return planar_complexes(
-      rather_large(rc::gen::oneOf(integer_points(2, max_points), grid_points(2, max_points),
-                                  any_point_set(2, max_points)),
-                   2));
-}
-
-Complexes planar_complexes(const PointSets& sets) {
-  return shrinking(rc::gen::exec([=] {
-    ComplexCase made{"planar", {*sets, {}, {}, {}, any_kind()}};
-    PiecewiseLinearInput& input = made.input;
-    for (std::size_t i = pick(5); i > 0 && input.points.size() > 2; --i) {
-      const std::vector<Vertex> v = pick_vertices(3, vertices_of(input));
-      add_if_valid(input, {{{v[0], v[1]}, {v[1], v[2]}, {v[2], v[0]}}, {}});
-    }
-    add_random_segments(input, pick(12));
-    for (std::size_t i = pick(3); i > 0 && input.points.size() > 2; --i) {
-      const std::vector<Vertex> v = pick_vertices(3, vertices_of(input));
-      PiecewiseLinearInput changed = input;
-      changed.hole_seeds.push_back(barycentre(coordinates(PointSet(input.points), v)));
-      if (validated(changed, 1)) input = changed;
-    }
-    return made;
-  }));
+ComplexCase planar_complex(Dice& dice, std::vector<Point> points) {
+  ComplexCase made{"planar", {std::move(points), {}, {}, {}, any_kind(dice)}};
+  PiecewiseLinearInput& input = made.input;
+  for (std::size_t i = dice.below(5); i > 0 && input.points.size() > 2; --i) {
+    const std::vector<Vertex> v = pick_vertices(dice, 3, vertices_of(input));
+    add_if_valid(input, {{{v[0], v[1]}, {v[1], v[2]}, {v[2], v[0]}}, {}});
+  }
+  add_random_segments(dice, input, dice.below(12));
+  for (std::size_t i = dice.below(3); i > 0 && input.points.size() > 2; --i) {
+    const std::vector<Vertex> v = pick_vertices(dice, 3, vertices_of(input));
+    PiecewiseLinearInput changed = input;
+    changed.hole_seeds.push_back(barycentre(coordinates(PointSet(input.points), v)));
+    if (validated(changed, 1)) input = changed;
+  }
+  return made;
 }
 
 }  // namespace circumspect::generators

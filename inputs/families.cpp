@@ -22,10 +22,11 @@ std::vector<Family> with_every_modifier() {
     for (Family family : families()) {
       family.name += "+" + modifier.name;
       family.about += "; " + modifier.about;
-      family.cases = [modified = modifier.modified, cases = family.cases,
-                      repeats = family.repeats_points](std::size_t dimension,
-                                                       std::size_t max_points) {
-        return modified(cases(dimension, max_points), {dimension, max_points, repeats});
+      family.draw = [modified = modifier.modified, draw = family.draw,
+                     repeats = family.repeats_points](Dice& dice, std::size_t dimension,
+                                                      Count count) {
+        const PointsCase set = draw(dice, dimension, count);
+        return modified(dice, set, repeats);
       };
       all.push_back(std::move(family));
     }
@@ -57,8 +58,10 @@ const Family* find_family(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-PointsCase drawn(const rc::Gen<PointsCase>& cases, std::uint64_t seed, int size) {
-  return cases(rc::Random(seed), size).value();
+PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed) {
+  // Mixed, lest the throws of one seed be those of another, some throws later.
+  Dice dice(mixed(seed));
+  return family.draw(dice, dimension, count);
 }
 
 }  // namespace circumspect::generators

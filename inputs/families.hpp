@@ -9,10 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include <rapidcheck.h>
-
 #include "inputs/modifiers.hpp"
-#include "inputs/points_case.hpp"
+#include "inputs/point_sets.hpp"
 
 namespace circumspect::generators {
 
@@ -20,8 +18,8 @@ struct Family {
   std::string name;   // lower-case words joined by hyphens, then "+modifier" if there is one
   std::string about;  // one line: what the sets are, and the notion of the book that they stress
   std::function<bool(std::size_t dimension)> exists_in;
-  // Sets of 0 to `max_points` points, exact. Requires: exists_in(dimension).
-  std::function<rc::Gen<PointsCase>(std::size_t dimension, std::size_t max_points)> cases;
+  // Sets of as many points as `count` says, exact. Requires: exists_in(dimension).
+  std::function<PointsCase(Dice& dice, std::size_t dimension, Count count)> draw;
   bool weighted = false;
   bool repeats_points = false;  // the only families whose sets may have equal points
 };
@@ -31,8 +29,7 @@ struct Family {
 struct FamilyModifier {
   std::string name;
   std::string about;
-  std::function<rc::Gen<PointsCase>(const rc::Gen<PointsCase>& cases, const ModifierScope& scope)>
-      modified;
+  PointsCase (*modified)(Dice& dice, const PointsCase& set, bool may_repeat_points);
 };
 
 // The families without modifiers, and the modifiers, each in the order of the table that
@@ -46,11 +43,8 @@ const std::vector<Family>& modified_families();
 // One of the modified families, by its name; null if there is none. It lives as long as the program.
 const Family* find_family(std::string_view name);
 
-// RapidCheck's size that asks for as many points as there may be; with all sizes up to
-// rc::kNominalSize every number of points is equally likely.
-inline constexpr int kFullSize = 2 * rc::kNominalSize;
-
-// The set that a seed stands for, the same on every machine.
-PointsCase drawn(const rc::Gen<PointsCase>& cases, std::uint64_t seed, int size = rc::kNominalSize);
+// The set that a seed stands for, the same on every machine. That of a modified family is made of the one
+// of the same seed without modifier. Requires: the family exists in the dimension.
+PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed);
 
 }  // namespace circumspect::generators

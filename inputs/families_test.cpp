@@ -10,6 +10,7 @@
 
 #include "inputs/arrays.hpp"
 #include "inputs/in_doubles.hpp"
+#include "properties/arguments/generated.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -30,10 +31,10 @@ void for_each_set(const std::vector<Family>& all, int seeds, const Look& look) {
     for (std::size_t dimension = 1; dimension <= 4; ++dimension) {
       if (!family.exists_in(dimension)) continue;
       CAPTURE(dimension);
-      const rc::Gen<PointsCase> cases = family.cases(dimension, kPoints);
       for (int seed = 0; seed < seeds; ++seed) {
         CAPTURE(seed);
-        look(family, dimension, drawn(cases, static_cast<std::uint64_t>(seed)));
+        look(family, dimension,
+             drawn(family, dimension, {kPoints}, static_cast<std::uint64_t>(seed)));
       }
     }
   }
@@ -61,11 +62,11 @@ TEST_CASE("families: equal points only where the table says so, and there indeed
   REQUIRE(family != nullptr);
   CHECK(family->repeats_points);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const PointsCase set = drawn(family->cases(3, kPoints), seed, kFullSize);
+    const PointsCase set = drawn(*family, 3, {kPoints, true}, seed);
     CHECK(has_equal_points(set));
     CHECK(has_equal_points(in_doubles(set, true)));
     CHECK_FALSE(has_equal_points(in_doubles(set)));
-    const PointsCase small = drawn(family->cases(3, 4), seed);
+    const PointsCase small = drawn(*family, 3, {4}, seed);
     if (small.points.size() > 1) CHECK(has_equal_points(small));
   }
 }
@@ -76,7 +77,7 @@ TEST_CASE("families: the full size gives as many points as there are, or nearly"
     const std::size_t dimension = family.exists_in(2) ? 2 : 3;
     std::size_t largest = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-      const PointsCase set = drawn(family.cases(dimension, kPoints), seed, kFullSize);
+      const PointsCase set = drawn(family, dimension, {kPoints, true}, seed);
       largest = std::max(largest, set.points.size());
     }
     CHECK(largest >= 7);
@@ -89,8 +90,8 @@ TEST_CASE("families: a seed stands for one set, another for another one") {
     const std::size_t dimension = family.exists_in(2) ? 2 : 3;
     std::set<std::string> different;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
-      const std::string first = text(drawn(family.cases(dimension, kPoints), seed));
-      CHECK(first == text(drawn(family.cases(dimension, kPoints), seed)));
+      const std::string first = text(drawn(family, dimension, {kPoints}, seed));
+      CHECK(first == text(drawn(family, dimension, {kPoints}, seed)));
       different.insert(first);
     }
     CHECK(different.size() >= 4);
@@ -115,16 +116,19 @@ TEST_CASE("families: names are unique words, and are found") {
   CHECK(find_family("sphere+") == nullptr);
 }
 
-// What a failing set becomes: as few points as still fail, of small coordinates.
+// What a property's failing set becomes: as few points as still fail, of small coordinates.
 TEST_CASE("families: sets shrink to few points") {
   for (const std::string_view name : {"sphere", "pythagorean-sphere", "cubic-lattice+ulp",
                                       "submerged", "twisted-prism+moved", "huge+scaled"}) {
     CAPTURE(name);
     const Family* family = find_family(name);
     REQUIRE(family != nullptr);
-    rc::Shrinkable<PointsCase> shrunk = family->cases(3, kPoints)(rc::Random(4), rc::kNominalSize);
+    const rc::Gen<PointsCase> sets = generated([&](Dice& dice) {
+      return family->draw(dice, 3, {kPoints, true});
+    });
+    rc::Shrinkable<PointsCase> shrunk = sets(rc::Random(4), rc::kNominalSize);
     for (std::uint64_t seed = 5; shrunk.value().points.size() < 8; ++seed) {
-      shrunk = family->cases(3, kPoints)(rc::Random(seed), rc::kNominalSize);
+      shrunk = sets(rc::Random(seed), rc::kNominalSize);
     }
     const auto fails = [](const PointsCase& set) { return set.points.size() >= 5; };
     for (bool simpler = true; simpler;) {
@@ -137,7 +141,10 @@ TEST_CASE("families: sets shrink to few points") {
         break;
       }
     }
-    CHECK(shrunk.value().points.size() <= 6);
+    CHECK(shrunk.value().points.size() == 5);
+    for (const Point& point : shrunk.value().points) {
+      for (const Rational& x : point) CHECK(abs(x) <= 4);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "inputs/lattices.hpp"
 #include "inputs/point_sets.hpp"
 #include "inputs/round_sets.hpp"
+#include "inputs/set_parts.hpp"
 #include "inputs/weighted_sets.hpp"
 
 namespace circumspect::generators {
@@ -20,12 +21,10 @@ struct Dimensions {
 };
 constexpr Dimensions kAll = {1}, kPlane = {2}, kSpace = {3};
 
-using Sets = PointSets (*)(std::size_t dimension, std::size_t max_points);
-
 Family plain(std::string name, Dimensions exists_in, Sets sets, std::string about) {
   return {std::move(name), std::move(about), exists_in,
-          [sets](std::size_t dimension, std::size_t max_points) {
-            return unweighted(sets(dimension, max_points));
+          [sets](Dice& dice, std::size_t dimension, Count count) {
+            return PointsCase{sets(dice, dimension, count)};
           }};
 }
 

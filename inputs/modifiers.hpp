@@ -2,33 +2,24 @@
 // where that is what it is about.
 #pragma once
 
-#include <cstddef>
-
-#include <rapidcheck.h>
-
+#include "inputs/dice.hpp"
 #include "inputs/points_case.hpp"
 
 namespace circumspect::generators {
 
-// `cases` makes sets of at most `max_points` points; weights are kept where nothing else is said. Points that
-// become equal become one, unless `may_repeat_points`.
-struct ModifierScope {
-  std::size_t dimension;
-  std::size_t max_points;
-  bool may_repeat_points;
-};
+// Weights are kept where nothing else is said. Points that become equal become one, unless
+// `may_repeat_points`.
 
 // Rounded to doubles, then about half of the coordinates moved by one ulp, up or down: what was
 // cospherical or coplanar is almost so. A coordinate 0 moves by an ulp of the set's largest coordinate.
-rc::Gen<PointsCase> one_ulp_away(const rc::Gen<PointsCase>& cases, const ModifierScope& scope);
+PointsCase one_ulp_away(Dice& dice, const PointsCase& set, bool may_repeat_points);
 
 // The whole set times 2^k, weights times 4^k, k from −300 to 300 (nearer to 0 where coordinates would be
 // more than 2^1000): an exact change that no verdict may see.
-rc::Gen<PointsCase> scaled_by_power_of_two(const rc::Gen<PointsCase>& cases,
-                                           const ModifierScope& scope);
+PointsCase scaled_by_power_of_two(Dice& dice, const PointsCase& set, bool may_repeat_points);
 
 // Moved by 2^20 to 2^50 times the size of the set, then rounded to doubles: integers near the origin stay
 // exact for the smaller moves, all else loses its low bits.
-rc::Gen<PointsCase> far_from_origin(const rc::Gen<PointsCase>& cases, const ModifierScope& scope);
+PointsCase far_from_origin(Dice& dice, const PointsCase& set, bool may_repeat_points);
 
 }  // namespace circumspect::generators

@@ -6,9 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/point_sets.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -20,14 +18,20 @@ const PointsCase& some_set() {
   return set;
 }
 
-constexpr ModifierScope kScope = {2, 3, false};
+// The set that a seed makes of this one.
+template <class Modifier>
+PointsCase changed(const Modifier& modifier, const PointsCase& set, std::uint64_t seed,
+                   bool may_repeat_points = false) {
+  Dice dice(seed);
+  return modifier(dice, set, may_repeat_points);
+}
 
 TEST_CASE("ulp: coordinates one ulp from the rounded ones at most, some of them moved, 0 too") {
   const PointsCase rounded = in_doubles(some_set());
   std::set<double> images_of_zero;
   std::size_t moved = 0, all = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const PointsCase near = drawn(one_ulp_away(rc::gen::just(some_set()), kScope), seed);
+    const PointsCase near = changed(one_ulp_away, some_set(), seed);
     REQUIRE(near.points.size() == 3);
     CHECK(near.weights == rounded.weights);
     for (std::size_t v = 0; v < 3; ++v) {
@@ -56,8 +60,8 @@ TEST_CASE("ulp: points that become equal become one, unless they may be equal") 
   const PointsCase pair{{{Rational(1)}, {exact_value(1.0 + 0x1p-52)}}};
   std::set<std::size_t> sizes;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    sizes.insert(drawn(one_ulp_away(rc::gen::just(pair), {1, 2, false}), seed).points.size());
-    CHECK(drawn(one_ulp_away(rc::gen::just(pair), {1, 2, true}), seed).points.size() == 2);
+    sizes.insert(changed(one_ulp_away, pair, seed).points.size());
+    CHECK(changed(one_ulp_away, pair, seed, true).points.size() == 2);
   }
   CHECK(sizes == std::set<std::size_t>{1, 2});
 }
@@ -65,7 +69,7 @@ TEST_CASE("ulp: points that become equal become one, unless they may be equal") 
 TEST_CASE("scaled: one power of two for all points, and its square for the weights") {
   std::set<Rational> factors;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const PointsCase set = drawn(scaled_by_power_of_two(rc::gen::just(some_set()), kScope), seed);
+    const PointsCase set = changed(scaled_by_power_of_two, some_set(), seed);
     const Rational factor = set.points[0][0];
     factors.insert(factor);
     int exponent = 0;
@@ -84,7 +88,7 @@ TEST_CASE("scaled: nothing leaves the range of doubles") {
   const PointsCase high{{{exact_value(0x1p990)}}};
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const auto scaled = [seed](const PointsCase& set) {
-      return drawn(scaled_by_power_of_two(rc::gen::just(set), {1, 2, false}), seed);
+      return changed(scaled_by_power_of_two, set, seed);
     };
     CHECK(in_doubles(scaled(wide)).points == scaled(wide).points);
     CHECK(scaled(high).points[0][0] <= exact_value(0x1p1000));
@@ -94,7 +98,7 @@ TEST_CASE("scaled: nothing leaves the range of doubles") {
 TEST_CASE("moved: by one vector, then rounded; integers near enough stay exact") {
   std::size_t exact = 0, rounded = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const PointsCase set = drawn(far_from_origin(rc::gen::just(some_set()), kScope), seed);
+    const PointsCase set = changed(far_from_origin, some_set(), seed);
     CHECK(in_doubles(set).points == set.points);
     if (set.points.size() < 3) continue;
     const Point difference = set.points[2] - set.points[1];

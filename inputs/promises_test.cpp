@@ -19,7 +19,7 @@ constexpr std::uint64_t kSeeds = 12;
 PointsCase drawn_from(const char* name, std::size_t dimension, std::uint64_t seed) {
   const Family* family = find_family(name);
   REQUIRE(family != nullptr);
-  return drawn(family->cases(dimension, 12), seed, kFullSize);
+  return drawn(*family, dimension, {12, true}, seed);
 }
 
 int affine_dimension(const PointsCase& set) { return affine_hull(set.points).dimension; }
@@ -174,8 +174,8 @@ TEST_CASE("polytopes have all their vertices, and no others") {
   const auto sizes = [](std::size_t dimension) {
     std::set<std::size_t> found;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
-      const auto cases = find_family("polytopes")->cases(dimension, 700);
-      found.insert(without_centre(drawn(cases, seed, kFullSize)).points.size());
+      const PointsCase set = drawn(*find_family("polytopes"), dimension, {700, true}, seed);
+      found.insert(without_centre(set).points.size());
     }
     return found;
   };
@@ -187,8 +187,7 @@ TEST_CASE("polytopes have all their vertices, and no others") {
 TEST_CASE("integer points of circles: as many as number theory says") {
   std::set<std::size_t> sizes;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const auto cases = find_family("pythagorean-sphere")->cases(2, 2000);
-    sizes.insert(drawn(cases, seed, kFullSize).points.size());
+    sizes.insert(drawn(*find_family("pythagorean-sphere"), 2, {2000, true}, seed).points.size());
   }
   CHECK(sizes == std::set<std::size_t>{12, 48, 96});
 }

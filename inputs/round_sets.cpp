@@ -1,12 +1,9 @@
 #include "inputs/round_sets.hpp"
 
 #include <array>
-#include <map>
-#include <numeric>
-#include <utility>
+#include <cassert>
 
 #include "inputs/named_complexes.hpp"
-#include "inputs/scalars.hpp"
 #include "inputs/set_parts.hpp"
 
 namespace circumspect::generators {
@@ -14,11 +11,9 @@ namespace {
 
 // A point of the unit circle, few of them, so that rings above each other have points above each
 // other.
-rc::Gen<Point> circle_point() {
-  return rc::gen::map(rc::gen::pair(integer_within(6), below(2)),
-                      [](const std::pair<long, long>& parts) {
-                        return from_stereographic({Rational(parts.first) / (parts.second + 1)});
-                      });
+Point circle_point(Dice& dice) {
+  const long numerator = dice.within(-6L, 6L);
+  return from_stereographic({Rational(numerator) / dice.within(1, 2)});
 }
 
 // All integer points of the sphere of this squared radius around the origin.
@@ -78,14 +73,13 @@ const std::vector<Point>& first_vertices_of_polytopes(std::size_t dimension) {
 constexpr std::size_t kHalfCube = 0, kIcosahedron = 5;
 
 // Vertex number `code` of a polytope.
-Point polytope_vertex(std::size_t dimension, std::size_t polytope, long code) {
+Point polytope_vertex(std::size_t dimension, std::size_t polytope, std::size_t code) {
   const Point& first = first_vertices_of_polytopes(dimension)[polytope];
   if (polytope == kIcosahedron) {
     // No odd permutations: those would be the vertices of a second icosahedron.
     Point vertex(3);
     for (std::size_t i = 0; i < 3; ++i) {
-      vertex[(i + static_cast<std::size_t>(code)) % 3] =
-          (code / 3 >> i) % 2 == 0 ? first[i] : Rational(-first[i]);
+      vertex[(i + code) % 3] = (code / 3 >> i) % 2 == 0 ? first[i] : Rational(-first[i]);
     }
     return vertex;
   }
@@ -99,93 +93,69 @@ Point polytope_vertex(std::size_t dimension, std::size_t polytope, long code) {
 
 }  // namespace
 
-PointSets circle_points(std::size_t dimension, std::size_t max_points) {
-  const auto on_circle = rc::gen::map(
-      small_rational(), [](const Rational& image) { return from_stereographic({image}); });
-  if (dimension == 2) return carried(sets_of(on_circle, max_points), dimension);
-  const auto on_axis =
-      rc::gen::map(point_of(dimension - 2, integer_number(3)), [](const Point& heights) {
-        Point point = {0, 0};
-        point.insert(point.end(), heights.begin(), heights.end());
-        return point;
-      });
-  const auto point = rc::gen::map(rc::gen::tuple(below(4), on_circle, on_axis),
-                                  [dimension](const std::tuple<long, Point, Point>& parts) {
-                                    if (std::get<0>(parts) == 3) return std::get<2>(parts);
-                                    Point result = std::get<1>(parts);
-                                    result.resize(dimension);
-                                    return result;
-                                  });
-  return carried(sets_of(point, max_points), dimension);
-}
-
-PointSets cylinder_points(std::size_t dimension, std::size_t max_points) {
-  const auto heights = point_of(dimension - 2, integer_number(2));
-  const auto point = rc::gen::map(
-      rc::gen::pair(circle_point(), heights), [](const std::pair<Point, Point>& parts) {
-        Point result = parts.first;
-        result.insert(result.end(), parts.second.begin(), parts.second.end());
-        return result;
-      });
-  return carried(sets_of(point, max_points), dimension);
-}
-
-PointSets pythagorean_points(std::size_t dimension, std::size_t max_points) {
-  const auto codes = up_to<long>(max_points, below(1L << 40));
-  const auto centre = point_of(dimension, integer_number(3));
-  return rc::gen::map(
-      rc::gen::tuple(below(60), codes, centre, below(41)),
-      [dimension](const std::tuple<long, std::vector<long>, Point, long>& parts) {
-        const auto& [choice, chosen, translation, exponent] = parts;
-        const Spheres& spheres = spheres_of_integer_points(dimension);
-        const auto& sphere = spheres[static_cast<std::size_t>(choice) % spheres.size()];
-        const Rational scale =
-            Rational(Integer(1) << static_cast<unsigned long>(exponent)) / (1 << 20);
-        std::vector<Point> points;
-        for (const long code : chosen) {
-          const auto& x = sphere[static_cast<std::size_t>(code) % sphere.size()];
-          points.push_back(scale * (Point(x.begin(), x.end()) + translation));
-        }
-        return distinct(points);
-      });
-}
-
-PointSets polytope_points(std::size_t dimension, std::size_t max_points) {
-  const auto codes = up_to<long>(max_points, below(cube_symmetries(dimension)));
-  return rc::gen::map(rc::gen::tuple(below(60), codes, below(2)),
-                      [dimension](const std::tuple<long, std::vector<long>, long>& parts) {
-                        const auto& [choice, chosen, with_centre] = parts;
-                        const std::size_t polytope = static_cast<std::size_t>(choice) %
-                                                     first_vertices_of_polytopes(dimension).size();
-                        std::vector<Point> points;
-                        for (const long code : chosen) {
-                          points.push_back(polytope_vertex(dimension, polytope, code));
-                        }
-                        if (with_centre == 1 && !points.empty()) points.back() = Point(dimension);
-                        return distinct(points);
-                      });
-}
-
-PointSets twisted_prism_points(std::size_t dimension, std::size_t max_points) {
-  RC_ASSERT(dimension == 3);
-  const auto columns = up_to(max_points / 2, circle_point());
-  const auto prism = rc::gen::map(
-      rc::gen::tuple(columns, small_rational(), integer_within(2)),
-      [](const std::tuple<std::vector<Point>, Rational, long>& parts) {
-        const auto& [ring, image, height] = parts;
-        const Point turn = from_stereographic({image});
-        std::vector<Point> points;
-        for (const Point& p : ring) {
-          points.push_back({p[0], p[1], Rational(0)});
-          points.push_back({turn[0] * p[0] - turn[1] * p[1], turn[1] * p[0] + turn[0] * p[1],
-                            Rational(height == 0 ? 1 : height)});
-        }
-        return distinct(points);
-      });
-  const auto corner = rc::gen::map(below(7), [](long code) {
-    return code < 6 ? schonhardt().points[static_cast<std::size_t>(code)] : Point{0, 0, 5};
+std::vector<Point> circle_points(Dice& dice, std::size_t dimension, Count count) {
+  const auto points = set_of(dice, count, [&] {
+    if (dimension > 2 && dice.below(4) == 3) {
+      Point on_axis = integer_point(dice, dimension - 2, 3);
+      on_axis.insert(on_axis.begin(), 2, Rational(0));
+      return on_axis;
+    }
+    return from_stereographic({small_rational(dice)});
   });
-  return rc::gen::oneOf(prism, prism, sets_of(corner, max_points));
+  return carried(dice, points, dimension);
+}
+
+std::vector<Point> cylinder_points(Dice& dice, std::size_t dimension, Count count) {
+  const auto points = set_of(dice, count, [&] {
+    Point point = circle_point(dice);
+    const Point heights = integer_point(dice, dimension - 2, 2);
+    point.insert(point.end(), heights.begin(), heights.end());
+    return point;
+  });
+  return carried(dice, points, dimension);
+}
+
+std::vector<Point> pythagorean_points(Dice& dice, std::size_t dimension, Count count) {
+  const Spheres& spheres = spheres_of_integer_points(dimension);
+  const auto& sphere = spheres[dice.below(spheres.size())];
+  const Point centre = integer_point(dice, dimension, 3);
+  const auto exponent = static_cast<unsigned long>(dice.below(41));
+  const Rational scale = Rational(Integer(1) << exponent) / (1 << 20);
+  return set_of(dice, count, [&] {
+    const auto& x = sphere[dice.below(sphere.size())];
+    return scale * (Point(x.begin(), x.end()) + centre);
+  });
+}
+
+std::vector<Point> polytope_points(Dice& dice, std::size_t dimension, Count count) {
+  const std::size_t polytope = dice.below(first_vertices_of_polytopes(dimension).size());
+  const bool with_centre = dice.below(2) == 1;
+  std::vector<Point> points = several(count.drawn(dice), [&] {
+    return polytope_vertex(dimension, polytope, dice.below(cube_symmetries(dimension)));
+  });
+  if (with_centre && !points.empty()) points.back() = Point(dimension);
+  return distinct(points);
+}
+
+std::vector<Point> twisted_prism_points(Dice& dice, [[maybe_unused]] std::size_t dimension,
+                                        Count count) {
+  assert(dimension == 3);
+  if (dice.below(3) == 0) {
+    return set_of(dice, count, [&] {
+      const std::size_t corner = dice.below(7);
+      return corner < 6 ? schonhardt().points[corner] : Point{0, 0, 5};
+    });
+  }
+  const Point turn = from_stereographic({small_rational(dice)});
+  const long height = dice.within(-2L, 2L);
+  std::vector<Point> points;
+  for (const Point& p :
+       several(Count{count.most / 2, count.full}.drawn(dice), [&] { return circle_point(dice); })) {
+    points.push_back({p[0], p[1], Rational(0)});
+    points.push_back({turn[0] * p[0] - turn[1] * p[1], turn[1] * p[0] + turn[0] * p[1],
+                      Rational(height == 0 ? 1 : height)});
+  }
+  return distinct(points);
 }
 
 }  // namespace circumspect::generators

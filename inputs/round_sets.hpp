@@ -1,9 +1,10 @@
 // Point sets on spheres, circles, cylinders and regular polytopes, exactly: where Delaunay subdivisions
 // have cells that are no simplices, and where the perturbation decides (Book: Sections 2.9 and 4.2).
-// As in point_sets.hpp: 0 to `max_points` distinct points, which shrink.
+// As in point_sets.hpp: distinct points, as many as `count` says.
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "inputs/point_sets.hpp"
 
@@ -11,25 +12,25 @@ namespace circumspect::generators {
 
 // Rational points of one circle; in space and above with points of its axis too, so that any number
 // of simplices share a circle. Requires: dimension >= 2.
-PointSets circle_points(std::size_t dimension, std::size_t max_points);
+std::vector<Point> circle_points(Dice& dice, std::size_t dimension, Count count);
 
 // Rational points of a cylinder over a circle, its axis of dimension d − 2, in rings at integer
 // heights: two rings lie on a common sphere. Requires: dimension >= 3.
-PointSets cylinder_points(std::size_t dimension, std::size_t max_points);
+std::vector<Point> cylinder_points(Dice& dice, std::size_t dimension, Count count);
 
 // Integer points of one sphere, all of them equally likely, around an integer centre, times a power of
 // two: exactly cospherical, and still so as doubles. Requires: 2 <= dimension <= 6.
-PointSets pythagorean_points(std::size_t dimension, std::size_t max_points);
+std::vector<Point> pythagorean_points(Dice& dice, std::size_t dimension, Count count);
 
 // Vertices of a regular polytope or one of its kin whose coordinates are integers, sometimes with its
 // centre: simplex or half-cube, cube, cross-polytope, cuboctahedron (in dimension 4 the 24-cell),
 // truncated octahedron; in space an icosahedron of golden rectangles 21 by 13, which is as good as
 // regular. Requires: 2 <= dimension <= 16.
-PointSets polytope_points(std::size_t dimension, std::size_t max_points);
+std::vector<Point> polytope_points(Dice& dice, std::size_t dimension, Count count);
 
 // Corners of twisted prisms: points of a circle and their images under one rational turn and lift, all on
 // one sphere; or those of Schönhardt's polyhedron, with its centre (Book: Figure 4.10).
 // Requires: dimension == 3.
-PointSets twisted_prism_points(std::size_t dimension, std::size_t max_points);
+std::vector<Point> twisted_prism_points(Dice& dice, std::size_t dimension, Count count);
 
 }  // namespace circumspect::generators

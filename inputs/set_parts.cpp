@@ -1,10 +1,8 @@
 #include "inputs/set_parts.hpp"
 
+#include <cstdlib>
 #include <numeric>
 #include <set>
-#include <tuple>
-
-#include "inputs/scalars.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -19,8 +17,22 @@ Point moved(const Point& x, const Point& mirror, const Point& translation) {
 
 }  // namespace
 
-rc::Gen<Point> point_of(std::size_t dimension, const rc::Gen<Rational>& coordinate) {
-  return rc::gen::container<Point>(dimension, coordinate);
+Rational integer_number(Dice& dice, long bound) { return dice.within(-bound, bound); }
+
+Rational small_rational(Dice& dice) {
+  const long numerator = dice.within(-12L, 12L);
+  Rational value(numerator, dice.within(1L, 6L));
+  value.canonicalize();
+  return value;
+}
+
+Rational power_of_two(long exponent) {
+  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(exponent));
+  return exponent >= 0 ? Rational(power) : Rational(1) / power;
+}
+
+Point integer_point(Dice& dice, std::size_t dimension, long bound) {
+  return several(dimension, [&] { return integer_number(dice, bound); });
 }
 
 std::vector<Point> distinct(const std::vector<Point>& points) {
@@ -32,21 +44,21 @@ std::vector<Point> distinct(const std::vector<Point>& points) {
   return once;
 }
 
-PointSets sets_of(const rc::Gen<Point>& point, std::size_t max_points) {
-  return rc::gen::map(up_to(max_points, point), distinct);
+std::vector<Point> one_of(std::initializer_list<Sets> families, Dice& dice, std::size_t dimension,
+                          Count count) {
+  const Sets family = families.begin()[dice.below(families.size())];
+  return family(dice, dimension, count);
 }
 
-PointSets carried(const PointSets& sets, std::size_t dimension) {
-  const auto small = point_of(dimension, integer_number(2));
-  return rc::gen::map(rc::gen::tuple(sets, small, small),
-                      [dimension](const std::tuple<std::vector<Point>, Point, Point>& parts) {
-                        std::vector<Point> images;
-                        for (Point x : std::get<0>(parts)) {
-                          x.resize(dimension);
-                          images.push_back(moved(x, std::get<1>(parts), std::get<2>(parts)));
-                        }
-                        return images;
-                      });
+std::vector<Point> carried(Dice& dice, const std::vector<Point>& points, std::size_t dimension) {
+  const Point mirror = integer_point(dice, dimension, 2);
+  const Point translation = integer_point(dice, dimension, 2);
+  std::vector<Point> images;
+  for (Point x : points) {
+    x.resize(dimension);
+    images.push_back(moved(x, mirror, translation));
+  }
+  return images;
 }
 
 Point from_stereographic(const Point& image) {
@@ -56,20 +68,19 @@ Point from_stereographic(const Point& image) {
   return point;
 }
 
-long cube_symmetries(std::size_t dimension) {
-  long symmetries = 1;
-  for (std::size_t i = 1; i <= dimension; ++i) symmetries *= 2 * static_cast<long>(i);
+std::size_t cube_symmetries(std::size_t dimension) {
+  std::size_t symmetries = 1;
+  for (std::size_t i = 1; i <= dimension; ++i) symmetries *= 2 * i;
   return symmetries;
 }
 
-Point symmetric_image(const Point& point, long code) {
+Point symmetric_image(const Point& point, std::size_t code) {
   std::vector<std::size_t> axes(point.size());
   std::iota(axes.begin(), axes.end(), std::size_t{0});
   Point image;
   for (std::size_t left = point.size(); left > 0; --left) {
-    const long choices = static_cast<long>(left);
-    const auto chosen = axes.begin() + code % choices;
-    code /= choices;
+    const auto chosen = axes.begin() + static_cast<std::ptrdiff_t>(code % left);
+    code /= left;
     image.push_back(code % 2 == 0 ? point[*chosen] : Rational(-point[*chosen]));
     code /= 2;
     axes.erase(chosen);

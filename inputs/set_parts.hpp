@@ -2,44 +2,58 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
-#include <rapidcheck.h>
-
+#include "inputs/dice.hpp"
 #include "inputs/point_sets.hpp"
 
 namespace circumspect::generators {
 
-// 0 to max_count elements, all counts equally likely; max_count of them if RapidCheck's size is beyond
-// the nominal one.
-template <typename T>
-rc::Gen<std::vector<T>> up_to(std::size_t max_count, const rc::Gen<T>& element) {
-  const auto elements = rc::gen::resize(rc::kNominalSize, element);
-  return rc::gen::withSize([=](int size) {
-    if (size > rc::kNominalSize) return rc::gen::container<std::vector<T>>(max_count, elements);
-    return rc::gen::resize(static_cast<int>(max_count),
-                           rc::gen::container<std::vector<T>>(elements));
-  });
+// Integers from -bound to bound.
+Rational integer_number(Dice& dice, long bound);
+
+// Numerator at most 12 in absolute value, denominator at most 6.
+Rational small_rational(Dice& dice);
+
+Rational power_of_two(long exponent);
+
+// `count` times what draw() returns.
+template <class Draw>
+auto several(std::size_t count, const Draw& draw) {
+  std::vector<decltype(draw())> drawn;
+  drawn.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) drawn.push_back(draw());
+  return drawn;
 }
 
-rc::Gen<Point> point_of(std::size_t dimension, const rc::Gen<Rational>& coordinate);
+// Integer coordinates from -bound to bound; those of a part of a grid.
+Point integer_point(Dice& dice, std::size_t dimension, long bound);
 
 // The points in the order given, each once.
 std::vector<Point> distinct(const std::vector<Point>& points);
 
-// Up to max_points points, each once.
-PointSets sets_of(const rc::Gen<Point>& point, std::size_t max_points);
+// Points that draw() returns, each once.
+template <class Draw>
+std::vector<Point> set_of(Dice& dice, Count count, const Draw& draw) {
+  return distinct(several(count.drawn(dice), draw));
+}
 
-// The points of `sets`, which may have fewer coordinates, carried into R^dimension by a random
-// similarity with integer coefficients.
-PointSets carried(const PointSets& sets, std::size_t dimension);
+// A set of one of the families, each of them equally likely.
+using Sets = std::vector<Point> (*)(Dice& dice, std::size_t dimension, Count count);
+std::vector<Point> one_of(std::initializer_list<Sets> families, Dice& dice, std::size_t dimension,
+                          Count count);
+
+// The points, which may have fewer coordinates, carried into R^dimension by a random similarity with
+// integer coefficients, so that grids stay grids and circles circles.
+std::vector<Point> carried(Dice& dice, const std::vector<Point>& points, std::size_t dimension);
 
 // The point of the unit sphere in R^{n+1} that stereographic projection sends to `image` in R^n.
 Point from_stereographic(const Point& image);
 
 // The number of symmetries of the cube in R^d, d! · 2^d, and the image of a point under one of them: a
 // permutation of the coordinates and a choice of signs. Requires: dimension <= 16.
-long cube_symmetries(std::size_t dimension);
-Point symmetric_image(const Point& point, long code);
+std::size_t cube_symmetries(std::size_t dimension);
+Point symmetric_image(const Point& point, std::size_t code);
 
 }  // namespace circumspect::generators

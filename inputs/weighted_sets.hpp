@@ -8,19 +8,19 @@
 namespace circumspect::generators {
 
 // Integer points with weights within 100 of 0, small beside squared distances or not.
-rc::Gen<PointsCase> integer_weights(std::size_t dimension, std::size_t max_points);
+PointsCase integer_weights(Dice& dice, std::size_t dimension, Count count);
 
 // Weights |p|² and |p|² + 1, so that the lifted points lie on two parallel hyperplanes: degenerate for
 // any points.
-rc::Gen<PointsCase> lifted_to_parallel_planes(std::size_t dimension, std::size_t max_points);
+PointsCase lifted_to_parallel_planes(Dice& dice, std::size_t dimension, Count count);
 
 // The corners of a simplex (as many as there is room for) and integer points of its interior, about half of
 // which have a weight so low that they are submerged below the lifted simplex, far from its facets:
 // they are no vertices of the weighted Delaunay triangulation.
-rc::Gen<PointsCase> submerged_points(std::size_t dimension, std::size_t max_points);
+PointsCase submerged_points(Dice& dice, std::size_t dimension, Count count);
 
 // Integer points within 3 of the origin, some of them twice or more often; never without a duplicate if
 // there are two points. Programs should say which, or merge them.
-rc::Gen<PointsCase> duplicate_points(std::size_t dimension, std::size_t max_points);
+PointsCase duplicate_points(Dice& dice, std::size_t dimension, Count count);
 
 }  // namespace circumspect::generators

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "corpus/expected_table.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
 #include "oracle/certificate/document.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
@@ -105,7 +105,7 @@ TEST_CASE("verdicts on a thousand random and degenerate meshes, whole and broken
       CHECK(properties::holds("what the oracle says is verified", 250, [&] {
         const auto sets = generators::any_point_set(d, 12);
         const PointsCase set =
-            is_weighted ? *generators::weighted(sets, 12) : *generators::unweighted(sets);
+            is_weighted ? *generators::weighted(sets) : *generators::unweighted(sets);
         const PointSet points(set.points, set.weights);
         RC_PRE(spans_plane_or_space(points));
         std::vector<Simplex> simplices = delaunay::bowyer_watson(points).simplices();

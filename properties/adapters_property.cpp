@@ -20,7 +20,7 @@ using generators::Family;
 constexpr std::size_t kPoints = 12;
 
 PointArray drawn(const Family& family, std::size_t dimension, std::uint64_t seed) {
-  const auto set = generators::drawn(family.cases(dimension, kPoints), seed);
+  const auto set = generators::drawn(family, dimension, {kPoints}, seed);
   return generators::array(generators::in_doubles(set, family.repeats_points), dimension);
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("CGAL's constrained Delaunay triangulation is one, on every planar dom
   for (const auto& family : generators::complex_families()) {
     if (family.dimension != 2) continue;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      const auto whole = generators::in_doubles(generators::drawn(family.complexes(kPoints), seed));
+      const auto whole = generators::in_doubles(generators::drawn(family, kPoints, seed));
       const PointSet points(whole.input.points);
       if (points.dimension() != 2) continue;
       ++cases;

@@ -5,10 +5,10 @@
 #include <circumspect/check.hpp>
 #include <doctest/doctest.h>
 
-#include "inputs/any_case.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/run.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/kernel/complex/simplex.hpp"

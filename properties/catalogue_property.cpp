@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/any_case.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/catalogue_verdicts.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -100,6 +100,13 @@ PiecewiseLinearInput without_polygon(PiecewiseLinearInput input, std::size_t pla
   }
   input.polygons.erase(polygon);
   return input;
+}
+
+// A complex of Delaunay edges, for more to be added to.
+rc::Gen<ComplexCase> scaffolds() {
+  return generators::generated([](generators::Dice& dice) {
+    return protected_polygons(dice, generators::any_points(dice, 3, {12}));
+  });
 }
 
 // Inserts a polygon into the CDT of all the others, if there is one, both ways. Says whether the
@@ -195,7 +202,7 @@ TEST_CASE("C9 a vertex is inserted iff that leaves a CDT, and deletion undoes it
   std::map<WhyNoChange, std::size_t> refused;
   std::size_t inserted = 0, in_polygon = 0, in_segment = 0;
   CHECK(holds("vertex insertion", 300, [&] {
-    ComplexCase base = *protected_polygons(generators::any_point_set(3, 12));
+    ComplexCase base = *scaffolds();
     const PiecewiseLinearComplex complex = base.complex();
     if (complex.points.dimension() < 3) return;
     ComplexCase more = base;
@@ -236,7 +243,7 @@ TEST_CASE("C9 a vertex is inserted iff that leaves a CDT, and deletion undoes it
 TEST_CASE("C9 deleting the polygons one by one ends in the Delaunay triangulation (Section 5.6)") {
   std::size_t changed = 0;
   CHECK(holds("polygon deletion", 200, [&] {
-    const ComplexCase base = *protected_polygons(generators::any_point_set(3, 12));
+    const ComplexCase base = *scaffolds();
     const PiecewiseLinearComplex complex = base.complex();
     if (complex.points.dimension() < 3) return;
     EvolvingCdt cdt = constrained::hull_cdt_by_polygon_insertion(complex).value();

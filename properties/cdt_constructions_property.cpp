@@ -6,9 +6,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/lifted_hull.hpp"

@@ -6,9 +6,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"

@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -89,10 +89,7 @@ bool is_planar_cdt(const PointSet& points, const Polygon& polygon,
 TEST_CASE("C1 dangling triangles are constrained Delaunay iff theirs is a planar CDT (Def. 4.7)") {
   std::size_t cdts = 0, others = 0;
   CHECK(holds("a dangling polygon", 150, [&] {
-    ComplexCase one = *generators::scattered_cells(generators::rather_large(
-        rc::gen::oneOf(generators::plane_points(3, 9), generators::grid_points(3, 14),
-                       generators::cube_points(3, 12)),
-        3));
+    ComplexCase one = *generators::flat_cells(12);
     one.input.kind = DomainKind::kEnclosed;
     const PiecewiseLinearComplex complex = one.complex();
     const Regions regions(complex);

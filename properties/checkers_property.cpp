@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
 #include "oracle/certificate/accepted_test.hpp"
 #include "oracle/judge/points/check.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -107,7 +107,7 @@ TEST_CASE("the verdict does not depend on the order of simplices and vertices") 
 
 PointSet weighted_set(std::size_t d, std::size_t max_points) {
   const auto sets = generators::any_point_set(d, max_points);
-  const generators::PointsCase set = *generators::weighted(sets, max_points);
+  const generators::PointsCase set = *generators::weighted(sets);
   RC_PRE(set.points.size() >= 2);
   return PointSet(set.points, set.weights);
 }
@@ -180,8 +180,7 @@ TEST_CASE("D10 equal weights change nothing") {
 // A set that spans its space.
 PointSet spanning_set(std::size_t d, std::size_t max_points, bool weighted) {
   const auto sets = generators::any_point_set(d, max_points);
-  const PointsCase set =
-      weighted ? *generators::weighted(sets, max_points) : *generators::unweighted(sets);
+  const PointsCase set = weighted ? *generators::weighted(sets) : *generators::unweighted(sets);
   const PointSet points(set.points, set.weights);
   RC_PRE(points.dimension() == static_cast<int>(d));
   return points;

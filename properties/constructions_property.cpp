@@ -5,11 +5,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/any_case.hpp"
-#include "inputs/laws.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
 #include "oracle/judge/points/check.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/every_construction.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
@@ -79,7 +78,7 @@ TEST_CASE("D2 D10 every construction agrees on sets of every family, with weight
     CHECK(holds("one canonical triangulation", 60, [d] {
       const auto sets = generators::any_point_set(d, 12);
       const PointsCase set =
-          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, 12));
+          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
       assert_agreement(PointSet(set.points, set.weights), *rc::gen::arbitrary<std::uint64_t>());
     }));
   }
@@ -242,9 +241,10 @@ TEST_CASE("the lexicographic triangulation is that of heights that grow without 
   for (const std::size_t d : {1u, 2u, 3u}) {
     CAPTURE(d);
     CHECK(holds("lexicographic triangulation as a lower hull", 100, [d] {
-      const auto sets =
-          rc::gen::oneOf(generators::integer_points(d, 8), generators::grid_points(d, 8),
-                         generators::cube_points(d, 8), generators::rational_points(d, 8));
+      const auto sets = rc::gen::oneOf(generators::sets_of(generators::integer_points, d, 8),
+                                       generators::sets_of(generators::grid_points, d, 8),
+                                       generators::sets_of(generators::cube_points, d, 8),
+                                       generators::sets_of(generators::rational_points, d, 8));
       const PointsCase set = *generators::unweighted(sets);
       const PointSet points(set.points);
       std::vector<Rational> weights;

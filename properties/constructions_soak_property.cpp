@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/every_construction.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -21,7 +21,7 @@ namespace {
 void assert_agreement(std::size_t d, std::size_t max_points) {
   const auto sets = generators::degenerate_point_set(d, max_points);
   const generators::PointsCase set =
-      *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, max_points));
+      *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
   const PointSet points(set.points, set.weights);
   const Triangulation expected =
       points.size() <= 12 ? delaunay::by_definition(points) : delaunay::gift_wrapping(points);
@@ -65,7 +65,7 @@ TEST_CASE("D2 at length: every order and every point location, and the definitio
     CHECK(holds("orders and locations agree", successes, [d, max_points = max_points] {
       const auto sets = generators::any_point_set(d, max_points);
       const PointsCase set =
-          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, max_points));
+          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
       const PointSet points(set.points, set.weights);
       const auto seed = *rc::gen::arbitrary<std::uint64_t>();
       const Triangulation expected = delaunay::bowyer_watson(points);

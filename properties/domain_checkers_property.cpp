@@ -7,13 +7,13 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/witness_text_test.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -205,8 +205,7 @@ std::vector<Simplex> recut(const PiecewiseLinearComplex& complex, std::vector<Si
 TEST_CASE("C1 lemma and definition agree on dangling polygons however they are cut") {
   std::size_t cdts = 0, others = 0;
   CHECK(holds("both ways agree", 250, [&] {
-    const ComplexCase one = *generators::scattered_cells(generators::rather_large(
-        rc::gen::oneOf(generators::plane_points(3, 9), generators::grid_points(3, 12)), 3));
+    const ComplexCase one = *generators::flat_cells(10);
     const PiecewiseLinearComplex complex = one.complex();
     RC_PRE(complex.kind == DomainKind::kEnclosed);
     const auto cdt = cdt_of(complex);

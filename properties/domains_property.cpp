@@ -6,11 +6,11 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/kernel/complex/point_set.hpp"
@@ -110,9 +110,12 @@ TEST_CASE("protected complexes are edge-protected, in two readings (Section 4.5.
     ++counts[constrained::is_edge_protected(complex) ? "strongly" : "canonically only"];
   }));
   CHECK(holds("is_edge_protected", 30, [] {
-    const auto sets = generators::rather_large(generators::degenerate_point_set(3, 9), 3);
-    const ComplexCase one = *rc::gen::oneOf(protected_polygons(sets, Protection::kStrong),
-                                            protected_solids(sets, Protection::kStrong));
+    const ComplexCase one = *generators::generated([](generators::Dice& dice) {
+      std::vector<Point> points =
+          generators::rather_large(3, [&] { return generators::degenerate_points(dice, 3, {9}); });
+      return dice.below(2) == 0 ? protected_polygons(dice, std::move(points), Protection::kStrong)
+                                : protected_solid(dice, std::move(points), Protection::kStrong);
+    });
     RC_ASSERT(constrained::is_edge_protected(one.complex()));
   }));
   all_occur(counts, {"protected polygons", "protected solid", "Delaunay polyhedron", "hull",

@@ -5,11 +5,11 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
-#include "inputs/triangulated/random_flips.hpp"
 #include "oracle/judge/points/check.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/random_flips.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/simplex.hpp"

@@ -5,11 +5,11 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
-#include "inputs/triangulated/random_flips.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/points/check.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/random_flips.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -25,7 +25,7 @@ using generators::PointsCase;
 rc::Gen<PointsCase> point_sets(std::size_t d, std::size_t max_points) {
   const auto sets = rc::gen::oneOf(generators::degenerate_point_set(d, max_points),
                                    generators::any_point_set(d, max_points));
-  return rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, max_points));
+  return rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
 }
 
 // ---- Insertion by flips ----

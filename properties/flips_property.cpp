@@ -4,10 +4,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
-#include "inputs/triangulated/random_flips.hpp"
 #include "oracle/judge/points/check.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/random_flips.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
@@ -117,9 +117,9 @@ TEST_CASE(
     CAPTURE(d);
     CHECK(holds("the two triangulations of d+2 points", d == 4 ? 25 : 100, [d] {
       const auto sets = rc::gen::oneOf(generators::degenerate_point_set(d, d + 4),
-                                       generators::integer_points(d, d + 4));
+                                       generators::sets_of(generators::integer_points, d, d + 4));
       const PointsCase set = *generators::simplex_first(
-          rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, d + 4)));
+          rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets)));
       const PointSet all(set.points);
       const auto k = static_cast<std::size_t>(all.dimension());
       std::vector<Rational> weights = set.weights;

@@ -243,7 +243,8 @@ TEST_CASE("sequences: a structure rebuilt from scratch is right, one that leaves
     CHECK_FALSE(none.has_value());
     const auto finding = find_wrong_sequence(make(false), options);
     REQUIRE(finding.has_value());
-    CHECK(finding->steps.size() <= 4);
+    // A cavity in the middle of a few points; which ones, the first input that fails says.
+    CHECK(finding->steps.size() <= 7);
     CHECK(finding->steps.back().is_removal);
   }
 }

@@ -7,10 +7,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
 #include "inputs/named_complexes.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"

@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -32,7 +32,7 @@ rc::Gen<PointsCase> any_case(std::size_t d, std::size_t max_points) {
   const auto sets = generators::any_point_set(d, max_points);
   const auto degenerate = d == 1 ? sets : generators::degenerate_point_set(d, max_points);
   return rc::gen::oneOf(generators::unweighted(sets), generators::unweighted(degenerate),
-                        generators::weighted(sets, max_points));
+                        generators::weighted(sets));
 }
 
 TEST_CASE("D2 every order and every point location give one triangulation") {

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"

@@ -8,9 +8,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"

@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/run.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"

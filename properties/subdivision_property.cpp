@@ -6,9 +6,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/any_case.hpp"
-#include "inputs/run.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"

@@ -10,8 +10,8 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include "inputs/point_sets.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/flip_graph.hpp"
@@ -144,8 +144,10 @@ TEST_CASE("TOPCOM counts as many triangulations of random sets") {
     CAPTURE(d);
     CHECK(holds("numbers of triangulations", 10, [d] {
       const PointsCase set = *generators::unweighted(
-          rc::gen::oneOf(generators::integer_points(d, d + 4), generators::grid_points(d, d + 4),
-                         generators::cube_points(d, d + 4), generators::rational_points(d, d + 4)));
+          rc::gen::oneOf(generators::sets_of(generators::integer_points, d, d + 4),
+                         generators::sets_of(generators::grid_points, d, d + 4),
+                         generators::sets_of(generators::cube_points, d, d + 4),
+                         generators::sets_of(generators::rational_points, d, d + 4)));
       // Of an affinely independent set TOPCOM 1.1.0 explores the flip graph without end.
       const int dimension = PointSet(set.points).dimension();
       RC_PRE(static_cast<int>(set.points.size()) > dimension + 1);

@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/complexes.hpp"
-#include "inputs/run.hpp"
+#include "properties/arguments/complexes.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/exact/determinant.hpp"
 #include "reference/kernel/exact/linear_program.hpp"
 #include "reference/kernel/exact/point.hpp"

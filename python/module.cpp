@@ -13,11 +13,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "fuzz/campaign/minimise.hpp"
 #include "fuzz/harness/cases.hpp"
 #include "inputs/arrays.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
+#include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "reference/kernel/exact/number.hpp"
 
@@ -337,8 +337,8 @@ const generators::Family& family_in(const std::string& name, std::size_t dimensi
 py::tuple generate(const std::string& name, std::size_t dimension, std::size_t max_points,
                    std::uint64_t seed, bool fewer) {
   const generators::Family& family = family_in(name, dimension);
-  const generators::PointsCase set = generators::drawn(
-      family.cases(dimension, max_points), seed, fewer ? rc::kNominalSize : generators::kFullSize);
+  const generators::PointsCase set =
+      generators::drawn(family, dimension, {max_points, !fewer}, seed);
   return arrays_of(generators::in_doubles(set, family.repeats_points), dimension);
 }
 
@@ -346,8 +346,8 @@ py::tuple generate(const std::string& name, std::size_t dimension, std::size_t m
 std::vector<std::string> generate_exact(const std::string& name, std::size_t dimension,
                                         std::size_t max_points, std::uint64_t seed, bool fewer) {
   const generators::Family& family = family_in(name, dimension);
-  const generators::PointsCase set = generators::drawn(
-      family.cases(dimension, max_points), seed, fewer ? rc::kNominalSize : generators::kFullSize);
+  const generators::PointsCase set =
+      generators::drawn(family, dimension, {max_points, !fewer}, seed);
   std::vector<std::string> texts;
   for (const Point& point : set.points) {
     for (const Rational& x : point) texts.push_back(to_string(x));
@@ -362,7 +362,7 @@ py::tuple generate_domain(const std::string& name, std::size_t max_points, std::
     throw std::invalid_argument("expected the name of a family of domains, found '" + name + "'");
   }
   const PiecewiseLinearInput input =
-      generators::in_doubles(generators::drawn(family->complexes(max_points), seed)).input;
+      generators::in_doubles(generators::drawn(*family, max_points, seed)).input;
   py::list polygons;
   for (const PolygonLines& polygon : input.polygons) polygons.append(py::cast(polygon.lines));
   return py::make_tuple(arrays_of({input.points}, family->dimension)[0], input.segments, polygons,
@@ -395,8 +395,8 @@ py::tuple minimized(const Doubles& points, const std::optional<Doubles>& weights
     return still_fails(arrays[0], arrays[1]);
   };
   return arrays_of(
-      campaign::minimised(set_of(points, weights), fails,
-                          {.tries = tries, .time = std::chrono::duration<double>(seconds)}),
+      generators::minimised(set_of(points, weights), fails,
+                            {.tries = tries, .time = std::chrono::duration<double>(seconds)}),
       dimension);
 }
 

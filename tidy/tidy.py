@@ -44,25 +44,26 @@ ARROWS = {
     "fuzz/campaign": ["oracle/judge", "fuzz/process", "oracle/report", "inputs"],
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
     "c": ["reference/constrained", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/report",
-          "include/circumspect"],
+          "inputs"],
     "python": ["c", "fuzz/harness", "inputs/triangulated"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
     **{folder: COMMAND for folder in COMMAND_FOLDERS},
+    "properties/arguments": ["inputs/triangulated"],
     "properties/mutations": ["oracle/model"],
     "properties/faulty": ["reference/constrained", "fuzz/campaign", "inputs/triangulated"],
     "properties/adapters": ["include/circumspect"],
     "properties": ["reference/optimality", "reference/constrained", "reference/existence",
                    "oracle/certificate", "oracle/judge/domain", "oracle/report",
-                   "inputs", "properties/mutations", "inputs/triangulated",
+                   "properties/arguments", "properties/mutations",
                    "properties/faulty", "properties/adapters", "fuzz/harness"],
     "corpus": ["reference/delaunay", "oracle/certificate", "oracle/report", "oracle/judge/within",
                "fuzz/harness"],
     "proofs": ["oracle/certificate", "oracle/judge/points", "oracle/formats", "reference/delaunay",
-               "inputs", "properties/mutations", "corpus"],
+               "properties/arguments", "properties/mutations", "corpus"],
     "bench": ["reference/constrained", "oracle/report", "fuzz/harness"],
 }
 # What a test beside its layer may include on top of what the layer may.
-TESTS_ALSO = ["inputs"]
+TESTS_ALSO = ["inputs", "properties/arguments"]
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
 APART = ["corpus/make", "examples"]

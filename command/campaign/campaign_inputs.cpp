@@ -31,17 +31,17 @@ bool fits(const ComplexFamily& family, const campaign::Subject& subject) {
 }
 
 Source source_of(const Family& family, const campaign::Subject& subject, std::size_t max_points) {
-  return {family.name,
-          [cases = family.cases(subject.dimension, max_points),
-           repeats = family.repeats_points](std::uint64_t seed) -> campaign::Input {
-            return generators::in_doubles(generators::drawn(cases, seed), repeats);
-          }};
+  return {
+      family.name,
+      [&family, dimension = subject.dimension, max_points](std::uint64_t seed) -> campaign::Input {
+        return generators::in_doubles(generators::drawn(family, dimension, {max_points}, seed),
+                                      family.repeats_points);
+      }};
 }
 
 Source source_of(const ComplexFamily& family, const campaign::Subject&, std::size_t max_points) {
-  return {family.name,
-          [complexes = family.complexes(max_points)](std::uint64_t seed) -> campaign::Input {
-            return generators::in_doubles(generators::drawn(complexes, seed));
+  return {family.name, [&family, max_points](std::uint64_t seed) -> campaign::Input {
+            return generators::in_doubles(generators::drawn(family, max_points, seed));
           }};
 }
 

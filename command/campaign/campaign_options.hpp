@@ -8,8 +8,8 @@
 #include <tl/expected.hpp>
 
 #include "command/options/domain_options.hpp"
-#include "fuzz/campaign/minimise.hpp"
 #include "fuzz/campaign/subject.hpp"
+#include "inputs/minimise.hpp"
 
 namespace CLI {
 class App;
@@ -38,9 +38,9 @@ struct SubjectOptions {
   std::optional<double> judging_seconds;
   std::optional<campaign::Containment> containment;
   std::optional<double> minimise_seconds;
-  std::size_t minimise_tries = campaign::MinimiseLimits{}.tries;
+  std::size_t minimise_tries = generators::MinimiseLimits{}.tries;
 
-  campaign::MinimiseLimits minimise() const {
+  generators::MinimiseLimits minimise() const {
     return {minimise_tries, std::chrono::duration<double>(minimise_seconds.value_or(120))};
   }
 };

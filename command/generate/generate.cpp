@@ -56,24 +56,23 @@ formats::PointFile point_file(const generators::PointsCase& set, std::size_t dim
 
 Draw draw_points(const generators::Family& family, const GenerateOptions& options) {
   const std::size_t dimension = options.dimension_or_space();
-  return [&options, dimension, repeats = family.repeats_points,
-          cases = family.cases(dimension, options.points)](std::uint64_t seed) -> Generated {
-    generators::PointsCase set =
-        generators::drawn(cases, seed, options.fewer ? rc::kNominalSize : generators::kFullSize);
-    if (!options.exact) set = generators::in_doubles(set, repeats);
-    const std::size_t count = set.points.size();
+  return [&options, &family, dimension](std::uint64_t seed) -> Generated {
+    const generators::Count count{options.points, !options.fewer};
+    generators::PointsCase set = generators::drawn(family, dimension, count, seed);
+    if (!options.exact) set = generators::in_doubles(set, family.repeats_points);
+    const std::size_t points = set.points.size();
     const auto write = [set, dimension](std::ostream& out) {
       formats::write_node(out, point_file(set, dimension));
     };
-    return {count, ".node", write, [set, dimension](std::ostream& out) {
+    return {points, ".node", write, [set, dimension](std::ostream& out) {
               formats::write_json(out, {{dimension, set.points}, set.weights});
             }};
   };
 }
 
 Draw draw_domains(const generators::ComplexFamily& family, const GenerateOptions& options) {
-  return [&options, complexes = family.complexes(options.points)](std::uint64_t seed) -> Generated {
-    generators::ComplexCase made = generators::drawn(complexes, seed);
+  return [&options, &family](std::uint64_t seed) -> Generated {
+    generators::ComplexCase made = generators::drawn(family, options.points, seed);
     if (!options.exact) made = generators::in_doubles(made);
     const std::size_t count = made.input.points.size();
     return {count, ".poly",

@@ -13,7 +13,7 @@
 
 #include "fuzz/campaign/finding_folder.hpp"
 #include "fuzz/campaign/runner.hpp"
-#include "inputs/mixed.hpp"
+#include "inputs/dice.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -140,8 +140,6 @@ class Campaign {
   }
   Input drawn(std::size_t number) {
     if (number < plan_.replayed.size()) return plan_.replayed[number].input;
-    // RapidCheck keeps state that all threads share.
-    const std::lock_guard lock(drawing_);
     return source_of(number).drawn(seed_of_case(plan_.seed, number - plan_.replayed.size()));
   }
 
@@ -247,7 +245,6 @@ class Campaign {
   const Plan& plan_;
   const std::atomic<bool>& stop_;
   const Clock::time_point start_ = Clock::now();
-  std::mutex drawing_;
 
   std::mutex mutex_;  // for all below
   std::condition_variable one_ended_;
@@ -279,11 +276,13 @@ Input minimised(const Input& input, const std::string& signature, Runner& runner
   };
   if (const auto* const set = std::get_if<PointsCase>(&input)) {
     return minimised(
-        *set, StillFails<PointsCase>([&](const PointsCase& one) { return fails(one); }), limits);
+        *set, generators::StillFails<PointsCase>([&](const PointsCase& one) { return fails(one); }),
+        limits);
   }
-  return minimised(std::get<ComplexCase>(input),
-                   StillFails<ComplexCase>([&](const ComplexCase& one) { return fails(one); }),
-                   limits);
+  return minimised(
+      std::get<ComplexCase>(input),
+      generators::StillFails<ComplexCase>([&](const ComplexCase& one) { return fails(one); }),
+      limits);
 }
 
 tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,

@@ -13,10 +13,12 @@
 
 #include "fuzz/campaign/input.hpp"
 #include "fuzz/campaign/journal.hpp"
-#include "fuzz/campaign/minimise.hpp"
 #include "fuzz/campaign/subject.hpp"
+#include "inputs/minimise.hpp"
 
 namespace circumspect::campaign {
+
+using generators::MinimiseLimits;
 
 // Where inputs come from: each seed stands for one.
 struct Source {

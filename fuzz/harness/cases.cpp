@@ -10,7 +10,6 @@
 
 #include "inputs/arrays.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/mixed.hpp"
 
 namespace circumspect::harness {
 
@@ -75,7 +74,7 @@ DrawnCase drawn_case(const std::vector<const generators::Family*>& families, std
   const generators::Family& family = *families[index % families.size()];
   const std::uint64_t seed = mixed_seed(run_seed, index);
   return {family.name, seed,
-          generators::in_doubles(generators::drawn(family.cases(dimension, max_points), seed),
+          generators::in_doubles(generators::drawn(family, dimension, {max_points}, seed),
                                  family.repeats_points)};
 }
 

@@ -24,6 +24,7 @@
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
 #include "inputs/arrays.hpp"
+#include "inputs/dice.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/point.hpp"
 
@@ -125,7 +126,7 @@ class Recipe {
   std::vector<double> weights_ = {};
 };
 
-using harness::Dice;
+using generators::Dice;
 
 using RecipeStep = std::array<std::uint8_t, kStep>;
 

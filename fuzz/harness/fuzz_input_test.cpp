@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "fuzz/harness/cases.hpp"
+#include "inputs/dice.hpp"
 
 namespace circumspect {
 namespace {
@@ -18,7 +19,7 @@ PointArray points_of(const Bytes& bytes, std::size_t dimension, bool weighted = 
   return points_from_bytes(bytes.data(), bytes.size(), dimension, weighted);
 }
 
-Bytes random_bytes(std::size_t count, harness::Dice& dice) {
+Bytes random_bytes(std::size_t count, generators::Dice& dice) {
   Bytes bytes(count);
   for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(dice.below(256));
   return bytes;
@@ -37,7 +38,7 @@ void check_sound(const PointArray& points, std::size_t dimension, bool weighted)
 }
 
 TEST_CASE("any bytes are distinct, finite points") {
-  harness::Dice dice(1);
+  generators::Dice dice(1);
   for (int i = 0; i < 500; ++i) {
     const Bytes bytes = random_bytes(dice.below(400), dice);
     for (const std::size_t dimension : {2, 3}) {
@@ -73,7 +74,7 @@ TEST_CASE("each kind of step makes the point that it promises") {
 }
 
 TEST_CASE("round steps lie on one sphere exactly") {
-  harness::Dice dice(2);
+  generators::Dice dice(2);
   for (const std::size_t dimension : {2, 3}) {
     Bytes bytes;
     for (int i = 0; i < 60; ++i) {
@@ -94,7 +95,7 @@ TEST_CASE("round steps lie on one sphere exactly") {
 }
 
 TEST_CASE("the mutator keeps within bounds, is repeatable, and changes things") {
-  harness::Dice dice(3);
+  generators::Dice dice(3);
   std::size_t changed = 0;
   for (unsigned int seed = 0; seed < 2000; ++seed) {
     const std::size_t room = dice.below(100);

@@ -177,7 +177,7 @@ std::optional<PredicateFinding> find_wrong_sign(const Predicate& predicate,
   const auto& families = harness::argument_families();
   for (std::uint64_t index = 0; index < options.cases; ++index) {
     const harness::ArgumentFamily& family = families[index % families.size()];
-    harness::Dice dice(harness::mixed_seed(options.seed, index));
+    generators::Dice dice(harness::mixed_seed(options.seed, index));
     Coordinates coordinates = family.made(options, dice);
     if (!wrong_sign(predicate, options, coordinates)) continue;
     PredicateFinding finding{std::string(family.name), {}, 0, 0, ""};

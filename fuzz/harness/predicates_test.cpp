@@ -15,7 +15,7 @@
 namespace circumspect {
 namespace {
 
-using harness::Dice;
+using generators::Dice;
 
 std::vector<Vertex> first(std::size_t count) {
   std::vector<Vertex> vertices;

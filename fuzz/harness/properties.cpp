@@ -9,10 +9,10 @@
 
 #include <circumspect/properties.hpp>
 
-#include "fuzz/campaign/minimise.hpp"
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
 #include "inputs/arrays.hpp"
+#include "inputs/minimise.hpp"
 #include "inputs/points_case.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 #include "oracle/judge/judge.hpp"
@@ -184,7 +184,7 @@ Finding finding(const Triangulator& subject, Property property, const PropertyOp
     return is_wanted(options, smaller) && harness::are_doubles(smaller) &&
            harness::broken_rule(subject, property, options, smaller, drawn.seed).rule == rule;
   };
-  const PointsCase smallest = campaign::minimised(drawn.set, still_fails);
+  const PointsCase smallest = generators::minimised(drawn.set, still_fails);
   const Broken broken = harness::broken_rule(subject, property, options, smallest, drawn.seed);
   Finding result{property,
                  drawn.family,

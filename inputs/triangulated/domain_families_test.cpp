@@ -24,7 +24,7 @@ TEST_CASE("protected families: valid also in doubles, and every segment is Delau
     std::size_t segments = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
       CAPTURE(seed);
-      const auto made = generators::in_doubles(generators::drawn(family->complexes(9), seed));
+      const auto made = generators::in_doubles(generators::drawn(*family, 9, seed));
       CHECK(validated(made.input, 1));
       const PiecewiseLinearComplex complex = made.complex();
       for (const Simplex& segment : complex.segments) {

@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "inputs/complexes.hpp"
-#include "inputs/scalars.hpp"
 #include "inputs/triangulated/merged_facets.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
@@ -20,19 +18,15 @@ namespace {
 using generators::add_if_valid;
 using generators::Cells;
 using generators::ComplexCase;
-using generators::Complexes;
-using generators::PointSets;
+using generators::Dice;
 using generators::polygon_along;
 
-// Within rc::gen::exec: uniform in [0, count); one or many in random order of some things.
-std::size_t pick(std::size_t count) {
-  return static_cast<std::size_t>(*generators::below(static_cast<long>(count)));
-}
+// Some of the things, in random order.
 template <typename T>
-std::vector<T> pick_some(std::size_t count, std::vector<T> from) {
+std::vector<T> pick_some(Dice& dice, std::size_t count, std::vector<T> from) {
   std::vector<T> picked;
   while (picked.size() < count && !from.empty()) {
-    const auto place = from.begin() + static_cast<std::ptrdiff_t>(pick(from.size()));
+    const auto place = from.begin() + static_cast<std::ptrdiff_t>(dice.below(from.size()));
     picked.push_back(*place);
     *place = from.back();
     from.pop_back();
@@ -112,34 +106,36 @@ class ProtectedEdges {
   std::set<Simplex> edges_, facets_;
 };
 
-void add_polygons(PiecewiseLinearInput& input, const ProtectedEdges& edges, std::size_t tries) {
+void add_polygons(Dice& dice, PiecewiseLinearInput& input, const ProtectedEdges& edges,
+                  std::size_t tries) {
   std::vector<Simplex> triangles = edges.cliques(3);
-  if (pick(3) > 0) {
+  if (dice.below(3) > 0) {
     std::erase_if(triangles, [&](const Simplex& triangle) { return edges.has_facet(triangle); });
   }
-  for (const Simplex& triangle : pick_some(tries, triangles)) {
+  for (const Simplex& triangle : pick_some(dice, tries, triangles)) {
     add_if_valid(input, {{}, {polygon_along(triangle)}});
   }
-  for (const auto& line : pick_some(pick(tries + 1), edges.quadrilaterals())) {
+  for (const auto& line : pick_some(dice, dice.below(tries + 1), edges.quadrilaterals())) {
     add_if_valid(input, {{}, {polygon_along(line)}});
   }
 }
-void add_segments(PiecewiseLinearInput& input, const ProtectedEdges& edges, std::size_t tries) {
-  for (const Simplex& edge : pick_some(tries, edges.all())) add_if_valid(input, {{edge}, {}});
+void add_segments(Dice& dice, PiecewiseLinearInput& input, const ProtectedEdges& edges,
+                  std::size_t tries) {
+  for (const Simplex& edge : pick_some(dice, tries, edges.all())) add_if_valid(input, {{edge}, {}});
 }
 
 // The polygons as they are, or some of those that lie in one plane and are joined across edges as
 // one. What is no valid complex then, remains apart.
-std::vector<PolygonLines> merged_at_random(const PiecewiseLinearInput& input,
+std::vector<PolygonLines> merged_at_random(Dice& dice, const PiecewiseLinearInput& input,
                                            const std::vector<Simplex>& facets) {
   std::vector<PolygonLines> polygons;
-  if (pick(3) == 0) {
+  if (dice.below(3) == 0) {
     for (const Simplex& facet : facets) polygons.push_back(polygon_along(facet));
     return polygons;
   }
   const PointSet points(input.points);
   for (const std::vector<Simplex>& part : coplanar_parts(points, facets)) {
-    if (part.size() > 1 && pick(5) > 0) {
+    if (part.size() > 1 && dice.below(5) > 0) {
       polygons.push_back(polygon_of(points, part));
     } else {
       for (const Simplex& facet : part) polygons.push_back(polygon_along(facet));
@@ -149,22 +145,24 @@ std::vector<PolygonLines> merged_at_random(const PiecewiseLinearInput& input,
 }
 
 // A union of tetrahedra that is connected through facets; all of them every other time.
-std::set<Simplex> grown(const Triangulation& triangulation) {
+std::set<Simplex> grown(Dice& dice, const Triangulation& triangulation) {
   const std::vector<Simplex>& all = triangulation.simplices();
-  if (pick(2) == 0) return {all.begin(), all.end()};
+  if (dice.below(2) == 0) return {all.begin(), all.end()};
   const StarIndex index(all);
-  std::set<Simplex> chosen = {all[pick(all.size())]};
-  for (std::size_t i = pick(2 * all.size()); i > 0; --i) {
+  std::set<Simplex> chosen = {all[dice.below(all.size())]};
+  for (std::size_t i = dice.below(2 * all.size()); i > 0; --i) {
     const Simplex& from =
-        *std::next(chosen.begin(), static_cast<std::ptrdiff_t>(pick(chosen.size())));
-    for (const Simplex& next : index.star(facet_opposite(from, pick(4)))) chosen.insert(next);
+        *std::next(chosen.begin(), static_cast<std::ptrdiff_t>(dice.below(chosen.size())));
+    const std::vector<Simplex> star = index.star(facet_opposite(from, dice.below(4)));
+    chosen.insert(star.begin(), star.end());
   }
   return chosen;
 }
 
 // A point in each of the cavities: components of the complement of the chosen tetrahedra that do not
 // reach the hull. Each only every other time.
-std::vector<Point> cavity_seeds(const PointSet& points, const Triangulation& triangulation,
+std::vector<Point> cavity_seeds(Dice& dice, const PointSet& points,
+                                const Triangulation& triangulation,
                                 const std::set<Simplex>& chosen) {
   std::vector<Point> seeds;
   const StarIndex index(triangulation.simplices());
@@ -184,7 +182,7 @@ std::vector<Point> cavity_seeds(const PointSet& points, const Triangulation& tri
         }
       }
     }
-    if (reaches_hull || pick(2) == 0) continue;
+    if (reaches_hull || dice.below(2) == 0) continue;
     seeds.push_back(barycentre(coordinates(points, first)));
   }
   return seeds;
@@ -192,71 +190,53 @@ std::vector<Point> cavity_seeds(const PointSet& points, const Triangulation& tri
 
 }  // namespace
 
-Complexes protected_polygons(const PointSets& sets, Protection protection) {
-  return generators::shrinking(rc::gen::exec([=] {
-    ComplexCase made{"protected polygons", {*sets, {}, {}, {}, DomainKind::kHull}};
-    const PointSet points(made.input.points);
-    const ProtectedEdges edges(points, protection);
-    add_polygons(made.input, edges, 1 + pick(10));
-    add_segments(made.input, edges, pick(6));
-    return made;
-  }));
+ComplexCase protected_polygons(Dice& dice, std::vector<Point> vertices, Protection protection) {
+  ComplexCase made{"protected polygons", {std::move(vertices), {}, {}, {}, DomainKind::kHull}};
+  const PointSet points(made.input.points);
+  const ProtectedEdges edges(points, protection);
+  add_polygons(dice, made.input, edges, 1 + dice.below(10));
+  add_segments(dice, made.input, edges, dice.below(6));
+  return made;
 }
 
-Complexes protected_solids(const PointSets& sets, Protection protection) {
-  return generators::shrinking(rc::gen::exec([=] {
-    ComplexCase made{"protected solid", {*sets, {}, {}, {}, DomainKind::kEnclosed}};
-    PiecewiseLinearInput& input = made.input;
-    const PointSet points(input.points);
-    const ProtectedEdges edges(points, protection);
-    std::set<Simplex> facets;
-    for (const Simplex& tetrahedron : pick_some(1 + pick(8), edges.cliques(4))) {
-      Cells cells;
-      std::set<Simplex> added;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Simplex facet = facet_opposite(tetrahedron, i);
-        if (facets.contains(facet)) continue;
-        cells.polygons.push_back(polygon_along(facet));
-        added.insert(facet);
-      }
-      if (add_if_valid(input, cells)) facets.merge(added);
+ComplexCase protected_solid(Dice& dice, std::vector<Point> vertices, Protection protection) {
+  ComplexCase made{"protected solid", {std::move(vertices), {}, {}, {}, DomainKind::kEnclosed}};
+  PiecewiseLinearInput& input = made.input;
+  const PointSet points(input.points);
+  const ProtectedEdges edges(points, protection);
+  std::set<Simplex> facets;
+  for (const Simplex& tetrahedron : pick_some(dice, 1 + dice.below(8), edges.cliques(4))) {
+    Cells cells;
+    std::set<Simplex> added;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Simplex facet = facet_opposite(tetrahedron, i);
+      if (facets.contains(facet)) continue;
+      cells.polygons.push_back(polygon_along(facet));
+      added.insert(facet);
     }
-    PiecewiseLinearInput merged = input;
-    merged.polygons = merged_at_random(input, {facets.begin(), facets.end()});
-    if (validated(merged, 1)) input = merged;
-    add_polygons(input, edges, pick(4));
-    add_segments(input, edges, pick(4));
-    return made;
-  }));
+    if (add_if_valid(input, cells)) facets.merge(added);
+  }
+  PiecewiseLinearInput merged = input;
+  merged.polygons = merged_at_random(dice, input, {facets.begin(), facets.end()});
+  if (validated(merged, 1)) input = merged;
+  add_polygons(dice, input, edges, dice.below(4));
+  add_segments(dice, input, edges, dice.below(4));
+  return made;
 }
 
-Complexes delaunay_polyhedra(const PointSets& sets) {
-  return generators::shrinking(rc::gen::exec([=] {
-    ComplexCase made{"Delaunay polyhedron", {*sets, {}, {}, {}, DomainKind::kEnclosed}};
-    PiecewiseLinearInput& input = made.input;
-    const PointSet points(input.points);
-    if (points.dimension() < 3) return made;
-    const Triangulation triangulation = delaunay::bowyer_watson(points);
-    const std::set<Simplex> chosen = grown(triangulation);
-    const StarIndex index({chosen.begin(), chosen.end()});
-    std::vector<Simplex> boundary = facets_of({chosen.begin(), chosen.end()});
-    std::erase_if(boundary, [&](const Simplex& facet) { return index.star(facet).size() == 2; });
-    input.polygons = merged_at_random(input, boundary);
-    input.hole_seeds = cavity_seeds(points, triangulation, chosen);
-    return made;
-  }));
-}
-
-Complexes any_protected_complex(std::size_t max_points) {
-  const PointSets sets = generators::rather_large(
-      rc::gen::oneOf(
-          generators::integer_points(3, max_points), generators::grid_points(3, max_points),
-          generators::cube_points(3, max_points), generators::moment_curve_points(3, max_points),
-          generators::integer_sphere_points(3, max_points),
-          generators::skew_line_points(3, max_points), generators::any_point_set(3, max_points)),
-      3);
-  return rc::gen::oneOf(protected_polygons(sets), protected_solids(sets),
-                        protected_polygons(sets, Protection::kStrong), delaunay_polyhedra(sets));
+ComplexCase delaunay_polyhedron(Dice& dice, std::vector<Point> vertices) {
+  ComplexCase made{"Delaunay polyhedron", {std::move(vertices), {}, {}, {}, DomainKind::kEnclosed}};
+  PiecewiseLinearInput& input = made.input;
+  const PointSet points(input.points);
+  if (points.dimension() < 3) return made;
+  const Triangulation triangulation = delaunay::bowyer_watson(points);
+  const std::set<Simplex> chosen = grown(dice, triangulation);
+  const StarIndex index({chosen.begin(), chosen.end()});
+  std::vector<Simplex> boundary = facets_of({chosen.begin(), chosen.end()});
+  std::erase_if(boundary, [&](const Simplex& facet) { return index.star(facet).size() == 2; });
+  input.polygons = merged_at_random(dice, input, boundary);
+  input.hole_seeds = cavity_seeds(dice, points, triangulation, chosen);
+  return made;
 }
 
 }  // namespace circumspect::properties

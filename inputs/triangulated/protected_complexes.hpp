@@ -2,8 +2,10 @@
 // they have a CDT. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem).
 #pragma once
 
+#include <vector>
+
 #include "inputs/complex_case.hpp"
-#include "inputs/point_sets.hpp"
+#include "inputs/dice.hpp"
 
 namespace circumspect::properties {
 
@@ -16,21 +18,18 @@ enum class Protection { kCanonical, kStrong };
 // Triangles of three edges of the Delaunay triangulation, seldom facets of it, and quadrilaterals of
 // four coplanar ones, as long as they do not cross; other edges as lone segments, which may be slits.
 // Of the hull kind, with dangling and isolated cells.
-generators::Complexes protected_polygons(const generators::PointSets& sets,
-                                         Protection protection = Protection::kCanonical);
+generators::ComplexCase protected_polygons(generators::Dice& dice, std::vector<Point> points,
+                                           Protection protection = Protection::kCanonical);
 
 // The domain enclosed by tetrahedra of six edges each of the Delaunay triangulation, seldom
 // tetrahedra of it; with dangling polygons and lone segments besides. They share facets, edges,
 // vertices or nothing; with what lies in one plane as one polygon, or not.
-generators::Complexes protected_solids(const generators::PointSets& sets,
-                                       Protection protection = Protection::kCanonical);
+generators::ComplexCase protected_solid(generators::Dice& dice, std::vector<Point> points,
+                                        Protection protection = Protection::kCanonical);
 
 // The hull, or a face-connected union of tetrahedra of the canonical Delaunay triangulation: convex
 // or not, with or without cavities, pinched at edges or vertices. Its boundary facets of one plane that
 // are joined across edges are one polygon, which may have holes and may touch itself; or some are.
-generators::Complexes delaunay_polyhedra(const generators::PointSets& sets);
-
-// Any of them, with point sets generic and degenerate of at most `max_points` points.
-generators::Complexes any_protected_complex(std::size_t max_points);
+generators::ComplexCase delaunay_polyhedron(generators::Dice& dice, std::vector<Point> points);
 
 }  // namespace circumspect::properties

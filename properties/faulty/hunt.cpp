@@ -5,12 +5,12 @@
 #include <exception>
 #include <sstream>
 
-#include "fuzz/campaign/minimise.hpp"
 #include "inputs/arrays.hpp"
 #include "inputs/complex_families.hpp"
+#include "inputs/dice.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/mixed.hpp"
+#include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/faulty/plain_predicates.hpp"
@@ -76,10 +76,10 @@ template <typename Case>
 std::optional<Catch> caught(const Fault& fault, const Case& whole, const HuntOptions& options) {
   const std::string rule = broken_rule(fault, whole, check::By::kLemma);
   if (rule.empty()) return std::nullopt;
-  const campaign::StillFails<Case> breaks_it = [&](const Case& smaller) {
+  const generators::StillFails<Case> breaks_it = [&](const Case& smaller) {
     return broken_rule(fault, generators::in_doubles(smaller), check::By::kLemma) == rule;
   };
-  const Case least = campaign::minimised(whole, breaks_it, {options.most_trials, kNoTimeLimit});
+  const Case least = generators::minimised(whole, breaks_it, {options.most_trials, kNoTimeLimit});
   const bool by_definition =
       !broken_rule(fault, generators::in_doubles(least), check::By::kDefinition).empty();
   return Catch{0, "", rule, size_of(whole), size_of(least), by_definition};
@@ -102,7 +102,7 @@ std::optional<Catch> caught_in_points(const Fault& fault, std::uint64_t seed,
   const auto families = point_families(fault, dimension);
   if (families.empty()) return std::nullopt;
   const generators::Family& family = *choice(families, seed + 1);
-  const PointsCase set = generators::drawn(family.cases(dimension, fault.most_points), seed);
+  const PointsCase set = generators::drawn(family, dimension, {fault.most_points}, seed);
   auto found = caught(fault, generators::in_doubles(set), options);
   if (found) found->family = family.name;
   return found;
@@ -116,7 +116,7 @@ std::optional<Catch> caught_in_a_domain(const Fault& fault, std::uint64_t seed,
     if (family.dimension == dimension) families.push_back(&family);
   }
   const generators::ComplexFamily& family = *choice(families, seed + 1);
-  const ComplexCase domain = generators::drawn(family.complexes(kMostVertices), seed);
+  const ComplexCase domain = generators::drawn(family, kMostVertices, seed);
   auto found = caught(fault, domain, options);
   if (found) found->family = family.name;
   return found;

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
+#include "properties/arguments/laws.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/point_location.hpp"
@@ -202,7 +202,7 @@ void check_every_step(const PointSet& points) {
 TEST_CASE("Bowyer-Watson: after every insertion, in any order, ghosts close a convex hull") {
   for (const std::size_t d : {1U, 2U, 3U}) {
     const auto sets = generators::any_point_set(d, 8);
-    const auto cases = rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, 8));
+    const auto cases = rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
     CHECK(rc::check("dimension " + std::to_string(d), [&cases] {
       const generators::PointsCase set = *cases;
       RC_PRE(set.points.size() >= 2U);

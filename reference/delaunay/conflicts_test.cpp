@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
+#include "properties/arguments/laws.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -206,8 +206,7 @@ TEST_CASE("walk: it ends in a simplex in conflict, from wherever it starts") {
   for (const std::size_t d : {1U, 2U, 3U, 4U}) {
     const auto sets = generators::any_point_set(d, d == 4 ? 9 : 12);
     CHECK(rc::check("dimension " + std::to_string(d), [&] {
-      const auto set =
-          *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, 12));
+      const auto set = *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
       check_walks(PointSet(set.points, set.weights));
     }));
   }

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
+#include "properties/arguments/laws.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
+#include "properties/arguments/laws.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 

@@ -12,11 +12,11 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/run.hpp"
 #include "oracle/judge/fast/exact_sign.hpp"
 #include "oracle/judge/fast/facet_across.hpp"
 #include "oracle/judge/fast/filter.hpp"
 #include "oracle/judge/fast/tuples_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 namespace {

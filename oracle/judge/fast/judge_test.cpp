@@ -8,9 +8,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/run.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 namespace {

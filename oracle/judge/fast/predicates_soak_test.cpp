@@ -83,8 +83,8 @@ void hold_family(const generators::Family& family, std::mt19937_64& weights) {
   Stages stages;
   for (int done = 0, seed = 1; done < tuples_each() && seed < 2 * tuples_each(); ++seed) {
     CAPTURE(seed);
-    const generators::PointsCase set = generators::in_doubles(generators::drawn(
-        family.cases(kDimension, 40), static_cast<std::uint64_t>(seed), generators::kFullSize));
+    const generators::PointsCase set = generators::in_doubles(
+        generators::drawn(family, kDimension, {40, true}, static_cast<std::uint64_t>(seed)));
     if (set.points.size() < kDimension + 2) continue;
     std::vector<Site<kDimension>> sites(set.points.size());
     for (std::size_t v = 0; v < sites.size(); ++v) {

@@ -8,10 +8,10 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/run.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/submerged_points.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::fast {

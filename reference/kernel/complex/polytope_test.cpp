@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "inputs/any_case.hpp"
+#include "properties/arguments/point_sets.hpp"
 
 namespace circumspect {
 namespace {

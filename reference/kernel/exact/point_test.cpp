@@ -7,8 +7,8 @@
 #include <rapidcheck.h>
 
 #include "inputs/plain_algebra.hpp"
-#include "inputs/point_sets.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/point_sets.hpp"
 
 namespace circumspect {
 namespace {
@@ -82,7 +82,7 @@ bool holds_for_hulls(const Law& law) {
   for (std::size_t d = 1; d <= 4; ++d) {
     for (std::size_t k = 1; k <= d; ++k) {
       const auto sets =
-          generators::unweighted(generators::embedded(generators::any_point_set(k, 6), k, d));
+          generators::unweighted(generators::embedded(generators::any_point_set(k, 6), d));
       all = rc::check(std::to_string(k) + "-flats in dimension " + std::to_string(d),
                       [&] { law((*sets).points); }) &&
             all;

@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect {
@@ -142,9 +142,8 @@ TEST_CASE("B7 in_ball does not depend on the axes chosen for the flat") {
   };
   for (std::size_t d = 2; d <= 5; ++d) {
     for (std::size_t k = 1; k < d; ++k) {
-      const auto flats = generators::embedded(generators::any_point_set(k, k + 6), k, d);
-      const auto cases =
-          rc::gen::oneOf(generators::unweighted(flats), generators::weighted(flats, k + 6));
+      const auto flats = generators::embedded(generators::any_point_set(k, k + 6), d);
+      const auto cases = rc::gen::oneOf(generators::unweighted(flats), generators::weighted(flats));
       CHECK(generators::holds(std::to_string(k) + "-flats in dimension " + std::to_string(d),
                               generators::simplex_first(cases), law));
     }
@@ -163,7 +162,7 @@ TEST_CASE("in_ball within the hull of all points is taken on the hull's axes") {
 
 TEST_CASE("B2 in_ball is exact on a set that has no common scale") {
   CHECK(rc::check([] {
-    const auto sets = generators::unrelated_denominator_points(3, 9);
+    const auto sets = generators::sets_of(generators::unrelated_denominator_points, 3, 9);
     const PointsCase set = *generators::simplex_first(generators::unweighted(sets));
     const Scene scene = generators::scene(set, Scaling::kCommon);
     RC_PRE(!scene.points.has_common_denominator());

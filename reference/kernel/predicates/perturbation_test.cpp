@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
-#include "inputs/scalars.hpp"
+#include "properties/arguments/laws.hpp"
+#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -125,11 +125,11 @@ TEST_CASE("P6 perturbed_in_ball equals in_ball of the points with actual weights
   };
   for (std::size_t d = 1; d <= 4; ++d) {
     const std::size_t most = d + 4;
-    const auto sets = rc::gen::oneOf(
-        generators::degenerate_point_set(d, most), generators::degenerate_point_set(d, most),
-        generators::integer_points(d, most), generators::rational_points(d, most));
-    const auto cases =
-        rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets, most));
+    const auto sets = rc::gen::oneOf(generators::degenerate_point_set(d, most),
+                                     generators::degenerate_point_set(d, most),
+                                     generators::sets_of(generators::integer_points, d, most),
+                                     generators::sets_of(generators::rational_points, d, most));
+    const auto cases = rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
     CHECK(
         generators::holds("dimension " + std::to_string(d), generators::simplex_first(cases), law));
   }

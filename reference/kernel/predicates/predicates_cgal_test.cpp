@@ -6,8 +6,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <doctest/doctest.h>
 
-#include "inputs/laws.hpp"
 #include "inputs/plain_algebra.hpp"
+#include "properties/arguments/laws.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -134,8 +134,8 @@ TEST_CASE("B4 in_ball in space is CGAL's side of the bounded sphere, or its powe
 
 TEST_CASE(
     "B4 in_ball in a plane in space is CGAL's side of the bounded circle of coplanar points") {
-  const auto cases =
-      generators::simplex_first(generators::unweighted(generators::plane_points(3, 8)));
+  const auto cases = generators::simplex_first(
+      generators::unweighted(generators::sets_of(generators::plane_points, 3, 8)));
   const auto law = [](const PointsCase& set, Scaling scaling) {
     for_all_tests(set, scaling, [&](const std::vector<Vertex>& s, Vertex q, int ours) {
       if (s.size() != 3) return;
@@ -148,8 +148,8 @@ TEST_CASE(
 }
 
 TEST_CASE("B4 in_ball on a line in the plane is CGAL's order along the line") {
-  const auto cases =
-      generators::simplex_first(generators::unweighted(generators::line_points(2, 6)));
+  const auto cases = generators::simplex_first(
+      generators::unweighted(generators::sets_of(generators::line_points, 2, 6)));
   const auto law = [](const PointsCase& set, Scaling scaling) {
     for_all_tests(set, scaling, [&](const std::vector<Vertex>& s, Vertex q, int ours) {
       const bool between = CGAL::collinear_are_strictly_ordered_along_line(

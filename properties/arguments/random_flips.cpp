@@ -1,10 +1,10 @@
-#include "inputs/triangulated/random_flips.hpp"
+#include "properties/arguments/random_flips.hpp"
 
 #include <optional>
 #include <ostream>
 #include <utility>
 
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::properties {

@@ -1,18 +1,12 @@
-#include "fuzz/campaign/simpler_numbers.hpp"
+#include "inputs/simpler_numbers.hpp"
 
 #include <algorithm>
 #include <optional>
 
-namespace circumspect::campaign {
+#include "inputs/set_parts.hpp"
+
+namespace circumspect::generators {
 namespace {
-
-using generators::PointsCase;
-
-Rational power_of_two(long exponent) {
-  Integer power = 1;
-  power <<= static_cast<unsigned long>(exponent < 0 ? -exponent : exponent);
-  return exponent < 0 ? Rational(1) / power : Rational(power);
-}
 
 // The nearest integer, halves away from zero.
 Rational rounded(const Rational& value) {
@@ -199,4 +193,4 @@ bool simplify_numbers(PointsCase& set, const std::function<bool(const PointsCase
   return simpler;
 }
 
-}  // namespace circumspect::campaign
+}  // namespace circumspect::generators

@@ -1,18 +1,61 @@
-#include "fuzz/campaign/minimise.hpp"
+#include "inputs/minimise.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
-#include "fuzz/campaign/budget.hpp"
-#include "fuzz/campaign/drop_items.hpp"
-#include "fuzz/campaign/simpler_numbers.hpp"
+#include "inputs/simpler_numbers.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
-namespace circumspect::campaign {
+namespace circumspect::generators {
 namespace {
 
-using generators::ComplexCase;
-using generators::PointsCase;
+// How often and how long it may still be asked.
+class Budget {
+ public:
+  explicit Budget(const MinimiseLimits& limits) : limits_(limits) {}
+
+  bool is_spent() const {
+    return tries_ >= limits_.tries || std::chrono::steady_clock::now() - start_ >= limits_.time;
+  }
+  // Counts a try; false if there is none left.
+  bool take() {
+    if (is_spent()) return false;
+    ++tries_;
+    return true;
+  }
+
+ private:
+  MinimiseLimits limits_;
+  std::size_t tries_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// A sublist of `items` that `accepts` still takes, from which no single item can be left out (unless
+// the budget behind `accepts` is spent: then it answers no to everything). Chunks are halved until
+// they are single items; those at the end go first. Returns whether anything was dropped.
+template <class Item>
+bool drop_items(std::vector<Item>& items,
+                const std::function<bool(const std::vector<Item>&)>& accepts) {
+  const std::size_t before = items.size();
+  std::size_t chunk = std::max<std::size_t>(items.size() / 2, 1);
+  while (!items.empty()) {
+    bool dropped = false;
+    for (std::size_t end = items.size(); end > 0;) {
+      const std::size_t begin = end > chunk ? end - chunk : 0;
+      std::vector<Item> rest(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(begin));
+      rest.insert(rest.end(), items.begin() + static_cast<std::ptrdiff_t>(end), items.end());
+      if (accepts(rest)) {
+        items = std::move(rest);
+        dropped = true;
+      }
+      end = begin;
+    }
+    if (chunk == 1 && !dropped) break;
+    chunk = std::max<std::size_t>(std::min(chunk / 2, items.size() / 2), 1);
+  }
+  return items.size() < before;
+}
 
 std::size_t distinct_points(const PointsCase& set) {
   return std::set<Point>(set.points.begin(), set.points.end()).size();
@@ -33,7 +76,7 @@ std::vector<std::size_t> places(std::size_t count) {
   return all;
 }
 
-bool drop_points(PointsCase& set, const StillFails<PointsCase>& accepts) {
+bool leave_out_points(PointsCase& set, const StillFails<PointsCase>& accepts) {
   std::vector<std::size_t> kept = places(set.points.size());
   const PointsCase whole = set;
   const bool dropped = drop_items<std::size_t>(
@@ -94,12 +137,12 @@ PiecewiseLinearInput without(PiecewiseLinearInput input, const std::vector<std::
   std::vector<bool> dropped(input.points.size(), false);
   for (const std::size_t v : unused) dropped[v] = true;
   for (const std::size_t v : kept) dropped[v] = false;
-  generators::drop_points(input, dropped);
+  drop_points(input, dropped);
   return input;
 }
 
 bool drop_unused_points(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
-  const std::vector<bool> used = generators::is_used(input);
+  const std::vector<bool> used = is_used(input);
   std::vector<std::size_t> unused;
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) unused.push_back(v);
@@ -151,8 +194,8 @@ PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
     if (!may_repeat && distinct_points(candidate) < candidate.points.size()) return false;
     return budget.take() && still_fails(candidate);
   };
-  drop_points(set, accepts);
-  while (simplify_numbers(set, accepts) && drop_points(set, accepts)) {
+  leave_out_points(set, accepts);
+  while (simplify_numbers(set, accepts) && leave_out_points(set, accepts)) {
   }
   return set;
 }
@@ -172,4 +215,4 @@ ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fa
   return whole;
 }
 
-}  // namespace circumspect::campaign
+}  // namespace circumspect::generators

@@ -9,7 +9,7 @@
 #include "inputs/complex_case.hpp"
 #include "inputs/points_case.hpp"
 
-namespace circumspect::campaign {
+namespace circumspect::generators {
 
 // When to stop, if nothing simpler is found before. The time is there for programs that are slow: the
 // result depends on it only if it runs out.
@@ -27,14 +27,12 @@ struct MinimiseLimits {
 template <class Case>
 using StillFails = std::function<bool(const Case&)>;
 
-generators::PointsCase minimised(generators::PointsCase set,
-                                 const StillFails<generators::PointsCase>& still_fails,
-                                 const MinimiseLimits& limits = {});
+PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
+                     const MinimiseLimits& limits = {});
 
 // The same for domains: polygons, segments and hole seeds are dropped, then vertices that no cell uses,
 // then coordinates are moved. `still_fails` is asked about valid inputs only.
-generators::ComplexCase minimised(generators::ComplexCase whole,
-                                  const StillFails<generators::ComplexCase>& still_fails,
-                                  const MinimiseLimits& limits = {});
+ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
+                      const MinimiseLimits& limits = {});
 
-}  // namespace circumspect::campaign
+}  // namespace circumspect::generators

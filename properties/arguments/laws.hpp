@@ -8,7 +8,7 @@
 
 #include <rapidcheck.h>
 
-#include "inputs/point_sets.hpp"
+#include "properties/arguments/point_sets.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::generators {
@@ -66,7 +66,7 @@ bool holds_for_sets(std::size_t first, std::size_t last, const Law& law) {
   bool all = true;
   for (std::size_t d = first; d <= last; ++d) {
     const PointSets sets = any_point_set(d, d + 3);
-    const auto cases = rc::gen::oneOf(unweighted(sets), weighted(sets, d + 3));
+    const auto cases = rc::gen::oneOf(unweighted(sets), weighted(sets));
     all = holds("dimension " + std::to_string(d), cases, law) && all;
   }
   return all;

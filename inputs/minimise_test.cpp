@@ -1,4 +1,4 @@
-#include "fuzz/campaign/minimise.hpp"
+#include "inputs/minimise.hpp"
 
 #include <algorithm>
 
@@ -7,11 +7,8 @@
 #include "inputs/named_complexes.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
-namespace circumspect::campaign {
+namespace circumspect::generators {
 namespace {
-
-using generators::ComplexCase;
-using generators::PointsCase;
 
 PointsCase scattered(int count) {
   PointsCase set;
@@ -76,7 +73,7 @@ TEST_CASE("limits end it with what was reached") {
 }
 
 TEST_CASE("a domain loses cells, vertices and digits, and stays valid") {
-  ComplexCase whole{"boxes", generators::both(generators::box(0, 4), generators::box(1, 3))};
+  ComplexCase whole{"boxes", both(box(0, 4), box(1, 3))};
   whole.input.points.push_back({Rational(1) / 2, Rational(7) / 2, Rational(1) / 2});
   whole.input.segments.push_back({0, 16});
   whole.input.hole_seeds.push_back({2, 2, 2});
@@ -94,4 +91,4 @@ TEST_CASE("a domain loses cells, vertices and digits, and stays valid") {
 }
 
 }  // namespace
-}  // namespace circumspect::campaign
+}  // namespace circumspect::generators

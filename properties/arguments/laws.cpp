@@ -1,9 +1,9 @@
-#include "inputs/laws.hpp"
+#include "properties/arguments/laws.hpp"
 
 #include <numeric>
 #include <utility>
 
-#include "inputs/scalars.hpp"
+#include "properties/arguments/numbers.hpp"
 
 namespace circumspect::generators {
 
