@@ -13,6 +13,9 @@
 
 #include "c/guard.hpp"
 #include "c/input.hpp"
+#include "inputs/arrays.hpp"
+#include "inputs/families.hpp"
+#include "inputs/in_doubles.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/mesh_difference.hpp"
@@ -110,6 +113,30 @@ int in_ball_sign(std::int64_t dimension, const double* doubles, const char* cons
   return in_ball(points, axes, simplex, dimension + 1);
 }
 
+constexpr std::int64_t kMostDrawn = 1'000'000;
+
+PointArray drawn(const char* family_name, std::int64_t dimension, std::int64_t points,
+                 std::uint64_t seed) {
+  const std::string name = required(family_name, "the name of a family");
+  const generators::Family* const family = generators::find_family(name);
+  if (family == nullptr) {
+    refuse_call(fmt::format(
+        "expected the name of a family of points (`circumspect generate --list`), found '{}'",
+        on_one_line(name)));
+  }
+  if (dimension < 1 || !family->exists_in(static_cast<std::size_t>(dimension))) {
+    refuse_call(fmt::format("expected a dimension in which there are sets of {}, found {}", name,
+                            dimension));
+  }
+  if (points < 1 || points > kMostDrawn) {
+    refuse_call(fmt::format("expected from 1 to {} points, found {}", kMostDrawn, points));
+  }
+  const auto columns = static_cast<std::size_t>(dimension);
+  const generators::PointsCase set =
+      generators::drawn(*family, columns, {static_cast<std::size_t>(points), true}, seed);
+  return generators::array(generators::in_doubles(set, family->repeats_points), columns);
+}
+
 report::Json points_json(const Mesh& mesh, const std::vector<Vertex>& vertices) {
   report::Json all = report::Json::array();
   for (const Vertex v : vertices) {
@@ -133,11 +160,38 @@ struct circumspect_triangulation {
   }
 };
 
+struct circumspect_drawing {
+  explicit circumspect_drawing(PointArray drawn) : points(std::move(drawn)) {
+    mesh.dimension = static_cast<std::int64_t>(points.dimension);
+    mesh.point_count = static_cast<std::int64_t>(points.size());
+    mesh.coordinates = points.coordinates.data();
+    mesh.weights = points.weights.empty() ? nullptr : points.weights.data();
+  }
+
+  PointArray points;
+  circumspect_mesh mesh = CIRCUMSPECT_MESH;
+};
+
 struct circumspect_document {
   std::string text;
 };
 
 const char* circumspect_version(void) { return CIRCUMSPECT_VERSION; }
+
+circumspect_status circumspect_generate(const char* family, int64_t dimension, int64_t points,
+                                        uint64_t seed, circumspect_drawing** drawing) {
+  if (drawing != nullptr) *drawing = nullptr;
+  return c::guarded([&] {
+    c::required(drawing, "a place for the drawing");
+    *drawing = new circumspect_drawing(c::drawn(family, dimension, points, seed));
+  });
+}
+
+const circumspect_mesh* circumspect_drawing_mesh(const circumspect_drawing* drawing) {
+  return drawing == nullptr ? nullptr : &drawing->mesh;
+}
+
+void circumspect_drawing_free(circumspect_drawing* drawing) { delete drawing; }
 
 circumspect_status circumspect_delaunay(const circumspect_mesh* points,
                                         circumspect_triangulation** triangulation) {

@@ -67,6 +67,47 @@ TEST_CASE("Schoenhardt's polyhedron has none, and that is said") {
   circumspect_triangulation_free(built);
 }
 
+TEST_CASE("points are drawn by family and seed, and judged where they lie") {
+  circumspect_drawing* drawing = nullptr;
+  REQUIRE(circumspect_generate("duplicates", 2, 9, 7, &drawing) == CIRCUMSPECT_OK);
+  const circumspect_mesh* points = circumspect_drawing_mesh(drawing);
+  CHECK(points->dimension == 2);
+  CHECK(points->point_count > 3);
+  CHECK(points->weights == nullptr);
+  circumspect_triangulation* built = nullptr;
+  CHECK(circumspect_delaunay(points, &built) == CIRCUMSPECT_INPUT_FAULT);  // equal points
+  circumspect_drawing_free(drawing);
+
+  const auto numbers = [](std::uint64_t seed) {
+    circumspect_drawing* drawn = nullptr;
+    REQUIRE(circumspect_generate("submerged+moved", 3, 12, seed, &drawn) == CIRCUMSPECT_OK);
+    const circumspect_mesh mesh = *circumspect_drawing_mesh(drawn);
+    REQUIRE(mesh.point_count > 4);
+    REQUIRE(mesh.weights != nullptr);
+    std::vector<double> all(mesh.coordinates, mesh.coordinates + 3 * mesh.point_count);
+    all.insert(all.end(), mesh.weights, mesh.weights + mesh.point_count);
+    circumspect_drawing_free(drawn);
+    return all;
+  };
+  CHECK(numbers(1) == numbers(1));
+  CHECK(numbers(1) != numbers(2));
+
+  REQUIRE(circumspect_generate("grid", 2, 8, 1, &drawing) == CIRCUMSPECT_OK);
+  REQUIRE(circumspect_delaunay(circumspect_drawing_mesh(drawing), &built) == CIRCUMSPECT_OK);
+  const std::int64_t* indices = nullptr;
+  circumspect_mesh mesh = *circumspect_drawing_mesh(drawing);
+  mesh.simplex_count = circumspect_triangulation_simplices(built, 3, &indices);
+  mesh.vertices_of_simplex = 3;
+  mesh.index_bytes = 8;
+  mesh.simplices = indices;
+  const Checked judged = check("delaunay", &mesh);
+  REQUIRE(judged.verdict != nullptr);
+  CHECK(circumspect_verdict_holds(judged.verdict.get()) == 1);
+  CHECK(circumspect_verdict_canonical(judged.verdict.get()) == 1);
+  circumspect_triangulation_free(built);
+  circumspect_drawing_free(drawing);
+}
+
 TEST_CASE("exact predicates") {
   int sign = 7;
   const std::array<double, 6> turn = {0, 0, 1, 0, 0, 1};

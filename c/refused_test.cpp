@@ -160,10 +160,33 @@ TEST_CASE("whatever the members hold, the answer is a status") {
   CHECK(judged > 20);
 }
 
+TEST_CASE("drawings that cannot be made are refused") {
+  const auto refused = [](const char* family, std::int64_t dimension, std::int64_t points,
+                          const std::string& message) {
+    circumspect_drawing* drawing = nullptr;
+    CHECK(circumspect_generate(family, dimension, points, 1, &drawing) ==
+          CIRCUMSPECT_INVALID_ARGUMENT);
+    CHECK(drawing == nullptr);
+    INFO(circumspect_last_error());
+    CHECK(has(circumspect_last_error(), message));
+  };
+  refused(nullptr, 3, 12, "the name of a family, found NULL");
+  refused("spheres", 3, 12, "found 'spheres'");
+  refused("a\nb", 3, 12, "found 'a\\x0");
+  refused("protected-solids", 3, 12, "a family of points");
+  refused("sphere", 1, 12, "in which there are sets of sphere, found 1");
+  refused("sphere", -1, 12, "found -1");
+  refused("sphere", 3, 0, "from 1 to 1000000 points, found 0");
+  refused("sphere", 3, std::numeric_limits<std::int64_t>::max(), "found 9223372036854775807");
+  CHECK(circumspect_generate("sphere", 3, 12, 1, nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+}
+
 TEST_CASE("no handle at all") {
   circumspect_verdict_free(nullptr);
   circumspect_triangulation_free(nullptr);
   circumspect_document_free(nullptr);
+  circumspect_drawing_free(nullptr);
+  CHECK(circumspect_drawing_mesh(nullptr) == nullptr);
   CHECK(circumspect_verdict_holds(nullptr) == -1);
   CHECK(circumspect_verdict_unique(nullptr) == -1);
   CHECK(circumspect_verdict_canonical(nullptr) == -1);
@@ -210,6 +233,9 @@ TEST_CASE("where memory ends, at whatever allocation, the call says so and nothi
   circumspect_triangulation* built = nullptr;
   CHECK(survives([&] { return circumspect_delaunay(&mesh, &built); }) > 10);
   circumspect_triangulation_free(built);
+  circumspect_drawing* drawing = nullptr;
+  CHECK(survives([&] { return circumspect_generate("sphere+ulp", 2, 5, 1, &drawing); }) > 10);
+  circumspect_drawing_free(drawing);
   circumspect_document* document = nullptr;
   int answer = 0;
   CHECK(survives([&] { return circumspect_certify("delaunay", &wrong, &answer, &document); }) > 10);

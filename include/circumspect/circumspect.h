@@ -198,6 +198,21 @@ CIRCUMSPECT_API circumspect_status circumspect_verdict_violation(const circumspe
                                                                  circumspect_violation* violation,
                                                                  size_t size);
 
+typedef struct circumspect_drawing circumspect_drawing;
+
+/* The points that a seed stands for, the same on every machine and those that the command draws: a set of the
+ * family, which is one of those of points that `circumspect generate --list` names, such as "sphere+ulp".
+ * `points`: how many are drawn, from 1 to 1000000, of which equal ones count once unless the family repeats
+ * points. CIRCUMSPECT_INVALID_ARGUMENT if there is no such family, or not in that dimension. */
+CIRCUMSPECT_API circumspect_status circumspect_generate(const char* family, int64_t dimension,
+                                                        int64_t points, uint64_t seed,
+                                                        circumspect_drawing** drawing);
+/* A mesh of these points, all doubles, and of their weights if the family has such, without simplices. It lives
+ * as long as the drawing; a copy may be given simplices and judged. NULL of NULL. */
+CIRCUMSPECT_API const circumspect_mesh* circumspect_drawing_mesh(
+    const circumspect_drawing* drawing);
+CIRCUMSPECT_API void circumspect_drawing_free(circumspect_drawing* drawing);
+
 typedef struct circumspect_triangulation circumspect_triangulation;
 
 /* The canonical Delaunay triangulation of the points of a mesh (weighted, if it has weights), whatever
