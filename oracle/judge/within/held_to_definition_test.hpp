@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
@@ -97,7 +99,12 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
       "seed " + std::to_string(seed) + " fault " + std::to_string(static_cast<int>(fault));
   INFO(which);
   if (!is_sound(mesh)) return;
-  const PiecewiseLinearComplex& complex = moved.domain.complex;
+  PiecewiseLinearComplex complex = moved.domain.complex;
+  if (complex.kind == DomainKind::kHull) {
+    const auto faces = hull_faces_by_definition(complex.points);
+    CHECK(hull_faces(complex.points) == faces);
+    complex = with_hull_walls(complex, faces);
+  }
   const std::vector<bool> used = match_vertices(mesh, complex).used;
   const Cells cells(complex);
   const Regions regions(complex);

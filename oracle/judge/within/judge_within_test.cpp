@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/judge/within/hull_faces.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 
 namespace circumspect::check {
@@ -311,13 +313,57 @@ TEST_CASE("within: holes and regions keep the side that they had") {
   CHECK(both_answers(ring) == "fails domain.outside");
 }
 
-TEST_CASE("within: a domain that is a convex hull is judged if the claim holds exactly") {
+TEST_CASE("within: a convex hull whose faces nobody lists") {
   PiecewiseLinearInput input = cuboid({0, 0, 0}, {4, 4, 4});
   input.kind = DomainKind::kHull;
-  MovedMesh box = {box_with_steiner_points().mesh, domain_of(input)};
-  CHECK(answer(box) == "holds 0");
-  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
-  CHECK(answer(box) == "not handled");
+  // All faces, none, and all but the floor and the edges that it alone has.
+  const std::vector<PolygonLines> faces = input.polygons;
+  for (const std::size_t count : {faces.size(), std::size_t{0}, faces.size() - 1}) {
+    input.polygons.assign(faces.end() - static_cast<std::ptrdiff_t>(count), faces.end());
+    MovedMesh box = {box_with_steiner_points().mesh, domain_of(input)};
+    CHECK(both_answers(box) == "holds 0");
+    box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+    CHECK(both_answers(box) == "holds 5");
+    box.mesh = moved_vertex(box.mesh, {4, 4, 4}, {bits(1), 0, 0});
+    box.mesh = moved_vertex(box.mesh, {4, 4, 0}, {-bits(1), 0, 0});
+    CHECK(both_answers(box) == "holds 5");
+    CHECK(answer(box, Claim::kPlcTriangulation) == "fails domain.steiner-forbidden");
+    CHECK(both_answers(box, bits(4)).starts_with("fails domain."));
+    box.mesh.simplices.erase(box.mesh.simplices.begin());
+    CHECK(both_answers(box).starts_with("fails domain."));
+  }
+}
+
+TEST_CASE("within: in the plane the points on an edge of a convex hull are on its boundary") {
+  PiecewiseLinearInput input;
+  input.points = {{0, 0}, {0, 2}, {0, 4}, {3, 4}, {4, 4}, {4, 1}, {4, 0}, {1, 0}, {1, 1}};
+  input.kind = DomainKind::kHull;
+  const Domain square = domain_of(input);
+  const auto lines = hull_faces(square.complex.points);
+  CHECK(lines == hull_faces_by_definition(square.complex.points));
+  CHECK(lines.size() == 4);
+  CHECK(with_hull_walls(square.complex, lines).segments.size() == 8);
+  MovedMesh moved = {
+      {square.complex.points,
+       {{0, 7, 8}, {7, 6, 8}, {6, 5, 8}, {5, 4, 8}, {4, 3, 8}, {3, 2, 8}, {2, 1, 8}, {1, 0, 8}}},
+      square};
+  CHECK(both_answers(moved) == "holds 0");
+  // A vertex rounded in, one out: their triangles are no hull any more.
+  moved.mesh = moved_vertex(moved.mesh, {4, 1}, {-bits(2), 0});
+  moved.mesh = moved_vertex(moved.mesh, {0, 2}, {-bits(1), 0});
+  CHECK(both_answers(moved) == "holds 2");
+  moved.mesh.simplices.pop_back();
+  CHECK(both_answers(moved).starts_with("fails domain."));
+}
+
+TEST_CASE("within: points on a line have a convex hull that fills nothing") {
+  PiecewiseLinearInput input;
+  input.points = {{0, 0}, {4, 0}};
+  input.segments = {{0, 1}};
+  input.kind = DomainKind::kHull;
+  ExactMesh mesh{PointSet({{0, 0}, {2, bits(1)}, {4, 0}}), {}};
+  mesh.faces = {{0, 1}, {1, 2}};
+  CHECK(both_answers({mesh, domain_of(input)}) == "holds 1");
 }
 
 }  // namespace circumspect::check
