@@ -193,8 +193,8 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   }
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
-  const Verdict inner =
-      judge_domain(with_steiner_points(claim), mesh, image->domain, options, known);
+  const Verdict inner = judge_domain(with_steiner_points(claim), mesh, image->domain, options,
+                                     known, &*image->regions);
   add_all(inner, *image, answer, domain, verdict);
   return verdict;
 }
@@ -205,7 +205,8 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const Domain& domain,
                                               const Rational& squared_distance,
                                               const Options& options,
-                                              const fast::SimplexFacts* known, const Domain* flat) {
+                                              const fast::SimplexFacts* known, const Domain* flat,
+                                              const Markers& markers) {
   const auto exactly = [&] {
     Verdict verdict = judge_domain(claim, mesh, flat == nullptr ? domain : *flat, options, known);
     if (verdict.holds()) verdict.within = Within{};
@@ -244,7 +245,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     walled = with_hull_walls(domain.complex, faces);
   }
   const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
-  const Cells cells(walled ? *walled : domain.complex);
+  const Cells cells(walled ? *walled : domain.complex, markers);
   const Regions regions(cells.complex());
   const CellsOfDomain all{domain, cells, regions, domain.complex.polygons.size()};
   if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {

@@ -182,6 +182,71 @@ TEST_CASE(
   CHECK(both_answers(boxes) == "holds 3");
 }
 
+TEST_CASE("within: markers say which facets are a polygon, where there is a choice") {
+  // Two cubes with a wall between them, and a flat tetrahedron in the wall. From above a vertex is near, which
+  // sees two of its facets inside their circumballs.
+  const std::vector<int> two = {0, 4, 8};
+  PiecewiseLinearInput input =
+      cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; });
+  input.points.push_back({2, 2, 5});
+  const Domain domain = domain_of(input);
+  ExactMesh mesh = grid({0, 4}, {0, 4}, {0, 4}, every_cell);
+  std::vector<Point> points = mesh.points.points();
+  for (const Point& p : std::vector<Point>{{0, 0, 8}, {4, 0, 8}, {0, 4, 8}, {4, 4, 8}, {2, 2, 5}}) {
+    points.push_back(p);
+  }
+  mesh = with_points(mesh, points);
+  const auto at = [&](int x, int y, int z) { return vertex_at(mesh.points, {x, y, z}); };
+  const Vertex low[] = {at(0, 0, 4), at(4, 0, 4), at(4, 4, 4), at(0, 4, 4)};
+  const Vertex high[] = {at(0, 0, 8), at(4, 0, 8), at(4, 4, 8), at(0, 4, 8)};
+  const std::vector<Simplex> upper_facets = {sorted({low[0], low[1], low[3]}),
+                                             sorted({low[1], low[2], low[3]})};
+  std::vector<Simplex> boundary = upper_facets;
+  boundary.push_back({high[0], high[1], high[2]});
+  boundary.push_back({high[0], high[2], high[3]});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    // Diagonals that a vertex of the wall does not end that is moved down.
+    const std::size_t end = i % 2 == 0 ? j : i, other = i % 2 == 0 ? i : j;
+    boundary.push_back({low[end], high[end], high[other]});
+    boundary.push_back({low[end], low[other], high[other]});
+  }
+  for (Simplex triangle : boundary) {
+    triangle.push_back(at(2, 2, 5));
+    mesh.simplices.push_back(triangle);
+  }
+  mesh.simplices.push_back({low[0], low[1], low[2], low[3]});
+  mesh = moved_vertex(mesh, {0, 0, 4}, {0, 0, -bits(3)});
+  mesh = moved_vertex(mesh, {4, 4, 4}, {0, 0, -bits(3)});
+  Markers markers;
+  for (const Polygon& polygon : domain.complex.polygons) {
+    const bool is_wall = std::all_of(polygon.vertices.begin(), polygon.vertices.end(),
+                                     [&](Vertex v) { return domain.complex.points[v][2] == 4; });
+    markers.of_polygons.push_back(is_wall ? 5 : 0);
+  }
+  const auto not_local = [&] {
+    const auto verdict = judge_within(Claim::kSteinerCdt, mesh, domain, kSquaredLimit, {}, nullptr,
+                                      nullptr, markers);
+    REQUIRE(verdict);
+    return verdict->tallies().contains(Rule::kConstrainedFacetNotLocal)
+               ? verdict->tallies().at(Rule::kConstrainedFacetNotLocal).count
+               : 0;
+  };
+  const std::size_t lowest = not_local();
+  markers.of_triangles[upper_facets[0]] = 5;
+  CHECK(not_local() == lowest);  // one of them is no image
+  markers.of_triangles[upper_facets[1]] = 6;
+  CHECK(not_local() == lowest);
+  markers.of_triangles[upper_facets[1]] = 5;
+  CHECK(not_local() + 2 == lowest);
+  for (const std::size_t opposite : {std::size_t{1}, std::size_t{3}}) {
+    markers.of_triangles[sorted({low[0], low[2], low[opposite]})] = 5;
+  }
+  CHECK(not_local() == lowest);  // all four are no image
+  markers.of_polygons.assign(markers.of_polygons.size(), 0);
+  CHECK(not_local() == lowest);
+}
+
 TEST_CASE("within: a vertex near a segment that is not on it is free, whatever the distance") {
   const Domain square = square_with_steiner_points().domain;
   // A fan about a vertex 20 bits above the lower side.
