@@ -83,11 +83,32 @@ TEST_CASE(
   CHECK(run({"check", kFolder + "accept/cube-five.ele", "--within", "1"}).exit_code == 2);
 }
 
-TEST_CASE("check --within: of a convex hull only what holds exactly is judged") {
+TEST_CASE("check --within: a convex hull, and a face of it that nobody listed") {
   const Run hull =
       check_near("accept/within--segment", {"--domain-kind", "hull", "--within", "1e-8"});
-  CHECK(hull.exit_code == 4);
-  CHECK(has(hull.err, "convex hull"));
+  CHECK(hull.exit_code == 0);
+  CHECK(has(hull.out, "within ~ 5."));
+  ScratchFolder folder;
+  const std::string corners = "0 0 0 0\n1 1 0 0\n2 0 1 0\n3 1 1 0\n4 0 0 1\n5 1 0 1\n6 0 1 1\n";
+  const std::string domain = folder.write("d.poly", "8 3 0 0\n" + corners + "7 1 1 1\n0 0\n0\n");
+  folder.write("m.node", "8 3 0 0\n" + corners + "7 1 1 1.000000001\n");
+  const std::string others = "1 0 1 5 7\n2 0 2 3 7\n3 0 2 6 7\n4 0 4 5 7\n5 0 4 6 7\n";
+  const std::string whole = folder.write("m.ele", "6 4 0\n0 0 1 3 7\n" + others);
+  CHECK(
+      run({"check", whole, "--domain", domain, "--within", "1e-8", "--claim", "plc-triangulation"})
+          .exit_code == 0);
+  const std::string less = folder.write("m.ele", "5 4 0\n" + others);
+  folder.write("m.edge", "1 0\n0 1 3\n");
+  const Run fails = run({"check", less, "--domain", domain, "--within", "1e-8"});
+  CHECK(fails.exit_code == 1);
+  CHECK(has(fails.out, "domain.polygon-not-tiled 2"));
+  CHECK(has(fails.out, "hull-face 0 1 "));
+  const auto json =
+      document(run({"check", less, "--domain", domain, "--within", "1e-8", "--format", "json"}));
+  CHECK(json["results"][0]["violations"][0]["domain"].contains("hull_face"));
+  const std::string page = folder.path("m.html");
+  CHECK(run({"check", less, "--domain", domain, "--within", "1e-8", "--html", page}).exit_code ==
+        1);
 }
 
 }  // namespace circumspect::cli

@@ -43,7 +43,7 @@ struct Witness {
   std::optional<Ball> ball = {};        // the circumball of the first simplex
   std::optional<Point> point = {};      // a point that decides without being a vertex
   // The cell of the domain in question: a vertex or a segment by the domain's own vertices, a polygon
-  // by its place in the domain's list.
+  // by its place in the domain's list; a face of its convex hull by three vertices that span it.
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
   std::optional<NearestVertex> nearest = {};  // to what is missing of the domain

@@ -137,6 +137,9 @@ void Composer::add_cell() {
     for (const Vertex v : *witness_.domain_cell) ends.push_back(corner(v, true));
     if (ends.size() == 1) {
       json_["cell"]["vertex"] = ends.front();
+    } else if (ends.size() == 3) {
+      json_["cell"]["polygon"] = {{"segments", Json::array()},
+                                  {"triangles", Json::array({at(*witness_.domain_cell)})}};
     } else {
       json_["cell"]["segment"] = ends;
     }

@@ -41,7 +41,8 @@ Json cell_of(const Witness& witness, const Domain& domain) {
     for (const Vertex v : *witness.domain_cell) {
       vertices[std::to_string(domain.label(v))] = point(domain.complex.points[v]);
     }
-    cell[witness.domain_cell->size() == 1 ? "vertex" : "segment"] = vertices;
+    const std::size_t size = witness.domain_cell->size();
+    cell[size == 1 ? "vertex" : size == 2 ? "segment" : "hull_face"] = vertices;
   }
   if (witness.polygon) cell["polygon"] = domain.polygon_name(*witness.polygon);
   return cell;

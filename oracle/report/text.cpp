@@ -37,12 +37,13 @@ std::string point_text(const Point& point) {
   return text + ")";
 }
 
-// The cell of the domain that a witness names: " domain-vertex 3", " segment 3 4", " polygon 2".
+// The cell of the domain that a witness names: " domain-vertex 3", " segment 3 4", " polygon 2", " hull-face 3 4 5".
 std::string cell_text(const Witness& witness, const Domain* domain) {
   std::string text;
   if (domain == nullptr) return text;
   if (witness.domain_cell) {
-    text += witness.domain_cell->size() == 1 ? " domain-vertex" : " segment";
+    const std::size_t size = witness.domain_cell->size();
+    text += size == 1 ? " domain-vertex" : size == 2 ? " segment" : " hull-face";
     for (const Vertex v : *witness.domain_cell) text += fmt::format(" {}", domain->label(v));
   }
   if (witness.polygon) text += " polygon " + domain->polygon_name(*witness.polygon);

@@ -5,7 +5,8 @@
 
 namespace circumspect::check {
 
-Cells::Cells(const PiecewiseLinearComplex& complex) : complex_(complex) {
+Cells::Cells(const PiecewiseLinearComplex& complex, Markers markers)
+    : complex_(complex), markers_(std::move(markers)) {
   for (const Polygon& polygon : complex.polygons) {
     std::vector<std::size_t>& places = segments_of_.emplace_back();
     for (const Simplex& segment : polygon.segments) {
@@ -55,6 +56,12 @@ bool Cells::is_in_closure(Cell face, Cell cell) const {
   if (cell.dimension == 1) return contains(complex_.segments[cell.place], v);
   const std::vector<Vertex>& vertices = complex_.polygons[cell.place].vertices;
   return std::binary_search(vertices.begin(), vertices.end(), v);
+}
+
+bool Cells::is_marked(const Simplex& triangle, std::size_t polygon) const {
+  if (polygon >= markers_.of_polygons.size() || markers_.of_polygons[polygon] == 0) return false;
+  const auto own = markers_.of_triangles.find(triangle);
+  return own != markers_.of_triangles.end() && own->second == markers_.of_polygons[polygon];
 }
 
 bool Cells::meet(Cell a, Cell b) const {

@@ -3,11 +3,18 @@
 
 #include <compare>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
+
+// What programs write beside triangles and users beside polygons, to say what belongs together; 0: nothing.
+struct Markers {
+  std::map<Simplex, Vertex> of_triangles = {};  // by their vertices, ascending
+  std::vector<Vertex> of_polygons = {};         // of the first ones; others have none
+};
 
 // A vertex (dimension 0), a segment (1) or a polygon (2) of a domain, by its place among them.
 struct Cell {
@@ -19,7 +26,7 @@ struct Cell {
 
 class Cells {
  public:
-  explicit Cells(const PiecewiseLinearComplex& complex);
+  explicit Cells(const PiecewiseLinearComplex& complex, Markers markers = {});
 
   const PiecewiseLinearComplex& complex() const { return complex_; }
   // All, vertices first, polygons last.
@@ -33,6 +40,8 @@ class Cells {
   const std::vector<std::size_t>& segments_of(std::size_t polygon) const {
     return segments_of_[polygon];
   }
+  // Has the triangle of the mesh the marker of the polygon? Requires: its vertices ascending.
+  bool is_marked(const Simplex& triangle, std::size_t polygon) const;
   // Has a vertex in common with it: two cells of a valid complex meet only so.
   bool meet(Cell a, Cell b) const;
 
@@ -42,6 +51,7 @@ class Cells {
 
  private:
   const PiecewiseLinearComplex& complex_;
+  Markers markers_;
   std::vector<std::vector<std::size_t>> segments_of_;
 };
 

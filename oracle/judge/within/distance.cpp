@@ -8,30 +8,77 @@
 namespace circumspect::check {
 namespace {
 
-Rational to_segment(const Point& a, const Point& b, const Point& point) {
-  const Point along = b - a;
-  const Rational at = inner_product(point - a, along) / squared_length(along);
-  if (sign(at) <= 0) return squared_distance(a, point);
-  if (at >= 1) return squared_distance(b, point);
-  return squared_distance(a + at * along, point);
+// Points as integers over one positive denominator: fractions are reduced once, at the end.
+using Whole = std::array<Integer, 3>;
+
+Whole difference(const Whole& a, const Whole& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Integer product(const Whole& a, const Whole& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Rational quotient(const Integer& numerator, const Integer& denominator) {
+  Rational result(numerator, denominator);
+  result.canonicalize();
+  return result;
 }
 
-Rational to_triangle(const std::vector<Point>& corners, const Point& point) {
-  const Point u = corners[1] - corners[0];
-  const Point v = corners[2] - corners[0];
-  const Point to = point - corners[0];
-  const Rational uu = squared_length(u), vv = squared_length(v), uv = inner_product(u, v);
-  const Rational tu = inner_product(to, u), tv = inner_product(to, v);
-  const Rational gram = uu * vv - uv * uv;
-  const Rational s = (vv * tu - uv * tv) / gram;
-  const Rational t = (uu * tv - uv * tu) / gram;
-  if (sign(s) >= 0 && sign(t) >= 0 && s + t <= 1) {
-    return squared_distance(corners[0] + (s * u + t * v), point);
+class WholePoints {
+ public:
+  WholePoints(const std::vector<Point>& corners, const Point& point) {
+    for (const Point& corner : corners) take_denominators(corner);
+    take_denominators(point);
+    for (const Point& corner : corners) corners_.push_back(scaled(corner));
+    point_ = scaled(point);
   }
-  Rational least = to_segment(corners[0], corners[1], point);
-  least = std::min(least, to_segment(corners[1], corners[2], point));
-  return std::min(least, to_segment(corners[2], corners[0], point));
-}
+
+  Rational to_segment(std::size_t first, std::size_t last) const {
+    const Whole along = difference(corners_[last], corners_[first]);
+    const Whole to = difference(point_, corners_[first]);
+    const Integer at = product(to, along);
+    if (sign(at) <= 0) return squared(product(to, to));
+    const Integer length = product(along, along);
+    if (at >= length) {
+      const Whole beyond = difference(point_, corners_[last]);
+      return squared(product(beyond, beyond));
+    }
+    return squared(product(to, to) * length - at * at, length);
+  }
+
+  Rational to_triangle() const {
+    const Whole u = difference(corners_[1], corners_[0]), v = difference(corners_[2], corners_[0]);
+    const Whole to = difference(point_, corners_[0]);
+    const Integer uu = product(u, u), vv = product(v, v), uv = product(u, v);
+    const Integer tu = product(to, u), tv = product(to, v);
+    const Integer gram = uu * vv - uv * uv;
+    const Integer s = vv * tu - uv * tv, t = uu * tv - uv * tu;
+    if (sign(s) >= 0 && sign(t) >= 0 && s + t <= gram) {
+      const Whole normal = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                            u[0] * v[1] - u[1] * v[0]};
+      const Integer height = product(to, normal);
+      return squared(height * height, gram);
+    }
+    return std::min({to_segment(0, 1), to_segment(1, 2), to_segment(2, 0)});
+  }
+
+ private:
+  void take_denominators(const Point& point) {
+    for (const Rational& x : point) {
+      const Integer& own = x.get_den();
+      if (denominator_ % own != 0) denominator_ = least_common_multiple(denominator_, own);
+    }
+  }
+  Whole scaled(const Point& point) const {
+    Whole result;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      result[i] = denominator_ / point[i].get_den() * point[i].get_num();
+    }
+    return result;
+  }
+  Rational squared(const Integer& numerator, const Integer& over = 1) const {
+    return quotient(numerator, over * denominator_ * denominator_);
+  }
+
+  std::vector<Whole> corners_;
+  Whole point_;
+  Integer denominator_ = 1;
+};
 
 // Between the points of two lines that are nearest to each other, if both are in the segments; what
 // lies at an end of one of them is found elsewhere.
@@ -189,8 +236,8 @@ bool certainly_apart(std::span<const RoundedPoint> a, std::span<const RoundedPoi
 
 Rational squared_distance_to(const std::vector<Point>& simplex, const Point& point) {
   if (simplex.size() == 1) return squared_distance(simplex[0], point);
-  if (simplex.size() == 2) return to_segment(simplex[0], simplex[1], point);
-  return to_triangle(simplex, point);
+  const WholePoints points(simplex, point);
+  return simplex.size() == 2 ? points.to_segment(0, 1) : points.to_triangle();
 }
 
 // Two disjoint convex polytopes are nearest to each other at a vertex of one of them, or inside an

@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
@@ -80,6 +82,24 @@ inline std::string text_of_images(const ImageSet& set) {
   return text;
 }
 
+// Of all triangles of the mesh, of most, or of none.
+inline Markers random_markers(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
+                              Random& random) {
+  Markers markers;
+  if (complex.ambient_dimension() == 2 || random() % 2 == 0) return markers;
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    markers.of_polygons.push_back(static_cast<Vertex>(random() % 3));
+  }
+  const auto mark = [&](const Simplex& triangle) {
+    if (random() % 8 > 0) markers.of_triangles[sorted(triangle)] = 1;
+  };
+  for (const Simplex& face : mesh.faces) mark(face);
+  for (const Simplex& simplex : mesh.simplices) {
+    for (std::size_t i = 0; i < simplex.size(); ++i) mark(facet_opposite(simplex, i));
+  }
+  return markers;
+}
+
 struct Counts {
   int found = 0, moved = 0, holds = 0, none = 0, not_judged = 0;
 };
@@ -97,9 +117,15 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
       "seed " + std::to_string(seed) + " fault " + std::to_string(static_cast<int>(fault));
   INFO(which);
   if (!is_sound(mesh)) return;
-  const PiecewiseLinearComplex& complex = moved.domain.complex;
+  PiecewiseLinearComplex complex = moved.domain.complex;
+  if (complex.kind == DomainKind::kHull) {
+    const auto faces = hull_faces_by_definition(complex.points);
+    CHECK(hull_faces(complex.points) == faces);
+    complex = with_hull_walls(complex, faces);
+  }
   const std::vector<bool> used = match_vertices(mesh, complex).used;
-  const Cells cells(complex);
+  const Markers markers = random_markers(mesh, complex, random);
+  const Cells cells(complex, markers);
   const Regions regions(complex);
   // All sets of so many triangles are tried at each distance.
   constexpr std::size_t kMost = 8;
@@ -116,8 +142,8 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   } else {
     ++counts.none;
   }
-  const auto verdict =
-      judge_within(Claim::kSteinerTriangulation, mesh, moved.domain, kSquaredLimit);
+  const auto verdict = judge_within(Claim::kSteinerTriangulation, mesh, moved.domain, kSquaredLimit,
+                                    {}, nullptr, nullptr, markers);
   if (!verdict) {
     ++counts.not_judged;
     CHECK(fault != Fault::kNone);

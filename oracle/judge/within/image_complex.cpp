@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "oracle/judge/within/distance.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -66,9 +67,9 @@ class Building {
     number_points();
     if (auto breach = intersection_of_images()) return tl::unexpected(std::move(*breach));
     PiecewiseLinearComplex complex{PointSet(points_), {}, {}, {}, DomainKind::kEnclosed};
-    ImageComplex built{{std::move(complex)}, in_mesh_, {}, 0};
+    ImageComplex built{{std::move(complex)}, in_mesh_, {}};
     add_cells(built);
-    if (const auto side = add_seeds(built.domain.complex)) built.sides_differ = side->vertices;
+    if (const auto side = add_seeds(built)) built.sides_differ = side->vertices;
     return built;
   }
 
@@ -246,7 +247,7 @@ class Building {
       }
     }
     std::sort(polygon.segments.begin(), polygon.segments.end());
-    polygon.axes = axes_of(points.configuration(), polygon.triangles.front());
+    polygon.axes = axes_of_plane(points.configuration(), polygon.triangles.front());
     return polygon;
   }
 
@@ -257,13 +258,14 @@ class Building {
     polygon.segments = {
         {corners[0], corners[1]}, {corners[0], corners[2]}, {corners[1], corners[2]}};
     polygon.triangles = {corners};
-    polygon.axes = axes_of(points.configuration(), corners);
+    polygon.axes = axes_of_plane(points.configuration(), corners);
     return polygon;
   }
 
   // Inside or not, as the sides of the walls say, is said by a seed in each region that is not.
   // If that is not one answer, here is such a side.
-  std::optional<OrientedFacet> add_seeds(PiecewiseLinearComplex& complex) const {
+  std::optional<OrientedFacet> add_seeds(ImageComplex& built) const {
+    PiecewiseLinearComplex& complex = built.domain.complex;
     const Regions regions(complex);
     struct Label {
       bool inside;
@@ -284,10 +286,13 @@ class Building {
         return side;
       }
     }
+    std::vector<std::size_t> holes;
     for (std::size_t region = 0; region < labels.size(); ++region) {
       if (region == Regions::kUnbounded || labels[region]->inside) continue;
+      holes.push_back(region);
       complex.hole_seeds.push_back(seed_before(regions, labels[region]->side, complex.points));
     }
+    built.regions = regions.with_holes(holes);
     return std::nullopt;
   }
 

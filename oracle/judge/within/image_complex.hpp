@@ -5,6 +5,7 @@
 
 #include "oracle/judge/within/image_set.hpp"
 #include "oracle/model/domain.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
 
@@ -15,6 +16,8 @@ struct ImageComplex {
   std::vector<Vertex> in_mesh;  // the point of the mesh that each of its vertices is
   std::vector<std::size_t>
       polygons;  // the polygon of the domain that each of its polygons is part of
+  // Of the complex, its holes among them; none where sides differ.
+  std::optional<Regions> regions = {};
   // The polygons of the domain that have no inside beside them and no flat image: their triangles are not
   // held against each other.
   std::size_t not_flat_and_dangling = 0;

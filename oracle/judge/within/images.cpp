@@ -13,14 +13,23 @@ Images::Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions
       faces_(faces),
       rounded_(rounded(mesh.points.points())),
       rounded_domain_(rounded(cells.complex().points.points())),
+      places_(cells.complex().segments.size()),
       vertices_(cells.complex().points.size()),
       paths_(cells.complex().segments.size()),
       patches_(cells.complex().polygons.size()) {}
 
+std::size_t Images::number_of(const Rational& squared_reach) const {
+  if (last_->first != squared_reach) {
+    last_ = numbers_.try_emplace(squared_reach, numbers_.size()).first;
+  }
+  return last_->second;
+}
+
 const ImageOr<Vertex>& Images::vertex(std::size_t v, const Rational& squared_reach) const {
   auto& known = vertices_[v];
-  if (!known || known->first != squared_reach) {
-    known.emplace(squared_reach, found_vertex(v, squared_reach));
+  const std::size_t number = number_of(squared_reach);
+  if (!known || known->first != number) {
+    known.emplace(number, found_vertex(v, squared_reach));
   }
   return known->second;
 }
@@ -28,16 +37,18 @@ const ImageOr<Vertex>& Images::vertex(std::size_t v, const Rational& squared_rea
 const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
                                                  const Rational& squared_reach) const {
   auto& known = paths_[segment];
-  if (!known || known->first != squared_reach) {
-    known.emplace(squared_reach, found_path(segment, squared_reach));
+  const std::size_t number = number_of(squared_reach);
+  if (!known || known->first != number) {
+    known.emplace(number, found_path(segment, squared_reach));
   }
   return known->second;
 }
 
 const ImageOr<Patch>& Images::patch(std::size_t polygon, const Rational& squared_reach) const {
   auto& known = patches_[polygon];
-  if (!known || known->first != squared_reach) {
-    known.emplace(squared_reach, found_patch(polygon, squared_reach));
+  const std::size_t number = number_of(squared_reach);
+  if (!known || known->first != number) {
+    known.emplace(number, found_patch(polygon, squared_reach));
   }
   return known->second;
 }
@@ -46,30 +57,38 @@ ImageOr<Vertex> Images::found_vertex(std::size_t v, const Rational& squared_reac
   const Cell cell = {0, v};
   std::vector<Vertex> found;
   for (const Reaches::ToVertex& near : reaches_.near(cell)) {
-    if (near.squared > squared_reach) break;
+    if (near.squared() > squared_reach) break;
     if (reaches_.carrier(near.vertex, squared_reach).is(cell)) found.push_back(near.vertex);
   }
   if (found.size() == 1) return found.front();
   Witness witness{.vertices = found, .domain_cell = Simplex{static_cast<Vertex>(v)}};
   if (found.empty() && !reaches_.near(cell).empty()) {
     const Reaches::ToVertex& nearest = reaches_.near(cell).front();
-    witness.nearest = NearestVertex{nearest.vertex, nearest.squared};
+    witness.nearest = NearestVertex{nearest.vertex, nearest.squared()};
   }
   return tl::unexpected(NoImage{{Rule::kDomainVertexMissing, witness}});
 }
 
+const std::vector<Images::Place>& Images::places_along(std::size_t segment) const {
+  std::optional<std::vector<Place>>& places = places_[segment];
+  if (places) return *places;
+  places.emplace();
+  const PointSet& points = cells_.complex().points;
+  const Simplex& ends = cells_.complex().segments[segment];
+  const Point along = points[ends[1]] - points[ends[0]];
+  for (const Reaches::ToVertex& near : reaches_.near({1, segment})) {
+    places->push_back({inner_product(mesh_.points[near.vertex] - points[ends[0]], along),
+                       near.vertex, &near.squared()});
+  }
+  std::sort(places->begin(), places->end(), [](const Place& a, const Place& b) {
+    return a.at != b.at ? a.at < b.at : a.vertex < b.vertex;
+  });
+  return *places;
+}
+
 ImageOr<std::vector<Vertex>> Images::found_path(std::size_t segment,
                                                 const Rational& squared_reach) const {
-  const PiecewiseLinearComplex& complex = cells_.complex();
-  const Simplex& ends = complex.segments[segment];
-  const Cell cell = {1, segment};
-  const Point& from = complex.points[ends[0]];
-  std::vector<std::pair<Rational, Vertex>> inner;
-  for (const Reaches::ToVertex& near : reaches_.near(cell)) {
-    if (near.squared > squared_reach) break;
-    if (!reaches_.carrier(near.vertex, squared_reach).is(cell)) continue;
-    inner.emplace_back(0, near.vertex);
-  }
+  const Simplex& ends = cells_.complex().segments[segment];
   const Vertex first = *vertex(static_cast<std::size_t>(ends[0]), squared_reach);
   const Vertex last = *vertex(static_cast<std::size_t>(ends[1]), squared_reach);
   const auto missing = [&](Vertex a, Vertex b) {
@@ -77,20 +96,26 @@ ImageOr<std::vector<Vertex>> Images::found_path(std::size_t segment,
     return tl::unexpected(NoImage{{Rule::kSegmentMissing, witness}});
   };
   // The ends are within reach of cells that are more than three times as far apart: they are in order.
-  if (inner.empty()) {
+  const bool has_others = reaches_.near({1, segment}).size() > 2;
+  if (!has_others) {
     if (!faces_.has_edge(first, last)) return missing(first, last);
     return std::vector<Vertex>{first, last};
   }
-  const Point along = complex.points[ends[1]] - from;
-  const auto place_of = [&](Vertex v) { return inner_product(mesh_.points[v] - from, along); };
-  for (auto& [place, v] : inner) place = place_of(v);
-  std::sort(inner.begin(), inner.end());
-  inner.insert(inner.begin(), {place_of(first), first});
-  inner.emplace_back(place_of(last), last);
+  // The image of the first end may lie beyond a vertex of the path, and that of the last before one.
+  std::vector<const Place*> inner;
+  const Place *at_first = nullptr, *at_last = nullptr;
+  for (const Place& place : places_along(segment)) {
+    if (place.vertex == first) at_first = &place;
+    if (place.vertex == last) at_last = &place;
+    if (*place.squared > squared_reach) continue;
+    if (reaches_.carrier(place.vertex, squared_reach).is({1, segment})) inner.push_back(&place);
+  }
+  inner.insert(inner.begin(), at_first);
+  inner.push_back(at_last);
   std::vector<Vertex> path = {first};
   for (std::size_t i = 1; i < inner.size(); ++i) {
-    const Vertex a = inner[i - 1].second, b = inner[i].second;
-    if (!(inner[i - 1].first < inner[i].first) || !faces_.has_edge(a, b)) return missing(a, b);
+    const Vertex a = inner[i - 1]->vertex, b = inner[i]->vertex;
+    if (!(inner[i - 1]->at < inner[i]->at) || !faces_.has_edge(a, b)) return missing(a, b);
     path.push_back(b);
   }
   return path;
@@ -127,8 +152,8 @@ std::optional<Rational> Images::next_change(Cell cell, const Rational& squared_r
   };
   for (const Cell face : cells_.closure(cell)) {
     for (const Reaches::ToVertex& near : reaches_.near(face)) {
-      if (near.squared > squared_reach) {
-        consider(near.squared);
+      if (near.squared() > squared_reach) {
+        consider(near.squared());
         break;
       }
       // Within reach already: another cell of lower dimension may come to carry it.

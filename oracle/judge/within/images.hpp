@@ -1,6 +1,7 @@
 // The images of the cells of a domain in a mesh, at a given reach. docs/theory/within.md, 1 to 3.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "oracle/judge/within/mesh_faces.hpp"
 #include "oracle/judge/within/reaches.hpp"
+#include "oracle/judge/within/seen_from_above.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
@@ -30,14 +32,13 @@ struct NoImage {
 template <class Image>
 using ImageOr = tl::expected<Image, NoImage>;
 
-// The normal of a polygon whose first coordinate that is not zero is positive. Above is where it points.
-Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon);
-
 class Images {
  public:
   // All must outlive this. In the plane `regions` are not looked at.
   Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions, const Reaches& reaches,
          const MeshFaces& faces);
+  Images(const Images&) = delete;
+  Images& operator=(const Images&) = delete;
 
   // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs. An answer is
   // kept until another reach is asked about.
@@ -56,15 +57,24 @@ class Images {
   std::optional<Rational> next_change(Cell cell, const Rational& squared_reach) const;
 
  private:
-  // An answer and the reach that it is about.
+  // An answer and the number of the reach that it is about.
   template <class Image>
-  using Known = std::optional<std::pair<Rational, ImageOr<Image>>>;
+  using Known = std::optional<std::pair<std::size_t, ImageOr<Image>>>;
+  std::size_t number_of(const Rational& squared_reach) const;
+
+  // A vertex near a segment: where it projects on the line, and how far it is.
+  struct Place {
+    Rational at;
+    Vertex vertex;
+    const Rational* squared;
+  };
+  // In their order along the segment.
+  const std::vector<Place>& places_along(std::size_t segment) const;
 
   bool has_image(Cell cell, const Rational& squared_reach) const;
   ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
   ImageOr<std::vector<Vertex>> found_path(std::size_t segment, const Rational& squared_reach) const;
   ImageOr<Patch> found_patch(std::size_t polygon, const Rational& squared_reach) const;
-  std::optional<Simplex> whole_triangle(std::size_t polygon) const;
 
   const ExactMesh& mesh_;
   const Cells& cells_;
@@ -72,6 +82,10 @@ class Images {
   const Reaches& reaches_;
   const MeshFaces& faces_;
   std::vector<RoundedPoint> rounded_, rounded_domain_;
+  // The reaches that were asked about, and which was the last.
+  mutable std::map<Rational, std::size_t> numbers_ = {{Rational(0), 0}};
+  mutable std::map<Rational, std::size_t>::const_iterator last_ = numbers_.begin();
+  mutable std::vector<std::optional<std::vector<Place>>> places_;  // by segment
   mutable std::vector<Known<Vertex>> vertices_;
   mutable std::vector<Known<std::vector<Vertex>>> paths_;
   mutable std::vector<Known<Patch>> patches_;

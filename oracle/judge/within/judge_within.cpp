@@ -7,6 +7,8 @@
 
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/image_complex.hpp"
 #include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
@@ -14,6 +16,8 @@
 
 namespace circumspect::check {
 namespace {
+
+constexpr std::size_t kMostPointsByDefinition = 300;  // of a convex hull
 
 bool forbids_steiner_points(Claim claim) {
   return claim == Claim::kPlcTriangulation || claim == Claim::kCdt;
@@ -31,17 +35,41 @@ bool is_unsound(const Verdict& verdict) {
   });
 }
 
-std::string cell_name(Cell cell, const Domain& domain) {
+// A domain with all cells that are to have an image: those of a convex hull follow the user's own.
+struct CellsOfDomain {
+  const Domain& domain;
+  const Cells& cells;
+  const Regions& regions;
+  std::size_t own_polygons;  // the user's
+
+  // The user has no polygon that is a part of a face of the convex hull: three corners of it say which.
+  Witness in_own_words(Witness witness) const {
+    if (!witness.polygon || *witness.polygon < own_polygons) return witness;
+    witness.domain_cell = cells.complex().polygons[*witness.polygon].triangles.front();
+    witness.polygon.reset();
+    return witness;
+  }
+};
+
+std::string cell_name(Cell cell, const CellsOfDomain& all) {
+  const Domain& domain = all.domain;
+  if (cell.dimension == 2 && cell.place >= all.own_polygons) {
+    const Simplex& some = all.cells.complex().polygons[cell.place].triangles.front();
+    return "the face of the convex hull at vertices " + std::to_string(domain.label(some[0])) +
+           ", " + std::to_string(domain.label(some[1])) + " and " +
+           std::to_string(domain.label(some[2]));
+  }
   if (cell.dimension == 0) {
     return "vertex " + std::to_string(domain.label(static_cast<Vertex>(cell.place)));
   }
   if (cell.dimension == 2) return "polygon " + domain.polygon_name(cell.place);
-  const Simplex& ends = domain.complex.segments[cell.place];
+  const Simplex& ends = all.cells.complex().segments[cell.place];
   return "segment " + std::to_string(domain.label(ends[0])) + " " +
          std::to_string(domain.label(ends[1]));
 }
 
-NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh, const Domain& domain) {
+NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh,
+                     const CellsOfDomain& domain) {
   const std::string reach = square_root_to_decimal(answer.squared_reach);
   if (answer.kind == ReachAnswer::Kind::kOpen) {
     return {
@@ -76,9 +104,9 @@ NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh, const Dom
 
 // A witness against the image, in the words of the domain.
 Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer& answer,
-                   const PiecewiseLinearComplex& complex) {
+                   const CellsOfDomain& domain) {
   if (witness.polygon) witness.polygon = image.polygons[*witness.polygon];
-  if (!witness.domain_cell) return witness;
+  if (!witness.domain_cell) return domain.in_own_words(std::move(witness));
   Simplex in_mesh;
   for (const Vertex v : *witness.domain_cell) {
     in_mesh.push_back(image.in_mesh[static_cast<std::size_t>(v)]);
@@ -91,7 +119,9 @@ Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer
     if (carrier.is_one()) carriers.push_back(*carrier.cell);
   }
   for (const Cell& cell : carriers) {
-    if (cell.dimension == 1) witness.domain_cell = complex.segments[cell.place];
+    if (cell.dimension == 1) {
+      witness.domain_cell = domain.cells.complex().segments[cell.place];
+    }
     if (cell.dimension == 2) witness.polygon = cell.place;
   }
   if (!witness.domain_cell && !witness.polygon) {
@@ -99,7 +129,7 @@ Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer
     for (const Cell& cell : carriers) vertices.push_back(static_cast<Vertex>(cell.place));
     if (!vertices.empty()) witness.domain_cell = sorted(vertices);
   }
-  return witness;
+  return domain.in_own_words(std::move(witness));
 }
 
 // The vertices of the mesh that are no image of a vertex of the domain.
@@ -126,11 +156,11 @@ void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
 }
 
 void add_all(const Verdict& inner, const ImageComplex& image, const ReachAnswer& answer,
-             const PiecewiseLinearComplex& complex, Verdict& verdict) {
+             const CellsOfDomain& domain, Verdict& verdict) {
   std::map<Rule, std::size_t> kept;
   for (const Violation& violation : inner.violations()) {
     ++kept[violation.rule];
-    verdict.add(violation.rule, translated(violation.witness, image, answer, complex),
+    verdict.add(violation.rule, translated(violation.witness, image, answer, domain),
                 inner.tallies().at(violation.rule).worst_margin);
   }
   for (const auto& [rule, tally] : inner.tallies()) {
@@ -143,13 +173,13 @@ void add_all(const Verdict& inner, const ImageComplex& image, const ReachAnswer&
 }
 
 tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh,
-                                              const std::vector<bool>& used, const Cells& cells,
-                                              const Regions& regions, const ReachAnswer& answer,
-                                              const Options& options,
+                                              const std::vector<bool>& used,
+                                              const CellsOfDomain& domain,
+                                              const ReachAnswer& answer, const Options& options,
                                               const fast::SimplexFacts* known) {
   Verdict verdict(claim, mesh, options.max_violations);
   verdict.within = Within{.squared_reach = answer.squared_reach};
-  const auto image = image_complex(answer.images, answer.moved, mesh, cells, regions);
+  const auto image = image_complex(answer.images, answer.moved, mesh, domain.cells, domain.regions);
   if (!image) {
     verdict.add(image.error().rule, image.error().witness);
     return verdict;
@@ -163,9 +193,9 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   }
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
-  const Verdict inner =
-      judge_domain(with_steiner_points(claim), mesh, image->domain, options, known);
-  add_all(inner, *image, answer, cells.complex(), verdict);
+  const Verdict inner = judge_domain(with_steiner_points(claim), mesh, image->domain, options,
+                                     known, &*image->regions);
+  add_all(inner, *image, answer, domain, verdict);
   return verdict;
 }
 
@@ -175,7 +205,8 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const Domain& domain,
                                               const Rational& squared_distance,
                                               const Options& options,
-                                              const fast::SimplexFacts* known, const Domain* flat) {
+                                              const fast::SimplexFacts* known, const Domain* flat,
+                                              const Markers& markers) {
   const auto exactly = [&] {
     Verdict verdict = judge_domain(claim, mesh, flat == nullptr ? domain : *flat, options, known);
     if (verdict.holds()) verdict.within = Within{};
@@ -183,24 +214,40 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
   };
   const bool is_empty = domain.complex.points.empty();
   // Of a large mesh of doubles it is known that its simplices are sound. If not, the exact claim says it.
-  if (known == nullptr || flat != nullptr || is_empty || domain.complex.kind == DomainKind::kHull) {
+  const bool is_hull = domain.complex.kind == DomainKind::kHull;
+  const bool is_bent_hull = is_hull && flat != nullptr;
+  if (known == nullptr || flat != nullptr || is_empty) {
     Verdict exact = exactly();
     if (exact.holds() || is_empty || is_unsound(exact)) return exact;
   } else {
     Verdict listed(claim, mesh, options.max_violations);
     if (!judge_listed_faces(mesh, domain.complex.ambient_dimension(), listed)) return exactly();
   }
-  if (domain.complex.kind == DomainKind::kHull) {
+  if (is_bent_hull) {
     return tl::unexpected(
-        NotJudged{"The claim does not hold exactly, and of a domain that is a convex hull no other "
-                  "distance is judged yet: give the domain with the polygons of its hull, as "
-                  "--domain-kind enclosed.",
+        NotJudged{"The claim does not hold exactly, and of a convex hull with joined polygons that "
+                  "are not in one plane no other distance is judged: leave out --merge-coplanar.",
                   false});
   }
-  const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
-  const Cells cells(domain.complex);
-  const Regions regions(domain.complex);
   const bool by_definition = options.by == By::kDefinition;
+  if (is_hull && by_definition && domain.complex.points.size() > kMostPointsByDefinition) {
+    return tl::unexpected(
+        NotJudged{"By definition every plane through three vertices is tried for a face of the "
+                  "convex hull, and here there are too many: judge by lemma.",
+                  false});
+  }
+  std::optional<PiecewiseLinearComplex> walled;
+  if (is_hull) {
+    const PointSet& points = domain.complex.points;
+    const bool is_full = points.dimension() == static_cast<int>(points.ambient_dimension());
+    std::vector<std::vector<Vertex>> faces;
+    if (is_full) faces = by_definition ? hull_faces_by_definition(points) : hull_faces(points);
+    walled = with_hull_walls(domain.complex, faces);
+  }
+  const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
+  const Cells cells(walled ? *walled : domain.complex, markers);
+  const Regions regions(cells.complex());
+  const CellsOfDomain all{domain, cells, regions, domain.complex.polygons.size()};
   if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
     return tl::unexpected(
         NotJudged{"By definition every set of triangles near a polygon is tried, and here there "
@@ -217,7 +264,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
   switch (answer.kind) {
     case ReachAnswer::Kind::kAmbiguous:
     case ReachAnswer::Kind::kOpen:
-      return tl::unexpected(not_judged(answer, mesh, domain));
+      return tl::unexpected(not_judged(answer, mesh, all));
     case ReachAnswer::Kind::kNone:
       break;
     case ReachAnswer::Kind::kFound:
@@ -226,10 +273,12 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
         exact.within = Within{};
         return exact;
       }
-      return judge_images(claim, mesh, used, cells, regions, answer, options, known);
+      return judge_images(claim, mesh, used, all, answer, options, known);
   }
   Verdict verdict(claim, mesh, options.max_violations);
-  for (const Violation& breach : answer.breaches) verdict.add(breach.rule, breach.witness);
+  for (const Violation& breach : answer.breaches) {
+    verdict.add(breach.rule, all.in_own_words(breach.witness));
+  }
   assert(!verdict.holds());
   verdict.beyond = squared_distance;
   return verdict;

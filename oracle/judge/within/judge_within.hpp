@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/judge/domain/judge_domain.hpp"
+#include "oracle/judge/within/cells.hpp"
 
 namespace circumspect::check {
 
@@ -22,12 +23,11 @@ struct NotJudged {
 // cells have no image. A mesh for which the claim holds as it stands is moved by 0.
 // `flat`: where polygons of the domain are joined that are not in one plane (nearly_coplanar.hpp), the domain of
 // which they were joined; the claim as it stands is about that one.
+// `markers`: which triangles of the mesh are to be the image of a polygon, where there is a choice.
 // Requires: as judge_domain; squared_distance >= 0.
-tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh,
-                                              const Domain& domain,
-                                              const Rational& squared_distance,
-                                              const Options& options = {},
-                                              const fast::SimplexFacts* known = nullptr,
-                                              const Domain* flat = nullptr);
+tl::expected<Verdict, NotJudged> judge_within(
+    Claim claim, const ExactMesh& mesh, const Domain& domain, const Rational& squared_distance,
+    const Options& options = {}, const fast::SimplexFacts* known = nullptr,
+    const Domain* flat = nullptr, const Markers& markers = {});
 
 }  // namespace circumspect::check

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "oracle/judge/within/hull_faces.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 
 namespace circumspect::check {
@@ -180,6 +182,71 @@ TEST_CASE(
   CHECK(both_answers(boxes) == "holds 3");
 }
 
+TEST_CASE("within: markers say which facets are a polygon, where there is a choice") {
+  // Two cubes with a wall between them, and a flat tetrahedron in the wall. From above a vertex is near, which
+  // sees two of its facets inside their circumballs.
+  const std::vector<int> two = {0, 4, 8};
+  PiecewiseLinearInput input =
+      cells_domain({0, 4}, {0, 4}, two, every_cell, [](std::size_t) { return true; });
+  input.points.push_back({2, 2, 5});
+  const Domain domain = domain_of(input);
+  ExactMesh mesh = grid({0, 4}, {0, 4}, {0, 4}, every_cell);
+  std::vector<Point> points = mesh.points.points();
+  for (const Point& p : std::vector<Point>{{0, 0, 8}, {4, 0, 8}, {0, 4, 8}, {4, 4, 8}, {2, 2, 5}}) {
+    points.push_back(p);
+  }
+  mesh = with_points(mesh, points);
+  const auto at = [&](int x, int y, int z) { return vertex_at(mesh.points, {x, y, z}); };
+  const Vertex low[] = {at(0, 0, 4), at(4, 0, 4), at(4, 4, 4), at(0, 4, 4)};
+  const Vertex high[] = {at(0, 0, 8), at(4, 0, 8), at(4, 4, 8), at(0, 4, 8)};
+  const std::vector<Simplex> upper_facets = {sorted({low[0], low[1], low[3]}),
+                                             sorted({low[1], low[2], low[3]})};
+  std::vector<Simplex> boundary = upper_facets;
+  boundary.push_back({high[0], high[1], high[2]});
+  boundary.push_back({high[0], high[2], high[3]});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    // Diagonals that a vertex of the wall does not end that is moved down.
+    const std::size_t end = i % 2 == 0 ? j : i, other = i % 2 == 0 ? i : j;
+    boundary.push_back({low[end], high[end], high[other]});
+    boundary.push_back({low[end], low[other], high[other]});
+  }
+  for (Simplex triangle : boundary) {
+    triangle.push_back(at(2, 2, 5));
+    mesh.simplices.push_back(triangle);
+  }
+  mesh.simplices.push_back({low[0], low[1], low[2], low[3]});
+  mesh = moved_vertex(mesh, {0, 0, 4}, {0, 0, -bits(3)});
+  mesh = moved_vertex(mesh, {4, 4, 4}, {0, 0, -bits(3)});
+  Markers markers;
+  for (const Polygon& polygon : domain.complex.polygons) {
+    const bool is_wall = std::all_of(polygon.vertices.begin(), polygon.vertices.end(),
+                                     [&](Vertex v) { return domain.complex.points[v][2] == 4; });
+    markers.of_polygons.push_back(is_wall ? 5 : 0);
+  }
+  const auto not_local = [&] {
+    const auto verdict = judge_within(Claim::kSteinerCdt, mesh, domain, kSquaredLimit, {}, nullptr,
+                                      nullptr, markers);
+    REQUIRE(verdict);
+    return verdict->tallies().contains(Rule::kConstrainedFacetNotLocal)
+               ? verdict->tallies().at(Rule::kConstrainedFacetNotLocal).count
+               : 0;
+  };
+  const std::size_t lowest = not_local();
+  markers.of_triangles[upper_facets[0]] = 5;
+  CHECK(not_local() == lowest);  // one of them is no image
+  markers.of_triangles[upper_facets[1]] = 6;
+  CHECK(not_local() == lowest);
+  markers.of_triangles[upper_facets[1]] = 5;
+  CHECK(not_local() + 2 == lowest);
+  for (const std::size_t opposite : {std::size_t{1}, std::size_t{3}}) {
+    markers.of_triangles[sorted({low[0], low[2], low[opposite]})] = 5;
+  }
+  CHECK(not_local() == lowest);  // all four are no image
+  markers.of_polygons.assign(markers.of_polygons.size(), 0);
+  CHECK(not_local() == lowest);
+}
+
 TEST_CASE("within: a vertex near a segment that is not on it is free, whatever the distance") {
   const Domain square = square_with_steiner_points().domain;
   // A fan about a vertex 20 bits above the lower side.
@@ -311,13 +378,57 @@ TEST_CASE("within: holes and regions keep the side that they had") {
   CHECK(both_answers(ring) == "fails domain.outside");
 }
 
-TEST_CASE("within: a domain that is a convex hull is judged if the claim holds exactly") {
+TEST_CASE("within: a convex hull whose faces nobody lists") {
   PiecewiseLinearInput input = cuboid({0, 0, 0}, {4, 4, 4});
   input.kind = DomainKind::kHull;
-  MovedMesh box = {box_with_steiner_points().mesh, domain_of(input)};
-  CHECK(answer(box) == "holds 0");
-  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
-  CHECK(answer(box) == "not handled");
+  // All faces, none, and all but the floor and the edges that it alone has.
+  const std::vector<PolygonLines> faces = input.polygons;
+  for (const std::size_t count : {faces.size(), std::size_t{0}, faces.size() - 1}) {
+    input.polygons.assign(faces.end() - static_cast<std::ptrdiff_t>(count), faces.end());
+    MovedMesh box = {box_with_steiner_points().mesh, domain_of(input)};
+    CHECK(both_answers(box) == "holds 0");
+    box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+    CHECK(both_answers(box) == "holds 5");
+    box.mesh = moved_vertex(box.mesh, {4, 4, 4}, {bits(1), 0, 0});
+    box.mesh = moved_vertex(box.mesh, {4, 4, 0}, {-bits(1), 0, 0});
+    CHECK(both_answers(box) == "holds 5");
+    CHECK(answer(box, Claim::kPlcTriangulation) == "fails domain.steiner-forbidden");
+    CHECK(both_answers(box, bits(4)).starts_with("fails domain."));
+    box.mesh.simplices.erase(box.mesh.simplices.begin());
+    CHECK(both_answers(box).starts_with("fails domain."));
+  }
+}
+
+TEST_CASE("within: in the plane the points on an edge of a convex hull are on its boundary") {
+  PiecewiseLinearInput input;
+  input.points = {{0, 0}, {0, 2}, {0, 4}, {3, 4}, {4, 4}, {4, 1}, {4, 0}, {1, 0}, {1, 1}};
+  input.kind = DomainKind::kHull;
+  const Domain square = domain_of(input);
+  const auto lines = hull_faces(square.complex.points);
+  CHECK(lines == hull_faces_by_definition(square.complex.points));
+  CHECK(lines.size() == 4);
+  CHECK(with_hull_walls(square.complex, lines).segments.size() == 8);
+  MovedMesh moved = {
+      {square.complex.points,
+       {{0, 7, 8}, {7, 6, 8}, {6, 5, 8}, {5, 4, 8}, {4, 3, 8}, {3, 2, 8}, {2, 1, 8}, {1, 0, 8}}},
+      square};
+  CHECK(both_answers(moved) == "holds 0");
+  // A vertex rounded in, one out: their triangles are no hull any more.
+  moved.mesh = moved_vertex(moved.mesh, {4, 1}, {-bits(2), 0});
+  moved.mesh = moved_vertex(moved.mesh, {0, 2}, {-bits(1), 0});
+  CHECK(both_answers(moved) == "holds 2");
+  moved.mesh.simplices.pop_back();
+  CHECK(both_answers(moved).starts_with("fails domain."));
+}
+
+TEST_CASE("within: points on a line have a convex hull that fills nothing") {
+  PiecewiseLinearInput input;
+  input.points = {{0, 0}, {4, 0}};
+  input.segments = {{0, 1}};
+  input.kind = DomainKind::kHull;
+  ExactMesh mesh{PointSet({{0, 0}, {2, bits(1)}, {4, 0}}), {}};
+  mesh.faces = {{0, 1}, {1, 2}};
+  CHECK(both_answers({mesh, domain_of(input)}) == "holds 1");
 }
 
 }  // namespace circumspect::check

@@ -123,7 +123,7 @@ inline std::vector<int> refined(const std::vector<int>& values, bool refine) {
 }
 
 // Cells of a grid at random, all of its refinements, inner walls at random, slanted; in the plane also a ring
-// around a hole.
+// around a hole; or all cells, of whose walls some are handed in, as a convex hull.
 template <class Random>
 MovedMesh random_mesh(Random& random, std::size_t dimension) {
   const auto chance = [&] { return random() % 2 == 0; };
@@ -134,9 +134,10 @@ MovedMesh random_mesh(Random& random, std::size_t dimension) {
   const unsigned long without = random() % 6;
   const bool ring = dimension == 2 && random() % 4 == 0;
   if (ring) xs = ys = {0, 4, 8, 12};
+  const bool hull = !ring && random() % 4 == 0;
   const auto keep = [&](std::size_t i, std::size_t j, std::size_t) {
     if (ring) return i != 1 || j != 1;
-    return xs.size() == 2 || ys.size() == 2 || i + 2 * j != without;
+    return hull || xs.size() == 2 || ys.size() == 2 || i + 2 * j != without;
   };
   const bool fine_x = chance(), fine_y = chance(), fine_z = chance();
   const unsigned long walls = random();
@@ -144,6 +145,14 @@ MovedMesh random_mesh(Random& random, std::size_t dimension) {
   auto input =
       cells_domain(xs, ys, zs, keep, [&](std::size_t n) { return (walls >> (n % 32)) % 2 == 1; });
   if (ring) input.hole_seeds = {{6, 6}};
+  if (hull) {  // some of its walls, others are to be found
+    input.kind = DomainKind::kHull;
+    const auto drop = [&](auto& list) {
+      std::erase_if(list, [&](const auto&) { return random() % 3 > 0; });
+    };
+    drop(input.segments);
+    drop(input.polygons);
+  }
   const auto keep_fine = [&](std::size_t i, std::size_t j, std::size_t k) {
     return keep(fine_x ? i / 2 : i, fine_y ? j / 2 : j, k);
   };

@@ -1,10 +1,10 @@
 // The image of a polygon: docs/theory/within.md, 3.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 #include "oracle/judge/within/images.hpp"
+#include "oracle/judge/within/seen_from_above.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 
 namespace circumspect::check {
@@ -27,123 +27,6 @@ Vertex apex(const Simplex& triangle, const Edge& edge) {
   return -1;
 }
 Edge reverse(const Edge& edge) { return {edge.second, edge.first}; }
-
-}  // namespace
-
-Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon) {
-  const Simplex& t = complex.polygons[polygon].triangles.front();
-  Point normal = cross(complex.points[t[1]] - complex.points[t[0]],
-                       complex.points[t[2]] - complex.points[t[0]]);
-  const auto first =
-      std::find_if(normal.begin(), normal.end(), [](const Rational& x) { return sign(x) != 0; });
-  return sign(*first) > 0 ? normal : Rational(-1) * normal;
-}
-
-namespace {
-
-using Direction = std::array<double, 3>;
-
-Direction difference(const RoundedPoint& a, const RoundedPoint& b) {
-  return {a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]};
-}
-double largest(const Direction& d) {
-  return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-}
-Direction cross(const Direction& a, const Direction& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// Which triangles are counterclockwise seen from above a polygon. Doubles decide where they can.
-class SeenFromAbove {
- public:
-  SeenFromAbove(const PiecewiseLinearComplex& complex,
-                const std::vector<RoundedPoint>& rounded_domain, std::size_t polygon,
-                const PointSet& points, const std::vector<RoundedPoint>& rounded)
-      : complex_(complex), polygon_(polygon), points_(points), rounded_(rounded) {
-    const Simplex& t = complex.polygons[polygon].triangles.front();
-    const auto at = [&](std::size_t place) -> const RoundedPoint& {
-      return rounded_domain[static_cast<std::size_t>(t[place])];
-    };
-    const Direction u = difference(at(1), at(0)), v = difference(at(2), at(0));
-    normal_ = cross(u, v);
-    size_ = largest(u) * largest(v);
-    is_double_ = at(0).error == 0 && at(1).error == 0 && at(2).error == 0;
-    // A sum of two products of differences is off by at most 2·(2 + 1 + 1)u of what each may be.
-    is_double_ = is_double_ && size_ <= kLarge;
-    if (is_double_ && std::abs(normal_[0]) > 2e-15 * size_ + kVanishing) {
-      is_reversed_ = normal_[0] < 0;
-    } else {
-      is_reversed_ = inner_product(plain_normal(), exact_normal()) < 0;
-    }
-    if (is_reversed_) {
-      for (double& x : normal_) x = -x;
-    }
-  }
-
-  // Of the domain's own: positive if its vertices are in that order.
-  Simplex own(Simplex triangle) const {
-    if (triangle == complex_.polygons[polygon_].triangles.front()) {
-      if (is_reversed_) std::swap(triangle[1], triangle[2]);
-      return triangle;
-    }
-    const int side = turn(complex_.points, exact_normal(), triangle);
-    return turned(std::move(triangle), side);
-  }
-  Simplex counterclockwise(const Simplex& triangle) const {
-    return turned(triangle, turn(triangle));
-  }
-
-  // Positive if the triangle of the mesh is counterclockwise. The determinant is a sum of 12 products of four
-  // differences; with all roundings each is off by less than 12u of what it may be.
-  int turn(const Simplex& t) const {
-    const RoundedPoint& a = rounded_[static_cast<std::size_t>(t[0])];
-    const RoundedPoint& b = rounded_[static_cast<std::size_t>(t[1])];
-    const RoundedPoint& c = rounded_[static_cast<std::size_t>(t[2])];
-    if (is_double_ && a.error == 0 && b.error == 0 && c.error == 0) {
-      const Direction v = difference(b, a), w = difference(c, a);
-      const double size = largest(v) * largest(w);
-      const Direction across = cross(v, w);
-      const double found = normal_[0] * across[0] + normal_[1] * across[1] + normal_[2] * across[2];
-      const double bound = 2e-14 * size_ * size + kVanishing;
-      if (size <= kLarge && std::abs(found) > bound) return found > 0 ? 1 : -1;
-    }
-    return turn(points_, exact_normal(), t);
-  }
-
-  const Point& exact_normal() const {
-    if (exact_normal_.empty()) exact_normal_ = normal_of(complex_, polygon_);
-    return exact_normal_;
-  }
-
- private:
-  // More than what products that vanish leave out, if other factors are no larger than that.
-  static constexpr double kVanishing = 1e-200;
-  static constexpr double kLarge = 1e120;
-
-  static int turn(const PointSet& points, const Point& normal, const Simplex& t) {
-    return sign(inner_product(normal, circumspect::check::cross(points[t[1]] - points[t[0]],
-                                                                points[t[2]] - points[t[0]])));
-  }
-  static Simplex turned(Simplex triangle, int turn) {
-    if (turn < 0) std::swap(triangle[1], triangle[2]);
-    return triangle;
-  }
-  Point plain_normal() const {
-    const Simplex& t = complex_.polygons[polygon_].triangles.front();
-    return circumspect::check::cross(complex_.points[t[1]] - complex_.points[t[0]],
-                                     complex_.points[t[2]] - complex_.points[t[0]]);
-  }
-
-  const PiecewiseLinearComplex& complex_;
-  std::size_t polygon_;
-  const PointSet& points_;
-  const std::vector<RoundedPoint>& rounded_;
-  Direction normal_;
-  double size_;
-  bool is_double_;
-  bool is_reversed_;
-  mutable Point exact_normal_;
-};
 
 // Finds the image of one polygon: from the paths of its segments, on the sides on which the polygon
 // lies, across all other edges. Where several triangles are on one side of an edge, there is something
@@ -187,6 +70,13 @@ class PatchSearch {
     for (const Edge& edge : edges(candidates_.back())) {
       at_[edge].push_back(candidates_.size() - 1);
     }
+  }
+
+  // All candidates, if they are an image: then there is nothing to choose. Else something else or nothing.
+  ImageOr<Patch> all(const std::vector<Vertex>& must_have) {
+    lowest_.assign(own_.size(), false);
+    choices_.clear();
+    return flooded(must_have);
   }
 
   // Which of several triangles beside an edge: the lowest, as seen with the normal upwards, if what is
@@ -375,51 +265,55 @@ class PatchSearch {
 
 }  // namespace
 
-// The triangle that is the polygon, if the only vertices near it are where its own three are.
-std::optional<Simplex> Images::whole_triangle(std::size_t polygon) const {
-  const Polygon& own = cells_.complex().polygons[polygon];
-  if (own.triangles.size() != 1 || reaches_.near({2, polygon}).size() != 3) return std::nullopt;
-  Simplex triangle;
-  for (const Vertex v : own.triangles.front()) {
-    const auto& near = reaches_.near({0, static_cast<std::size_t>(v)});
-    if (near.empty() || sign(near.front().squared) != 0) return std::nullopt;
-    triangle.push_back(near.front().vertex);
-  }
-  const auto& found = faces_.triangles_near(polygon);
-  if (!std::binary_search(found.begin(), found.end(), sorted(triangle))) return std::nullopt;
-  return triangle;
-}
-
 ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_reach) const {
   const PiecewiseLinearComplex& complex = cells_.complex();
   const Cell cell = {2, polygon};
   const SeenFromAbove seen(complex, rounded_domain_, polygon, mesh_.points, rounded_);
-  if (const auto triangle = whole_triangle(polygon)) {
-    return Patch{{seen.counterclockwise(*triangle)},
-                 {seen.own(complex.polygons[polygon].triangles.front())}};
+  // Where only the images of its three vertices are near a triangle, theirs is its image or nothing is.
+  if (complex.polygons[polygon].triangles.size() == 1 && reaches_.near(cell).size() == 3) {
+    const Simplex own = seen.own(complex.polygons[polygon].triangles.front());
+    Simplex triangle;
+    for (const Vertex v : own) {
+      triangle.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));
+    }
+    const auto& faces = faces_.triangles_near(polygon);
+    if (std::binary_search(faces.begin(), faces.end(), sorted(triangle)) &&
+        seen.turn(triangle) > 0) {
+      return Patch{{triangle}, {own}};
+    }
   }
-  PatchSearch search(mesh_.points, rounded_, complex.polygons[polygon], polygon, seen,
-                     upper_square_root(squared_reach));
   std::vector<Vertex> must_have;
   for (const Vertex v : complex.polygons[polygon].vertices) {
     must_have.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));
   }
-  for (const std::size_t s : cells_.segments_of(polygon)) {
-    search.add_path(complex.segments[s], *path(s, squared_reach));
-  }
   std::map<Vertex, bool> is_carried;
   for (const Reaches::ToVertex& near : reaches_.near(cell)) {
-    if (near.squared > squared_reach) break;
+    if (near.squared() > squared_reach) break;
     const Carrier carrier = reaches_.carrier(near.vertex, squared_reach);
     if (!carrier.is_one() || !cells_.is_in_closure(*carrier.cell, cell)) continue;
     is_carried[near.vertex] = true;
     if (*carrier.cell == cell) must_have.push_back(near.vertex);
   }
+  std::vector<Simplex> candidates, named;
   for (const Simplex& triangle : faces_.triangles_near(polygon)) {
-    if (std::all_of(triangle.begin(), triangle.end(),
-                    [&](Vertex v) { return is_carried.contains(v); })) {
-      search.add_candidate(triangle);
+    const bool is_candidate = std::all_of(triangle.begin(), triangle.end(),
+                                          [&](Vertex v) { return is_carried.contains(v); });
+    if (!is_candidate) continue;
+    candidates.push_back(triangle);
+    if (cells_.is_marked(triangle, polygon)) named.push_back(triangle);
+  }
+  const auto search_among = [&](const std::vector<Simplex>& triangles) {
+    PatchSearch search(mesh_.points, rounded_, complex.polygons[polygon], polygon, seen,
+                       upper_square_root(squared_reach));
+    for (const std::size_t s : cells_.segments_of(polygon)) {
+      search.add_path(complex.segments[s], *path(s, squared_reach));
     }
+    for (const Simplex& triangle : triangles) search.add_candidate(triangle);
+    return search;
+  };
+  if (!named.empty()) {
+    auto patch = search_among(named).all(must_have);
+    if (patch && patch->triangles.size() == named.size()) return patch;
   }
   const auto is_flat_above = [&](const Simplex& own) {
     const OrientedFacet down = OrientedFacet::of(own);  // counterclockwise: its front is below
@@ -427,7 +321,7 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
     const bool above = regions_.where(regions_.in_front_of(down.reverse())) == Where::kInside;
     return above == below || above;
   };
-  return search.found(must_have, is_flat_above);
+  return search_among(candidates).found(must_have, is_flat_above);
 }
 
 }  // namespace circumspect::check

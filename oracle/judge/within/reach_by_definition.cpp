@@ -214,7 +214,14 @@ class Definition {
     return path;
   }
 
-  // Of all sets of triangles that are images the one that leaves what is flat on the right side.
+  // Those that the program lists with the marker of the polygon.
+  std::vector<Simplex> named_triangles(std::size_t p) const {
+    std::vector<Simplex> named = candidates(p);
+    std::erase_if(named, [&](const Simplex& t) { return !cells_.is_marked(t, p); });
+    return named;
+  }
+
+  // Those that are named, if they are an image. Of all sets of triangles that are images the one that leaves what is flat on the right side.
   std::optional<Patch> patch_of(std::size_t p, const ImageSet& set) const {
     const Polygon& polygon = complex_.polygons[p];
     const Point normal = normal_of(complex_, p);
@@ -231,6 +238,16 @@ class Definition {
       }
     }
     const Chain boundary = boundary_of(p, own, set);
+    if (const auto named = named_triangles(p); !named.empty()) {
+      std::vector<Simplex> some;
+      for (const Simplex& t : named) some.push_back(upwards(mesh_.points, t));
+      const bool is_flat = std::any_of(some.begin(), some.end(), [&](const Simplex& t) {
+        return sign(area(normal, coordinates(mesh_.points, t))) == 0;
+      });
+      if (!is_flat && is_image(p, normal, some, boundary, set)) {
+        return Patch{some, std::vector<Simplex>(some.size(), own.front())};
+      }
+    }
     const OrientedFacet down = OrientedFacet::of(own.front());
     const bool below = regions_.where(regions_.in_front_of(down)) == Where::kInside;
     const bool above = regions_.where(regions_.in_front_of(down.reverse())) == Where::kInside;

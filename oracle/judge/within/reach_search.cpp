@@ -23,7 +23,13 @@ class ReachSearch {
         reaches_(mesh, used, cells, pieces, limit_, threads),
         faces_(mesh, cells, reaches_),
         images_(mesh, cells, regions, reaches_, faces_),
-        has_none_(all_.size(), false) {}
+        has_none_(all_.size(), false) {
+    // Nothing less will do: each vertex of the domain carries one of the mesh.
+    for (std::size_t v = 0; v < cells.complex().points.size(); ++v) {
+      const auto& near = reaches_.near({0, v});
+      if (!near.empty()) squared_ = std::max(squared_, near.front().squared());
+    }
+  }
 
   ReachAnswer answer() {
     while (!answer_) step();

@@ -142,13 +142,14 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
   fast::in_chunks(of_.size(), kChunk, threads, in_chunk);
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     for (const ToCell& to : of(v)) {
-      near_[static_cast<std::size_t>(to.cell.dimension)][to.cell.place].push_back({to.squared, v});
+      near_[static_cast<std::size_t>(to.cell.dimension)][to.cell.place].push_back({&to.squared, v});
     }
   }
   for (auto& of_dimension : near_) {
     for (std::vector<ToVertex>& vertices : of_dimension) {
-      std::stable_sort(vertices.begin(), vertices.end(),
-                       [](const ToVertex& a, const ToVertex& b) { return a.squared < b.squared; });
+      std::stable_sort(vertices.begin(), vertices.end(), [](const ToVertex& a, const ToVertex& b) {
+        return a.squared() < b.squared();
+      });
     }
   }
 }

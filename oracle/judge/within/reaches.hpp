@@ -59,9 +59,13 @@ class Reaches {
   Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
           const DomainPieces& pieces, const Rational& squared_limit, unsigned threads);
 
+  Reaches(const Reaches&) = delete;
+  Reaches& operator=(const Reaches&) = delete;
+
   struct ToVertex {
-    Rational squared;
+    const Rational* distance;  // its square, as `of` has it
     Vertex vertex;
+    const Rational& squared() const { return *distance; }
   };
 
   // See DomainPieces::near.

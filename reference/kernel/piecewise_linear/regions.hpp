@@ -115,6 +115,13 @@ class Regions {
   // in the hull kind all of them.
   const std::vector<std::size_t>& ignored_seeds() const { return ignored_seeds_; }
 
+  // The same, of which some bounded regions are holes.
+  Regions with_holes(const std::vector<std::size_t>& regions) const {
+    Regions other = *this;
+    for (const std::size_t region : regions) other.where_[region] = Where::kHole;
+    return other;
+  }
+
   const WallSet& walls() const { return *walls_; }
   const NearbyCells& cells() const { return *cells_; }
 

@@ -1,0 +1,75 @@
+#include "oracle/judge/within/hull_walls.hpp"
+
+#include <random>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/within/hull_faces.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
+
+namespace circumspect::check {
+
+TEST_CASE("a convex hull with a polygon in a face, and one across a face") {
+  // The floor has a square in it, from which a segment leads to its boundary; a wall stands on the square.
+  PiecewiseLinearInput input = cuboid({0, 0, 0}, {8, 8, 8});
+  input.polygons.clear();
+  input.kind = DomainKind::kHull;
+  for (const Point& point : std::vector<Point>{
+           {2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}, {2, 0, 0}, {2, 2, 2}, {4, 2, 2}}) {
+    input.points.push_back(point);
+  }
+  input.polygons = {{{{8, 9, 10, 11}}, {}}, {{{8, 9, 14, 13}}, {}}};
+  input.segments = {{8, 12}};
+  const PiecewiseLinearComplex hull = assemble(input);
+  const auto faces = hull_faces(hull.points);
+  CHECK(faces == hull_faces_by_definition(hull.points));
+  const PiecewiseLinearComplex walled = with_hull_walls(hull, faces);
+  // The floor about the square, and five more; the edges, one of them cut.
+  CHECK(walled.polygons.size() == 2 + 6);
+  CHECK(walled.segments.size() == hull.segments.size() + 13);
+  std::size_t with_slit = 0;
+  for (std::size_t p = 2; p < walled.polygons.size(); ++p) {
+    if (contains(walled.polygons[p].vertices, 8)) ++with_slit;
+  }
+  CHECK(with_slit == 1);
+  CHECK(Regions(walled).size() == 2);
+}
+
+TEST_CASE("the faces of a convex hull by going around it and by looking at all planes") {
+  std::mt19937_64 random(7);
+  for (int round = 0; round < 60; ++round) {
+    const std::size_t dimension = round % 3 == 0 ? 2 : 3;
+    // Few coordinates: many points of one plane; then many: few.
+    const unsigned long most = round % 2 == 0 ? 3 : 1000;
+    const bool has_decimals = round % 5 == 0;
+    std::set<Point> points;
+    for (std::size_t i = 0; i < 5 + random() % 12; ++i) {
+      Point point;
+      for (std::size_t axis = 0; axis < dimension; ++axis) {
+        point.emplace_back(static_cast<long>(random() % most));
+        if (has_decimals) point.back() /= 10;
+      }
+      points.insert(point);
+    }
+    // All but one nearly, or exactly, in one plane: what doubles do not decide.
+    if (round >= 40 && dimension == 3) {
+      std::set<Point> flat;
+      for (Point p : points) {
+        p[2] = 3 * p[0] + 7 * p[1];
+        p[2] += Rational(static_cast<long>(random() % 3), 1'000'000'000'000'000'000L);
+        p[2] /= 10;
+        if (round % 2 == 0) p[2] = exact_value(p[2].get_d());
+        flat.insert(p);
+      }
+      flat.insert({0, 0, 5000});
+      points = flat;
+    }
+    const PointSet set({points.begin(), points.end()});
+    if (set.dimension() < static_cast<int>(dimension)) continue;
+    CHECK(hull_faces(set) == hull_faces_by_definition(set));
+  }
+}
+
+}  // namespace circumspect::check

@@ -1,0 +1,42 @@
+// How triangles lie as seen along the normal of a polygon.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "oracle/judge/within/distance.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+
+namespace circumspect::check {
+
+// The normal of a polygon whose first coordinate that is not zero is positive. Above is where it points.
+Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon);
+
+// Which triangles are counterclockwise seen from above a polygon. Doubles decide where they can.
+class SeenFromAbove {
+ public:
+  // The points of the domain and of the mesh, and both rounded; all must outlive this.
+  SeenFromAbove(const PiecewiseLinearComplex& complex,
+                const std::vector<RoundedPoint>& rounded_domain, std::size_t polygon,
+                const PointSet& points, const std::vector<RoundedPoint>& rounded);
+
+  // A triangle of the polygon itself, counterclockwise.
+  Simplex own(Simplex triangle) const;
+  // Positive if the triangle of the mesh is counterclockwise, zero if it is seen as a line.
+  int turn(const Simplex& triangle) const;
+
+ private:
+  const Point& exact_normal() const;
+
+  const PiecewiseLinearComplex& complex_;
+  std::size_t polygon_;
+  const PointSet& points_;
+  const std::vector<RoundedPoint>& rounded_;
+  std::array<double, 3> normal_;
+  double size_;  // no product in the normal is larger
+  bool is_double_;
+  bool is_reversed_;  // is the normal not that of the polygon's first triangle?
+  mutable Point exact_normal_;
+};
+
+}  // namespace circumspect::check
