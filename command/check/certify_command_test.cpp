@@ -69,7 +69,7 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
                          "conforming-delaunay"});
   CHECK(holds.exit_code == 0);
   CHECK(begins_with(contents(meshes.cert),
-                    "circumspect-certificate 1 conforming-delaunay 2 enclosed\n"));
+                    "circumspect-certificate 1 conforming-delaunay 2 enclosed plc\n"));
   CHECK(has(contents(meshes.cert), "\nmarks 2\n"));
   const std::string chevron = meshes.write("chevron", kChevron, "2 3\n1 5 6 8\n2 6 7 8\n");
   const std::string outline = meshes.folder.write("chevron.poly", kChevronOutline);
@@ -81,7 +81,7 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
              "--claim", "steiner-triangulation"})
             .exit_code == 0);
   CHECK(begins_with(contents(meshes.cert),
-                    "circumspect-certificate 1 steiner-triangulation 2 hull\n"));
+                    "circumspect-certificate 1 steiner-triangulation 2 hull plc\n"));
 }
 
 TEST_CASE("certify: what has no certificate with a domain, and the answer says so") {
