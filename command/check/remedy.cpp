@@ -37,10 +37,11 @@ std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDoma
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
                                                       const check::Options& options,
-                                                      const Domain* flat) {
+                                                      const Domain* flat,
+                                                      const check::Markers& markers) {
   const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
   return check::judge_within(claim, exact(mesh), domain, distance.squared(domain.complex), options,
-                             known ? &*known : nullptr, flat);
+                             known ? &*known : nullptr, flat, markers);
 }
 
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,

@@ -14,11 +14,13 @@
 namespace circumspect::cli {
 
 // The verdict for the domain with its cells moved by no more than `distance`. `flat`: if some polygons of the
-// domain are not flat, the domain of which these were joined. Requires: no equal points.
+// domain are not flat, the domain of which these were joined. `markers`: of the mesh and of this domain.
+// Requires: no equal points.
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
                                                       const check::Options& options,
-                                                      const Domain* flat = nullptr);
+                                                      const Domain* flat = nullptr,
+                                                      const check::Markers& markers = {});
 
 // Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not what is missing.
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
