@@ -16,8 +16,10 @@ FUZZ_TARGETS := $(wildcard fuzz/targets/*_fuzz.cpp)
 SOURCES      := python3 tidy/tidy.py --list '*.hpp' '*.cpp'
 export PYTHONDONTWRITEBYTECODE := 1
 
-# The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise.
+# The same random inputs on every run of `make test`, unless RC_PARAMS=... says otherwise: a third of those that
+# a property names. `make soak` tries all of them, round after round.
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
+TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),3)
 
 .PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-builds test-release \
         test-sanitize build-release build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
@@ -84,7 +86,7 @@ proofs: deps-proofs
 check: test-style
 	@mkdir -p build
 	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON >build/check.log || { cat build/check.log; exit 1; }
-	@RC_PARAMS="$(TEST_RC_PARAMS)" python3 tidy/check.py build/release --jobs $(JOBS)
+	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) python3 tidy/check.py build/release --jobs $(JOBS)
 
 # The proofs are compiled beside the C++ sources: both have times at which they keep one processor waiting. What
 # only they need, and what only the tests run, is installed beside the compilers.
@@ -133,7 +135,7 @@ build-release build-sanitize: build-%:
 	@cmake --build --preset $* -j $(JOBS) $(if $(filter sanitize,$*),--target circumspect_tests)
 
 test-release test-sanitize: test-%: build-%
-	@RC_PARAMS="$(TEST_RC_PARAMS)" ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
+	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
 
 # Everything under the sanitizers, not only what handles bytes, arrays, threads and processes.
 soak-sanitize: deps-test

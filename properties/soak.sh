@@ -10,7 +10,7 @@
 # test of the one before has been started. When the time is up, the tests that are running are
 # stopped and count as cut off, neither passed nor failed; their cases so far count as cases.
 #
-# A property may insist that some kind of input occurs (`occurs` in inputs/run.hpp). That is a
+# A property may insist that some kind of input occurs (`occurs` in properties/arguments/run.hpp). That is a
 # fact about the fixed inputs of `make test`; CIRCUMSPECT_SOAK in the environment takes the question
 # back.
 #

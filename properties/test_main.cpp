@@ -1,3 +1,41 @@
-// The main function of every test executable.
+// The main function of every test executable, and how it runs properties.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
 #include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "properties/arguments/run.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+int one_input_in() {
+  const char* const asked = std::getenv("CIRCUMSPECT_ONE_INPUT_IN");
+  return std::max(1, asked != nullptr ? std::atoi(asked) : 1) * kOneInputIn;
+}
+
+}  // namespace
+
+bool holds(const std::string& description, int successes, const std::function<void()>& property) {
+  rc::detail::TestMetadata metadata;
+  metadata.id = description;
+  metadata.description = description;
+  rc::detail::TestParams params = rc::detail::configuration().testParams;
+  const int one_in = one_input_in();
+  params.maxSuccess = (successes + one_in - 1) / one_in;
+  const auto result = rc::detail::checkTestable(property, metadata, params);
+  if (result.template is<rc::detail::SuccessResult>()) return true;
+  std::cerr << description << "\n";
+  rc::detail::printResultMessage(result, std::cerr);
+  std::cerr << "\n";
+  return false;
+}
+
+bool occurs(std::size_t often, std::size_t at_least) {
+  return often >= at_least || kOneInputIn > 1 || std::getenv("CIRCUMSPECT_SOAK") != nullptr;
+}
+
+}  // namespace circumspect::properties

@@ -70,6 +70,9 @@ struct HeldAgainst {
   std::optional<BentDomain> bent = {};
 
   const Domain& judged() const { return bent ? bent->domain : loaded.domain; }
+  std::vector<Vertex> polygon_markers() const {
+    return bent ? std::vector<Vertex>() : loaded.file.polygon_markers;
+  }
 };
 
 // Says what a mesh was found to be.
@@ -169,7 +172,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       return;
     }
     auto judged = judged_within(*options.within, claim, mesh, domain.domain, options.check,
-                                against.bent ? &*against.bent : nullptr);
+                                against.bent ? &*against.bent : nullptr,
+                                {loaded->face_markers, against.polygon_markers()});
     if (!judged) {
       const auto& [reason, is_input_fault] = judged.error();
       output.error(is_input_fault ? ExitCode::kInputFault : ExitCode::kUndecided, "mesh", path,

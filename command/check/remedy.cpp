@@ -39,7 +39,8 @@ std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDoma
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
                                                       const check::Options& options,
-                                                      const BentDomain* bent) {
+                                                      const BentDomain* bent,
+                                                      const check::Markers& markers) {
   const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
@@ -47,7 +48,7 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
   const auto judged = [&] {
     return check::judge_within(claim, exact_mesh, bent != nullptr ? bent->domain : domain, squared,
                                options, known ? &*known : nullptr,
-                               bent != nullptr ? &domain : nullptr);
+                               bent != nullptr ? &domain : nullptr, markers);
   };
   auto verdict = judged();
   // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a

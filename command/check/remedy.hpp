@@ -14,11 +14,12 @@
 namespace circumspect::cli {
 
 // The verdict for the domain with its cells moved by no more than `distance`. `bent`: the domain with polygons joined
-// that are not flat, if it is that one. Requires: no equal points.
+// that are not flat, if it is that one. `markers`: of the mesh and of the domain that is judged. Requires: no equal points.
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
                                                       const Mesh& mesh, const Domain& domain,
                                                       const check::Options& options,
-                                                      const BentDomain* bent = nullptr);
+                                                      const BentDomain* bent = nullptr,
+                                                      const check::Markers& markers = {});
 
 // Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not what is missing.
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,

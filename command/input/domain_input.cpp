@@ -52,6 +52,20 @@ std::vector<std::string> names_of_joined(const Domain& domain,
   return names;
 }
 
+// That of all members, where they agree.
+std::vector<Vertex> markers_of_joined(const std::vector<Vertex>& markers,
+                                      const std::vector<std::vector<std::size_t>>& members) {
+  std::vector<Vertex> joined;
+  for (const std::vector<std::size_t>& some : members) {
+    if (markers.empty()) break;
+    const bool agree = std::all_of(some.begin(), some.end(), [&](std::size_t member) {
+      return markers[member] == markers[some.front()];
+    });
+    joined.push_back(agree ? markers[some.front()] : 0);
+  }
+  return joined;
+}
+
 // Which part of the plane or of space a mesh is held against.
 std::string filled_text(const DomainOptions& said, DomainKind kind, std::size_t dimension) {
   if (kind == DomainKind::kHull) return "hull, the convex hull";
@@ -150,6 +164,7 @@ LoadedDomain with_coplanar_joined(LoadedDomain loaded) {
   loaded.domain.complex = std::move(joined.complex);
   loaded.file.input = std::move(joined.input);
   loaded.file.polygon_lines = std::move(lines);
+  loaded.file.polygon_markers = markers_of_joined(loaded.file.polygon_markers, joined.members);
   loaded.bound_nothing = std::move(bound_nothing);
   return loaded;
 }

@@ -84,7 +84,7 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
     return tl::unexpected(fmt::format("{}: expected a .neigh file beside it, found none", path));
   }
   return LoadedMesh{path, std::move(file->mesh), std::move(file->points_name),
-                    std::move(file->notes)};
+                    std::move(file->notes), std::move(file->face_markers)};
 }
 
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {
@@ -100,7 +100,7 @@ std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Dupli
 
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates) {
   if (duplicates == Duplicates::kMerge) {
-    merge_equal_points(loaded.mesh);
+    if (!merge_equal_points(loaded.mesh).empty()) loaded.face_markers.clear();
     return "";
   }
   const std::vector<Duplicate> repeated = equal_points(loaded.mesh);

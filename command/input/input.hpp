@@ -43,6 +43,8 @@ struct LoadedMesh {
   Mesh mesh;
   std::string points_name = {};         // of the file with its points
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there
+  std::map<Simplex, Vertex> face_markers =
+      {};  // as MeshFile has them; none where points were merged
 };
 // Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
 // weights asked for and not there; neighbours asked for and not there. Equal points are left to

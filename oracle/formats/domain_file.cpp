@@ -92,7 +92,7 @@ Result<Vertex> place_of(const DomainFile& file, Vertex index, std::size_t line) 
   return tl::unexpected(FormatError{file.name, line, expected, std::to_string(index)});
 }
 
-void add_facet(DomainFile& file, PolygonLines facet, std::size_t line) {
+void add_facet(DomainFile& file, PolygonLines facet, std::size_t line, Vertex marker) {
   for (auto& corners : facet.lines) {
     std::vector<Vertex> distinct = without_repetitions(corners);
     if (distinct.size() < corners.size()) {
@@ -107,6 +107,7 @@ void add_facet(DomainFile& file, PolygonLines facet, std::size_t line) {
   }
   file.input.polygons.push_back(std::move(facet));
   file.polygon_lines.push_back(line);
+  file.polygon_markers.push_back(marker);
 }
 
 void add_segment(DomainFile& file, const Simplex& segment, std::size_t line) {
@@ -127,6 +128,7 @@ DomainFile with_duplicates_merged(DomainFile file) {
       PiecewiseLinearInput{{}, {}, {}, std::move(file.input.hole_seeds), file.input.kind};
   merged.segment_lines.clear();
   merged.polygon_lines.clear();
+  merged.polygon_markers.clear();
   for (std::size_t v = 0; v < place.size(); ++v) {
     const bool repeats = place[v] < 0;
     if (repeats) {
@@ -150,7 +152,8 @@ DomainFile with_duplicates_merged(DomainFile file) {
   }
   for (std::size_t i = 0; i < file.input.polygons.size(); ++i) {
     for (auto& line : file.input.polygons[i].lines) renumber(line);
-    add_facet(merged, std::move(file.input.polygons[i]), file.polygon_lines[i]);
+    add_facet(merged, std::move(file.input.polygons[i]), file.polygon_lines[i],
+              file.polygon_markers[i]);
   }
   return merged;
 }

@@ -25,6 +25,7 @@ struct DomainFile {
   std::vector<std::size_t> segment_lines =
       {};  // the line on which each segment stands, for messages
   std::vector<std::size_t> polygon_lines = {};  // the same for each polygon; 0: a binary file
+  std::vector<Vertex> polygon_markers = {};     // what the file says each is; 0: nothing
   std::string name = {};
   std::string points_name = {};  // the file of the points, if they are elsewhere
   std::vector<std::string> notes =
@@ -44,7 +45,7 @@ Result<Vertex> place_of(const DomainFile& file, Vertex index, std::size_t line);
 // Adds a facet of TetGen's: closed lines of three corners or more, segments of two and isolated
 // vertices of one. Consecutive corners that are equal say nothing new: they become one, which is
 // noted. What encloses no area becomes segments alone. Corners are places from 0.
-void add_facet(DomainFile& file, PolygonLines facet, std::size_t line);
+void add_facet(DomainFile& file, PolygonLines facet, std::size_t line, Vertex marker = 0);
 
 void add_segment(DomainFile& file, const Simplex& segment, std::size_t line);
 

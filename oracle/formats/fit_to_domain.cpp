@@ -159,6 +159,7 @@ Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>&
                        std::to_string(all.size()) + " cells have a label that is kept");
   mesh.simplices = IndexLists(std::move(simplices));
   leave_out_points(mesh, [&](Vertex v) { return left.contains(v) && !used.contains(v); });
+  file.face_markers.clear();  // of points that have other places now
   return {};
 }
 

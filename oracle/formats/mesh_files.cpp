@@ -124,16 +124,18 @@ Status read_neighbors(const std::string& path, const ListedSimplices& simplices,
 }
 
 // The triangles and edges beside an .ele file, as far as there are files of them.
-Status read_faces(const std::string& mesh, std::vector<Simplex>& faces) {
-  if (extension(mesh) != ".ele") return {};
+Status read_faces(const std::string& name, MeshFile& read) {
+  if (extension(name) != ".ele") return {};
   for (const auto& [beside, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
-    const std::string path = with_extension(mesh, beside);
+    const std::string path = with_extension(name, beside);
     if (!exists(path)) continue;
     const Result<Source> source = load(path);
     if (!source) return tl::unexpected(source.error());
     const Result<SimplexFile> file = read_face(*source, static_cast<std::size_t>(vertices));
     if (!file) return tl::unexpected(file.error());
+    std::vector<Simplex>& faces = read.mesh.faces;
     faces.insert(faces.end(), file->simplices.begin(), file->simplices.end());
+    add_markers(*file, read.mesh.first_index, read.face_markers);
   }
   return {};
 }
@@ -274,7 +276,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   mesh.simplices = IndexLists(std::move(simplices.simplices));
   if (request.with_faces) {
     mesh.faces = std::move(contents->faces);
-    if (Status read = read_faces(path, mesh.faces); !read) return tl::unexpected(read.error());
+    if (Status read = read_faces(path, file); !read) return tl::unexpected(read.error());
     count_from_zero(mesh.faces, mesh.first_index);
   }
   if (!request.kept_labels.empty()) {

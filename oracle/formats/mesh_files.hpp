@@ -2,6 +2,7 @@
 // x.1.node. Files are told apart by their extension, or by what they hold if that says nothing.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -85,6 +86,9 @@ struct MeshFile {
   // coordinates, plus one. Faces are, if they were asked for, those of .face and .edge files, of Medit's
   // and of JSON, without those that have as many vertices as a simplex of full dimension.
   Mesh mesh = {};
+  // Of the triangles of a .face file, by their vertices counted from 0, ascending; but not 0. None where points
+  // of another dimension were fitted to a domain.
+  std::map<Simplex, Vertex> face_markers = {};
   std::string points_name = {};  // of the files, for messages
   std::string mesh_name = {};
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there, a line each

@@ -45,6 +45,7 @@ class PolyReader {
   NumberReading reading_;
   DomainFile file_;
   std::size_t markers_ = 0;
+  Vertex marker_ = 0;  // of the facet that was read last
 };
 
 Status PolyReader::read_points(const PointsElsewhere& points_elsewhere) {
@@ -154,9 +155,11 @@ Result<PolyReader::Facet> PolyReader::facet() {
     counts[i] = *count;
   }
   if (counts[0] == 0) return lines().fail_at(0, "a facet of at least 1 polygon");
+  marker_ = 0;
   if (lines().size() > 2 && markers_ == 1) {
     const Result<Vertex> marker = lines().integer(2, "a marker");
     if (!marker) return tl::unexpected(marker.error());
+    marker_ = *marker;
   }
   if (lines().size() > 2 + markers_) {
     return lines().fail_at(2 + markers_,
@@ -187,9 +190,11 @@ Result<PolyReader::Facet> PolyReader::facet_of_one_polygon() {
   std::size_t column = 0;
   auto line = polygon(column);
   if (!line) return tl::unexpected(line.error());
+  marker_ = 0;
   if (markers_ == 1 && column < lines().size()) {
     const Result<Vertex> marker = lines().integer(column++, "a marker");
     if (!marker) return tl::unexpected(marker.error());
+    marker_ = *marker;
   }
   Status end = expect_end_of_line(
       column, counted(line->size(), "corner") + " and " + counted(markers_, "marker"));
@@ -208,7 +213,7 @@ Status PolyReader::read_facets(bool one_polygon_each) {
     const std::size_t line = lines().line();
     Result<Facet> read = one_polygon_each ? facet_of_one_polygon() : facet();
     if (!read) return tl::unexpected(read.error());
-    add_facet(file_, std::move(*read), line);
+    add_facet(file_, std::move(*read), line, marker_);
   }
   return {};
 }

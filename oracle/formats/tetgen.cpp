@@ -1,6 +1,7 @@
 #include "oracle/formats/tetgen.hpp"
 
 #include "oracle/formats/lines.hpp"
+#include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 
@@ -238,10 +239,20 @@ Result<SimplexFile> read_face(const Source& source, std::size_t vertices) {
         lines.integers(1 + vertices, lines.size() - 1 - vertices, "a marker or a tetrahedron");
     if (!rest) return tl::unexpected(rest.error());
     file.simplices.push_back(std::move(*simplex));
+    if (*markers == 1) file.labels.push_back(rest->front());
     file.lines.push_back(lines.line());
   }
   file.first_index = numbered.first_index();
   return file;
+}
+
+void add_markers(const SimplexFile& file, Vertex first_index, std::map<Simplex, Vertex>& markers) {
+  for (std::size_t i = 0; i < file.labels.size() && file.vertices_per_simplex == 3; ++i) {
+    if (file.labels[i] == 0) continue;
+    Simplex face = file.simplices[i];
+    for (Vertex& v : face) v = place_of_index(v, first_index);
+    markers.emplace(sorted(face), file.labels[i]);
+  }
 }
 
 void write_face(std::ostream& out, const SimplexFile& file) {

@@ -2,6 +2,7 @@
 // list.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -56,9 +57,12 @@ void write_ele(std::ostream& out, const SimplexFile& file);
 //
 // TetGen may append the tetrahedra beside each.
 
-// The `vertices` vertices of each, 3 or 2, as written. Markers and what TetGen appends must be
-// integers, as many on every line, and are otherwise ignored.
+// The `vertices` vertices of each, 3 or 2, as written; the markers are its labels. What TetGen appends must be
+// integers, as many on every line, and is otherwise ignored.
 Result<SimplexFile> read_face(const Source& source, std::size_t vertices);
+
+// Adds the markers of triangles to others, by their vertices counted from 0, ascending; but not 0.
+void add_markers(const SimplexFile& file, Vertex first_index, std::map<Simplex, Vertex>& markers);
 
 // Without markers. Requires: all simplices have one number of vertices.
 void write_face(std::ostream& out, const SimplexFile& file);
