@@ -1,7 +1,7 @@
 // The subcommands. Each adds itself to the command line and runs when it is chosen.
 #pragma once
 
-#include "command/output/exit_code.hpp"
+#include "command/output/output.hpp"
 
 namespace CLI {
 class App;

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "command/build/constructions.hpp"
 #include "command/build/mesh_output.hpp"
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"

@@ -14,7 +14,6 @@
 #include "command/campaign/campaign_options.hpp"
 #include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_report.hpp"
-#include "command/campaign/campaign_stop.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"

@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "command/options/domain_options.hpp"
-#include "fuzz/campaign/subject.hpp"
+#include "fuzz/campaign/outcome.hpp"
 #include "inputs/minimise.hpp"
 
 namespace CLI {

@@ -6,12 +6,14 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <signal.h>
 
-#include "command/output/exit_code.hpp"
+#include "command/output/output.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
+
 namespace {
 
 using campaign::Finding;
@@ -266,6 +268,28 @@ std::string campaign_annotations(const Result& result, const std::string& progra
                     for_annotation(on_lines(finding_text(finding)), "%\r\n"));
   }
   return lines;
+}
+
+// ---- Campaign stop ----
+
+namespace {
+
+std::atomic<bool> stop = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void set_stop(int) { stop = true; }
+
+}  // namespace
+
+const std::atomic<bool>& stop_flag() {
+  static const bool installed = [] {
+    struct sigaction action {};
+    action.sa_handler = set_stop;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    return sigaction(SIGINT, &action, nullptr) == 0 && sigaction(SIGTERM, &action, nullptr) == 0;
+  }();
+  static_cast<void>(installed);
+  return stop;
 }
 
 }  // namespace circumspect::cli

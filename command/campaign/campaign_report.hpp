@@ -1,6 +1,7 @@
 // What a campaign found, for people, for programs and for CI.
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "fuzz/campaign/campaign.hpp"
@@ -29,5 +30,12 @@ std::string campaign_annotations(const campaign::Result& result, const std::stri
 
 // How many cases were judged: neither skipped nor refused.
 std::size_t judged_cases(const campaign::Result& result);
+
+// ---- Campaign stop ----
+// Ctrl-C for commands that keep what they have.
+
+// Becomes true at the first SIGINT or SIGTERM; the next one ends the process. The handler is
+// installed by the first call.
+const std::atomic<bool>& stop_flag();
 
 }  // namespace circumspect::cli

@@ -8,7 +8,7 @@
 
 #include "command/campaign/campaign_inputs.hpp"
 #include "command/campaign/campaign_options.hpp"
-#include "command/campaign/campaign_stop.hpp"
+#include "command/campaign/campaign_report.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"

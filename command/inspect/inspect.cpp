@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "command/input/input.hpp"
-#include "command/inspect/inspect_counts.hpp"
 #include "command/inspect/inspect_domain.hpp"
 #include "command/inspect/inspect_simplex.hpp"
 #include "command/inspect/refutation_files.hpp"

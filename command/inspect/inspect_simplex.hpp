@@ -1,6 +1,7 @@
 // `inspect --simplex`: is one simplex Delaunay, or strongly Delaunay? Book: Section 4.2.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/report/json.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::cli {
 
@@ -23,5 +25,20 @@ struct SimplexAnswer {
 tl::expected<SimplexAnswer, std::string> inspect_simplex(const ExactMesh& mesh,
                                                          const std::vector<Duplicate>& repeated,
                                                          const std::string& vertices);
+
+// ---- Inspect counts ----
+// `inspect`: how many simplices the canonical Delaunay triangulation has, and how many it could have.
+// Book: Section 4.1 ("a triangulation of n vertices in R³ has at most …").
+
+struct SimplexCount {
+  int dimension;
+  std::size_t count;
+  // What no triangulation of as many points exceeds; known for three-dimensional sets.
+  std::optional<std::size_t> bound;
+};
+
+// One entry for each dimension from 1 to that of the triangulation of `points` points; of simplices that have
+// too many faces to list them (20,000,000, in high dimensions) only that of the last.
+std::vector<SimplexCount> simplex_counts(const Triangulation& triangulation, std::size_t points);
 
 }  // namespace circumspect::cli

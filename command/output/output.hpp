@@ -1,4 +1,4 @@
-// How subcommands speak: results on stdout, errors on stderr, files whole or not at all.
+// What the command answers to the shell.
 #pragma once
 
 #include <functional>
@@ -8,9 +8,27 @@
 #include <ostream>
 #include <string>
 
-#include "command/output/exit_code.hpp"
 #include "command/output/long_work.hpp"
 #include "oracle/report/json.hpp"
+
+namespace circumspect::cli {
+
+enum class ExitCode {
+  kHolds = 0,
+  kFails = 1,
+  kUsage = 2,
+  kInputFault = 3,
+  kUndecided = 4,
+  kInternalError = 5,
+};
+
+// Of several answers the worst, in the order 5, 2, 3, 1, 4, 0.
+ExitCode worse(ExitCode a, ExitCode b);
+
+}  // namespace circumspect::cli
+
+// ---- Output ----
+// How subcommands speak: results on stdout, errors on stderr, files whole or not at all.
 
 namespace CLI {
 class App;

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "fuzz/campaign/judge_mesh.hpp"
-#include "fuzz/campaign/replace_all.hpp"
+#include "fuzz/campaign/outcome.hpp"
 #include "fuzz/process/apart.hpp"
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/mesh_files.hpp"
