@@ -1,4 +1,4 @@
-// What a campaign found, for people, for programs and for CI.
+// What a campaign found, for people, for programs and for CI; and how it is stopped.
 #pragma once
 
 #include <atomic>
@@ -31,7 +31,7 @@ std::string campaign_annotations(const campaign::Result& result, const std::stri
 // How many cases were judged: neither skipped nor refused.
 std::size_t judged_cases(const campaign::Result& result);
 
-// ---- Campaign stop ----
+// ---- Stopping ----
 // Ctrl-C for commands that keep what they have.
 
 // Becomes true at the first SIGINT or SIGTERM; the next one ends the process. The handler is

@@ -1,4 +1,4 @@
-// `inspect --simplex`: is one simplex Delaunay, or strongly Delaunay? Book: Section 4.2.
+// What `inspect` says of a set of points: of one simplex, and of how many there are. Book: Section 4.2.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,8 @@ tl::expected<SimplexAnswer, std::string> inspect_simplex(const ExactMesh& mesh,
                                                          const std::vector<Duplicate>& repeated,
                                                          const std::string& vertices);
 
-// ---- Inspect counts ----
-// `inspect`: how many simplices the canonical Delaunay triangulation has, and how many it could have.
+// ---- Counts ----
+// How many simplices the canonical Delaunay triangulation has, and how many it could have.
 // Book: Section 4.1 ("a triangulation of n vertices in R³ has at most …").
 
 struct SimplexCount {

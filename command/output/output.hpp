@@ -1,4 +1,4 @@
-// What the command answers to the shell.
+// How subcommands speak: results on stdout, errors on stderr, files whole or not at all, and exit codes.
 #pragma once
 
 #include <functional>
@@ -13,6 +13,7 @@
 
 namespace circumspect::cli {
 
+// What the command answers to the shell.
 enum class ExitCode {
   kHolds = 0,
   kFails = 1,
@@ -26,9 +27,6 @@ enum class ExitCode {
 ExitCode worse(ExitCode a, ExitCode b);
 
 }  // namespace circumspect::cli
-
-// ---- Output ----
-// How subcommands speak: results on stdout, errors on stderr, files whole or not at all.
 
 namespace CLI {
 class App;

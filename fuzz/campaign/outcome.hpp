@@ -1,4 +1,4 @@
-// What became of one case: told apart by what a person would do about it.
+// The program under test, and what became of one case: told apart by what a person would do about it.
 #pragma once
 
 #include <optional>
@@ -55,8 +55,7 @@ bool is_finding(OutcomeKind kind);
 // "holds", "refused" … as statistics name it.
 std::string word(OutcomeKind kind);
 
-// ---- Subject ----
-// Parts of texts.
+// ---- Parts of texts ----
 
 // Puts `by` in place of every `part` of the text, from left to right; what was put there is not looked at again.
 // Requires: `part` is not empty.

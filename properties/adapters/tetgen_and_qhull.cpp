@@ -34,7 +34,7 @@ SimplexArray tetgen_delaunay(const PointArray& points) {
   return rows;
 }
 
-// ---- Qhull delaunay ----
+// ---- Qhull ----
 
 SimplexArray qhull_delaunay(const PointArray& points) {
   std::vector<double> coordinates = points.coordinates;  // Qhull takes them as its own
