@@ -96,8 +96,8 @@ std::vector<Vertex> matched(const PointsOfDoubles& a, const std::vector<Place>& 
   return place_in_b;
 }
 
-Cells cells_of(const Mesh& mesh) {
-  Cells cells;
+CellList cells_of(const Mesh& mesh) {
+  CellList cells;
   mesh.simplices.visit([&cells]<class Lists>(const Lists& lists) {
     if constexpr (std::is_same_v<Lists, std::vector<Simplex>>) {
       for (const Simplex& simplex : lists) cells.add(simplex);

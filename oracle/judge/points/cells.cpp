@@ -20,8 +20,8 @@ bool is_less(Key a, Key b) {
 
 bool is_equal(Key a, Key b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
 
-Cells sorted_keys(const Cells& cells) {
-  Cells keys;
+CellList sorted_keys(const CellList& cells) {
+  CellList keys;
   Simplex key;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     key.assign(cells[i].begin(), cells[i].end());
@@ -35,7 +35,7 @@ Cells sorted_keys(const Cells& cells) {
 // each of which is small in a mesh and sorted in any case.
 class Index {
  public:
-  Index(const Cells& cells, std::size_t points) : keys_(sorted_keys(cells)), starts_(points + 2) {
+  Index(const CellList& cells, std::size_t points) : keys_(sorted_keys(cells)), starts_(points + 2) {
     for (std::size_t i = 0; i < size(); ++i) ++starts_[bucket(keys_[i]) + 1];
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
@@ -83,7 +83,7 @@ class Index {
     return order_.begin() + static_cast<std::ptrdiff_t>(place);
   }
 
-  Cells keys_;
+  CellList keys_;
   std::vector<std::size_t> starts_;    // of each bucket, in order_
   std::vector<std::size_t> order_;     // cells
   std::vector<std::size_t> first_of_;  // for each cell a place in order_
@@ -103,7 +103,7 @@ void for_each_face(Key cell, std::size_t size, Simplex& face, const Visit& visit
 // Listed faces, and which of them are known to be faces of something.
 class Faces {
  public:
-  Faces(const Cells& faces, std::size_t points) : index_(faces, points), covered_(faces.size()) {
+  Faces(const CellList& faces, std::size_t points) : index_(faces, points), covered_(faces.size()) {
     for (std::size_t i = 0; i < faces.size(); ++i) sizes_.insert(faces[i].size());
   }
 
@@ -129,14 +129,14 @@ class Faces {
 
 }  // namespace
 
-void add_dangling(Cells& cells, const std::vector<Simplex>& faces, std::size_t points) {
+void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_t points) {
   if (faces.empty()) return;
   std::vector<std::size_t> largest_first(faces.size());
   std::iota(largest_first.begin(), largest_first.end(), std::size_t{0});
   std::stable_sort(
       largest_first.begin(), largest_first.end(),
       [&faces](std::size_t i, std::size_t j) { return faces[i].size() > faces[j].size(); });
-  Cells listed;
+  CellList listed;
   for (const std::size_t i : largest_first) listed.add(faces[i]);
   Faces known(listed, points);
   Simplex key;
@@ -152,7 +152,7 @@ void add_dangling(Cells& cells, const std::vector<Simplex>& faces, std::size_t p
   }
 }
 
-CellDifference difference_of_cells(const Cells& a, const Cells& b,
+CellDifference difference_of_cells(const CellList& a, const CellList& b,
                                    const std::vector<Vertex>& place_in_b, std::size_t points_of_b) {
   CellDifference result;
   const Index index(b, points_of_b);
@@ -216,8 +216,8 @@ std::vector<Vertex> matched(const PointSet& points, const std::map<WeightedPoint
 
 }  // namespace
 
-Cells cells_of(const ExactMesh& mesh) {
-  Cells cells;
+CellList cells_of(const ExactMesh& mesh) {
+  CellList cells;
   for (const Simplex& simplex : mesh.simplices) cells.add(simplex);
   add_dangling(cells, mesh.faces, mesh.points.size());
   return cells;

@@ -14,7 +14,7 @@ namespace circumspect::check {
 // The cells of a mesh, one after another in one piece of memory, and which of two meshes have the same: what
 // it is to compare meshes once their points are matched.
 
-class Cells {
+class CellList {
  public:
   std::size_t size() const { return ends_.size(); }
   std::span<const Vertex> operator[](std::size_t i) const {
@@ -39,7 +39,7 @@ class Cells {
 
 // Adds those of the faces that are faces of no cell that is there: they are in the complex by themselves. A
 // face that is listed twice, as from the two tetrahedra beside it, is one face. `points`: how many there are.
-void add_dangling(Cells& cells, const std::vector<Simplex>& faces, std::size_t points);
+void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_t points);
 
 // What one list has and the other has not, each in its order.
 struct CellDifference {
@@ -47,9 +47,9 @@ struct CellDifference {
   std::vector<Simplex> only_in_b = {};
 };
 
-// Cells as sets of vertices, each as often as it is listed. `place_in_b`: for each point of a the one of b that
+// CellList as sets of vertices, each as often as it is listed. `place_in_b`: for each point of a the one of b that
 // it is, or −1. A cell with a vertex that names no point, or one that is not in b, matches nothing.
-CellDifference difference_of_cells(const Cells& a, const Cells& b,
+CellDifference difference_of_cells(const CellList& a, const CellList& b,
                                    const std::vector<Vertex>& place_in_b, std::size_t points_of_b);
 
 // ---- Difference ----
@@ -72,7 +72,7 @@ struct Difference {
 };
 
 // The cells that are compared: the simplices, and the faces beside them that dangle.
-Cells cells_of(const ExactMesh& mesh);
+CellList cells_of(const ExactMesh& mesh);
 
 // Compares the simplices, and of the faces that a mesh lists beside them those that dangle: the others
 // say nothing new.
