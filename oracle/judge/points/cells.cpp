@@ -35,7 +35,8 @@ CellList sorted_keys(const CellList& cells) {
 // each of which is small in a mesh and sorted in any case.
 class Index {
  public:
-  Index(const CellList& cells, std::size_t points) : keys_(sorted_keys(cells)), starts_(points + 2) {
+  Index(const CellList& cells, std::size_t points)
+      : keys_(sorted_keys(cells)), starts_(points + 2) {
     for (std::size_t i = 0; i < size(); ++i) ++starts_[bucket(keys_[i]) + 1];
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);

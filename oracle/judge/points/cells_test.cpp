@@ -14,13 +14,13 @@ namespace circumspect::check {
 
 namespace {
 
-Cells cells_of_lists(const std::vector<Simplex>& lists) {
-  Cells cells;
+CellList cells_of_lists(const std::vector<Simplex>& lists) {
+  CellList cells;
   for (const Simplex& list : lists) cells.add(list);
   return cells;
 }
 
-std::vector<Simplex> lists_of(const Cells& cells) {
+std::vector<Simplex> lists_of(const CellList& cells) {
   std::vector<Simplex> lists;
   for (std::size_t i = 0; i < cells.size(); ++i)
     lists.emplace_back(cells[i].begin(), cells[i].end());
@@ -83,10 +83,10 @@ TEST_CASE("random lists: vertices that name nothing, cells listed twice, cells o
 }
 
 TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
-  Cells cells = cells_of_lists({{0, 1, 2, 3}});
+  CellList cells = cells_of_lists({{0, 1, 2, 3}});
   add_dangling(cells, {{4, 3}, {2, 1}, {3, 2, 1}, {3, 4, 5}, {5, 4}, {5, 4, 3}, {6, 5}, {5, 6}}, 7);
   CHECK(lists_of(cells) == std::vector<Simplex>{{0, 1, 2, 3}, {3, 4, 5}, {6, 5}});
-  Cells none;
+  CellList none;
   add_dangling(none, {{9, 1}, {1, 9}, {-3, 1}}, 2);
   CHECK(lists_of(none) == std::vector<Simplex>{{9, 1}, {-3, 1}});
 }
