@@ -1,40 +1,14 @@
+extern "C" {
+#include <libqhull_r/qhull_ra.h>
+}
+
 #include <cstdio>
 #include <stdexcept>
 #include <string>
 
-#include <libqhull_r/qhull_ra.h>
-#include <tetgen.h>
-
 #include "properties/adapters/adapters.hpp"
 
-#define TETLIBRARY  // so that its errors are exceptions
-
-extern "C" {}
-
 namespace circumspect::adapters {
-
-SimplexArray tetgen_delaunay(const PointArray& points) {
-  tetgenio in;
-  tetgenio out;
-  in.firstnumber = 0;
-  in.numberofpoints = static_cast<int>(points.size());
-  in.pointlist = new REAL[points.coordinates.size()];  // tetgenio deletes it
-  std::copy(points.coordinates.begin(), points.coordinates.end(), in.pointlist);
-  std::string switches = "Q";
-  try {
-    tetrahedralize(switches.data(), &in, &out);
-  } catch (const int code) {
-    throw std::runtime_error("TetGen ended with its error " + std::to_string(code));
-  }
-  SimplexArray rows;
-  for (int i = 0; i < out.numberoftetrahedra; ++i) {
-    const int* const corners = out.tetrahedronlist + 4 * i;
-    rows.emplace_back(corners, corners + 4);
-  }
-  return rows;
-}
-
-// ---- Qhull ----
 
 SimplexArray qhull_delaunay(const PointArray& points) {
   std::vector<double> coordinates = points.coordinates;  // Qhull takes them as its own
