@@ -79,7 +79,7 @@ class Action(unittest.TestCase):
         self.assertEqual([(one["file"], one["line"]) for one in self.matched()], [("x.node", "3")])
 
     def test_campaign(self):
-        self.assertEqual(self.act(RUN="campaign", ARGUMENTS="--cases 2 --jobs 1 --minimize-runs 20 --families integers "
+        self.assertEqual(self.act(RUN="campaign", ARGUMENTS="--cases 2 --jobs 1 --minimize-runs 20 --families integers --full-dimension "
                                   "-- false {points} {mesh}"), 1, self.said)
         self.assertRegex(self.said, "(?m)^::error file=")
         self.assertIn("<failure", self.report("junit.xml"))

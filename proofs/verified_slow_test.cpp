@@ -102,7 +102,7 @@ TEST_CASE("verdicts on a thousand random and degenerate meshes, whole and broken
     for (const bool is_weighted : {false, true}) {
       CAPTURE(d);
       CAPTURE(is_weighted);
-      CHECK(properties::holds("what the oracle says is verified", 250, [&] {
+      CHECK(properties::holds("what the oracle says is verified", 750, [&] {
         const auto sets = generators::any_point_set(d, 12);
         const PointsCase set =
             is_weighted ? *generators::weighted(sets) : *generators::unweighted(sets);
@@ -124,8 +124,8 @@ TEST_CASE("verdicts on a thousand random and degenerate meshes, whole and broken
     }
   }
   MESSAGE(accepted << " certificates and " << refuted << " refutations of random meshes verified");
-  CHECK(accepted > 250);
-  CHECK(refuted > 250);
+  CHECK(properties::occurs(accepted, 500));
+  CHECK(properties::occurs(refuted, 300));
 }
 
 }  // namespace

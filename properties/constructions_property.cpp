@@ -222,7 +222,7 @@ TEST_CASE("the lexicographic triangulation is a triangulation (Sections 2.1, 4.1
   for (const std::size_t d : {1u, 2u, 3u, 4u}) {
     CAPTURE(d);
     std::size_t not_delaunay = 0;
-    CHECK(holds("lexicographic triangulation", d == 4 ? 30 : 120, [&] {
+    CHECK(holds("lexicographic triangulation", d == 4 ? 90 : 120, [&] {
       const PointSet points = any_set(d, d == 4 ? 8 : 11);
       const Triangulation triangulation = delaunay::lexicographic(points);
       const ExactMesh mesh{points, triangulation.simplices()};

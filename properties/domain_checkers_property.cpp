@@ -223,7 +223,7 @@ TEST_CASE("C1 lemma and definition agree on dangling polygons however they are c
 TEST_CASE("C1 lemma and definition agree on any triangulation of a complex in space") {
   std::map<Claim, std::size_t> hold;
   std::size_t others = 0;
-  CHECK(holds("both ways agree", 50, [&] {
+  CHECK(holds("both ways agree", 100, [&] {
     const ComplexCase one = *rc::gen::oneOf(any_protected_complex(8), generators::any_complex(7));
     const PiecewiseLinearComplex complex = one.complex();
     const auto cdt = cdt_of(complex);

@@ -35,7 +35,9 @@ bool holds(const std::string& description, int successes, const std::function<vo
 }
 
 bool occurs(std::size_t often, std::size_t at_least) {
-  return often >= at_least || kOneInputIn > 1 || std::getenv("CIRCUMSPECT_SOAK") != nullptr;
+  const auto one_in = static_cast<std::size_t>(one_input_in());
+  return often >= (at_least + one_in - 1) / one_in || kOneInputIn > 1 ||
+         std::getenv("CIRCUMSPECT_SOAK") != nullptr;
 }
 
 }  // namespace circumspect::properties

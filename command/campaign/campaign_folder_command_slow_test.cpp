@@ -47,7 +47,8 @@ TEST_CASE("campaign: whatever stands in the folder of findings, nobody's files a
 
 TEST_CASE("campaign: a verdict.json that somebody has changed harms no report") {
   const Program program("echo nonsense > \"$2\"\n");
-  const Arguments options = {"--cases", "1", "--families", "integers", "--minimize-runs", "1"};
+  const Arguments options = {"--cases",         "1", "--families", "integers", "--full-dimension",
+                             "--minimize-runs", "1"};
   CHECK(run(program.campaign(options)).exit_code == 1);
   const std::string verdict = program.output() + "/findings/unreadable-mesh/verdict.json";
   const std::string deep(100'000, '[');
@@ -75,11 +76,12 @@ TEST_CASE("campaign: a word that is also a file's name stays a word, and a path 
   const Program program("echo \"$3 $4\" >&2; cat \"$4\" >&2; exit 3\n");
   program.folder.write("i", "found");
   const std::string out = program.output("text");
-  const std::string line = "cd " + program.folder.path("") +
-                           " && " CIRCUMSPECT_COMMAND
-                           " campaign --cases 1 --families integers --limit-memory 0 "
-                           "--minimize-runs 1 -- ./program '{points}' '{mesh}' i ./i > " +
-                           out + " 2>&1";
+  const std::string line =
+      "cd " + program.folder.path("") +
+      " && " CIRCUMSPECT_COMMAND
+      " campaign --cases 1 --families integers --full-dimension --limit-memory 0 "
+      "--minimize-runs 1 -- ./program '{points}' '{mesh}' i ./i > " +
+      out + " 2>&1";
   CHECK(WEXITSTATUS(std::system(line.c_str())) == 1);
   CHECK(has(contents(out), "note: the argument i is given as it is; the file is ./i\n"));
   CHECK(has(contents(program.folder.path("campaign/findings/exit-code-3/said.txt")), "i "));
@@ -108,8 +110,8 @@ TEST_CASE(
   const Program program("kill -SEGV $$\n");
   const std::string report = program.output("report.sarif");
   const Run result =
-      run(program.campaign({"--cases", "1", "--families", "integers", "--minimize-runs", "1",
-                            "--sarif", report, "--annotations"},
+      run(program.campaign({"--cases", "1", "--families", "integers", "--full-dimension",
+                            "--minimize-runs", "1", "--sarif", report, "--annotations"},
                            "findings"));
   CHECK(result.exit_code == 1);
   const std::string found = program.output("findings") + "/crash-SIGSEGV";

@@ -30,7 +30,7 @@ inline constexpr int kOneInputIn = 1;
 // quarter of a second a property.
 bool holds(const std::string& description, int successes, const std::function<void()>& property);
 
-// Has a kind of input been drawn, often enough, that a property must not do without? The fixed inputs
+// Has a kind of input been drawn, often enough for all its inputs, that a property must not do without? The fixed inputs
 // of `make test` have all of them. A soak, which says so in its environment (CIRCUMSPECT_SOAK), draws new ones
 // each round, where a rare kind may well be missing once: it does not ask. Nor do the sanitizers, which see
 // fewer.
