@@ -33,7 +33,7 @@ TEST_CASE("campaign: a wrong program, a folder for each way in which it fails") 
   const std::string signature = *program.signatures().begin();
   CHECK(has(result.out, signature + ": "));
   const std::string minimal = program.finding(signature, "minimal.node");
-  CHECK(minimal.substr(0, minimal.find('\n')) == "5 3 0 0");
+  CHECK(minimal.substr(0, minimal.find('\n')) == "6 3 0 0");
   CHECK(begins_with(program.finding(signature, "README.txt"), signature + "\n"));
   const auto verdict = nlohmann::json::parse(program.finding(signature, "verdict.json"));
   CHECK(verdict["results"][0]["signature"] == signature);
@@ -285,9 +285,8 @@ TEST_CASE("campaign: stdin and stdout, other formats, JSON") {
 TEST_CASE("campaign: names and words of the program forge no line, and reproduce.sh is a script") {
   const Program program("printf 'error\\033[2J\\nholds: x\\n\\377'; echo nonsense > \"$2\"\n");
   const std::string mesh = "-c\nholds: $(touch forged)'\x1b[1m\xff.ele";
-  Arguments arguments =
-      program.campaign({"--cases", "1", "--families", "integers", "--full-dimension", "--mesh",
-                        mesh, "--junit", program.output("report.xml")});
+  Arguments arguments = program.campaign({"--cases", "1", "--families", "integers", "--seed", "1",
+                                          "--mesh", mesh, "--junit", program.output("report.xml")});
   const Run result = run(arguments);
   CHECK(result.exit_code == 1);
   const std::string shown = "-c\\x0aholds: $(touch forged)'\\x1b[1m\\xff.ele";
