@@ -47,8 +47,7 @@ TEST_CASE("campaign: whatever stands in the folder of findings, nobody's files a
 
 TEST_CASE("campaign: a verdict.json that somebody has changed harms no report") {
   const Program program("echo nonsense > \"$2\"\n");
-  const Arguments options = {"--cases",         "1", "--families", "integers", "--full-dimension",
-                             "--minimize-runs", "1"};
+  const Arguments options = {"--cases", "1", "--families", "integers", "--minimize-runs", "1"};
   CHECK(run(program.campaign(options)).exit_code == 1);
   REQUIRE(!program.signatures().empty());
   const std::string verdict =
