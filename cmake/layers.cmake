@@ -24,7 +24,7 @@ function(circumspect_layer name folder)
   endif()
 
   set(built_elsewhere OFF)
-  if(sources AND CIRCUMSPECT_VALUES_FROM AND folder MATCHES "^(reference|inputs|properties)(/|$)")
+  if(sources AND CIRCUMSPECT_VALUES_FROM AND folder MATCHES "${values_folders}")
     set(built_elsewhere ON)
     add_library(circumspect_${name} STATIC IMPORTED GLOBAL)
     set_target_properties(circumspect_${name} PROPERTIES
@@ -155,13 +155,14 @@ endfunction()
 # values: numbers, points and containers of them. `make soak-sanitize` has them look everywhere.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
 set(sanitized_folders "(oracle/(formats|report|picture|judge|judge/fast|judge/arrays)|c|fuzz/[a-z]+|corpus)")
+set(values_folders "^(reference|inputs|properties|oracle/certificate|oracle/judge/within)(/|$)")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)
 endif()
 # Nor does it compile what handles values alone once more: it links the archives of the release.
 set(CIRCUMSPECT_VALUES_FROM "" CACHE PATH
-    "A folder with another build's archives of reference/, inputs/ and properties/, which are linked instead of compiled")
+    "A folder with another build's archives of the folders that handle values alone: linked instead of compiled")
 if(CIRCUMSPECT_VALUES_FROM AND NOT sanitized_in_part)
   message(FATAL_ERROR "CIRCUMSPECT_VALUES_FROM is for the sanitizers of `make test`: without -fsanitize=, or with "
     "CIRCUMSPECT_SANITIZE_ALL, every layer is compiled. Configure with -DCIRCUMSPECT_VALUES_FROM= (empty).")

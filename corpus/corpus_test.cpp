@@ -1,5 +1,4 @@
-// Judges every mesh of the corpus from the lemmas, the small ones from the definitions too, and
-// holds expected.tsv and the files to each other.
+// Judges every mesh of the corpus from the lemmas, and holds expected.tsv and the files to each other.
 #include <filesystem>
 
 #include <doctest/doctest.h>
@@ -11,9 +10,6 @@ namespace circumspect::corpus {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A mesh with more simplices is judged from the definitions by the slow test beside this one.
-constexpr std::size_t kFewSimplices = 30;
 
 std::string rule_in_name(const Row& row) {
   const std::string file = fs::path(row.path).stem().string();
@@ -43,16 +39,6 @@ TEST_CASE("each mesh breaks exactly the rules that expected.tsv names, by lemma 
   for (const Row& row : expected_rows()) {
     INFO(row.text);
     CHECK(broken_rules(check::judge_points(row.claim, mesh_of(row), row.options)) == row.broken);
-  }
-}
-
-TEST_CASE("by definition, each small mesh holds or fails as expected.tsv says") {
-  for (Row row : expected_rows()) {
-    INFO(row.text);
-    const ExactMesh mesh = mesh_of(row);
-    if (mesh.simplices.size() > kFewSimplices) continue;
-    row.options.by = check::By::kDefinition;
-    CHECK(check::judge_points(row.claim, mesh, row.options).holds() == row.broken.empty());
   }
 }
 

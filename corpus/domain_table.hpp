@@ -94,4 +94,14 @@ inline ExactMesh mesh_with_faces(const std::string& path) {
   return exact(read_mesh_with_faces(path));
 }
 
+inline Verdict judge(const DomainRow& row) {
+  const ExactMesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
+  const Domain domain = domain_of(kDomainFolder + row.domain, row.kind);
+  if (!row.within) return check::judge_domain(row.claim, mesh, domain, row.options);
+  const Rational squared = *row.within * *row.within;
+  auto verdict = check::judge_within(row.claim, mesh, domain, squared, row.options);
+  if (!verdict) throw std::runtime_error(verdict.error().reason);
+  return std::move(*verdict);
+}
+
 }  // namespace circumspect::corpus

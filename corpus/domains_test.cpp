@@ -1,5 +1,5 @@
-// Judges every mesh of domains/ from the lemmas, the small ones from the definitions too, holds the
-// validity check to invalid.tsv, and holds both tables and the files to each other.
+// Judges every mesh of domains/ from the lemmas, holds the validity check to invalid.tsv, and holds both
+// tables and the files to each other.
 #include <filesystem>
 
 #include <doctest/doctest.h>
@@ -11,23 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The definitions look at pairs of simplices and at visibility.
-constexpr std::size_t kFewCells = 30;
-
 // Up to "--", or all of it.
 std::string cause_in_name(const std::string& path) {
   const std::string file = fs::path(path).stem().string();
   return file.substr(0, file.find("--"));
-}
-
-Verdict judge(const DomainRow& row) {
-  const ExactMesh mesh = mesh_with_faces(kDomainFolder + row.mesh);
-  const Domain domain = domain_of(kDomainFolder + row.domain, row.kind);
-  if (!row.within) return check::judge_domain(row.claim, mesh, domain, row.options);
-  const Rational squared = *row.within * *row.within;
-  auto verdict = check::judge_within(row.claim, mesh, domain, squared, row.options);
-  if (!verdict) throw std::runtime_error(verdict.error().reason);
-  return std::move(*verdict);
 }
 
 std::set<std::string> files_in(std::initializer_list<const char*> folders,
@@ -70,15 +57,6 @@ TEST_CASE("each mesh of a domain breaks exactly the rules that its table names")
   for (const DomainRow& row : domain_rows()) {
     INFO(row.text);
     CHECK(broken_rules(judge(row)) == row.broken);
-  }
-}
-
-TEST_CASE("by definition, each small mesh of a domain holds or fails as its table says") {
-  for (DomainRow row : domain_rows()) {
-    INFO(row.text);
-    if (mesh_with_faces(kDomainFolder + row.mesh).simplices.size() > kFewCells) continue;
-    row.options.by = check::By::kDefinition;
-    CHECK(judge(row).holds() == row.broken.empty());
   }
 }
 

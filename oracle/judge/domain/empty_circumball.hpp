@@ -2,6 +2,7 @@
 // Section 4.1 (Delaunay simplices of any dimension).
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace circumspect::check {
 // ---- Vertices near ----
 // Finding the vertices in a ball.
 
-// An R-tree of points. Doubles only sift: balls are enclosed in boxes rounded outward.
+// An R-tree of points. Doubles only sift: balls are enclosed in boxes rounded outward, and of the vertices
+// in such a box those are left out that are certainly too far from the centre.
 class VertexIndex {
  public:
   explicit VertexIndex(const PointSet& points);
@@ -21,7 +23,10 @@ class VertexIndex {
   std::vector<Vertex> near(const Ball& ball) const;
 
  private:
+  explicit VertexIndex(const std::vector<Box>& boxes);
+
   BoxIndex index_;
+  std::vector<std::array<double, 3>> low_, high_;  // of each vertex
 };
 
 // ---- Empty circumball ----

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -106,18 +107,45 @@ bool judge_face(const ExactMesh& mesh, const Simplex& face, std::size_t ambient_
   return true;
 }
 
-void cross_off(const Simplex& simplex, const std::vector<Simplex>& edges,
-               std::vector<bool>& found) {
-  for (std::size_t i = 0; i < simplex.size(); ++i) {
-    for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-      const Simplex edge = {std::min(simplex[i], simplex[j]), std::max(simplex[i], simplex[j])};
-      const auto at = std::lower_bound(edges.begin(), edges.end(), edge);
-      if (at != edges.end() && *at == edge) {
-        found[static_cast<std::size_t>(at - edges.begin())] = true;
+// Edges to be found among those of many simplices. They are ascending, so that those with one first end
+// are beside each other; most vertices have none.
+class SoughtEdges {
+ public:
+  // Requires: ascending, each with its ends ascending, of `vertices` vertices.
+  SoughtEdges(const std::vector<Simplex>& edges, std::size_t vertices)
+      : edges_(edges), from_(vertices + 1, 0), found_(edges.size(), false) {
+    for (const Simplex& edge : edges) ++from_[VertexPlaces::place(edge[0]) + 1];
+    std::partial_sum(from_.begin(), from_.end(), from_.begin());
+  }
+
+  void cross_off_those_of(const Simplex& simplex) {
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+        const auto [u, v] = std::minmax(simplex[i], simplex[j]);
+        const auto begin = edges_.begin() + from_[VertexPlaces::place(u)];
+        const auto end = edges_.begin() + from_[VertexPlaces::place(u) + 1];
+        if (begin == end) continue;
+        const auto at = std::lower_bound(
+            begin, end, v, [](const Simplex& edge, Vertex second) { return edge[1] < second; });
+        if (at != end && (*at)[1] == v)
+          found_[static_cast<std::size_t>(at - edges_.begin())] = true;
       }
     }
   }
-}
+
+  std::vector<Simplex> not_found() const {
+    std::vector<Simplex> rest;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!found_[e]) rest.push_back(edges_[e]);
+    }
+    return rest;
+  }
+
+ private:
+  const std::vector<Simplex>& edges_;
+  std::vector<std::ptrdiff_t> from_;  // where the edges of each first end begin
+  std::vector<bool> found_;
+};
 
 // What listed faces may run into: the simplices, and the pieces of walls. Seldom wanted, so that what
 // finds them is made when it is.
@@ -199,14 +227,10 @@ bool is_piece(const std::vector<WallPiece>& pieces, const Simplex& facet) {
 std::vector<Simplex> edges_of_nothing(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                                       const std::vector<Simplex>& edges) {
   if (edges.empty()) return {};
-  std::vector<bool> found(edges.size(), false);
-  for (const Simplex& simplex : in.mesh.simplices) cross_off(simplex, edges, found);
-  for (const WallPiece& piece : pieces) cross_off(piece.facet, edges, found);
-  std::vector<Simplex> strays;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (!found[e]) strays.push_back(edges[e]);
-  }
-  return strays;
+  SoughtEdges sought(edges, in.mesh.points.size());
+  for (const Simplex& simplex : in.mesh.simplices) sought.cross_off_those_of(simplex);
+  for (const WallPiece& piece : pieces) sought.cross_off_those_of(piece.facet);
+  return sought.not_found();
 }
 
 bool judge_listed_faces(const ExactMesh& mesh, std::size_t ambient_dimension, Verdict& verdict) {

@@ -206,7 +206,7 @@ TEST_CASE("what is not sound is left undecided") {
 // As `judge` says of a grid, for any number of threads.
 template <std::size_t kDimension>
 void check_facts_of_grid(bool mirrored) {
-  const auto mesh = grid_mesh<kDimension, std::int32_t>(kDimension == 2 ? 200 : 24, mirrored);
+  const auto mesh = grid_mesh<kDimension>(points_a_side(kDimension == 2 ? 200 : 24), mirrored);
   const auto judged = judge(mesh.view(), Question::kDelaunay, 1);
   const auto first = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(judged.has_value());
