@@ -172,10 +172,6 @@ struct circumspect_drawing {
   circumspect_mesh mesh = CIRCUMSPECT_MESH;
 };
 
-struct circumspect_document {
-  std::string text;
-};
-
 const char* circumspect_version(void) { return CIRCUMSPECT_VERSION; }
 
 circumspect_status circumspect_generate(const char* family, int64_t dimension, int64_t points,

@@ -147,11 +147,16 @@ TEST_CASE("whatever the members hold, the answer is a status") {
     domain.polygon_starts = starts.data();
     domain.line_starts = lines.data();
     domain.corners = indices.data();
+    domain.polygon_hole_count = one_of(std::int64_t{0}, 0, 1, 2, -1, most);
+    domain.polygons_of_holes = indices.data();
+    domain.polygon_hole_seeds = numbers.data();
+    circumspect_options options = CIRCUMSPECT_OPTIONS;
+    options.with_pictures = one_of(0, 1);
     const bool with_domain = random() % 3 == 0;
     circumspect_verdict* verdict = nullptr;
     const circumspect_status status = circumspect_check(
         with_domain ? "cdt" : one_of("delaunay", "weighted-delaunay", "triangulation"), &mesh,
-        with_domain ? &domain : nullptr, nullptr, &verdict);
+        with_domain ? &domain : nullptr, &options, &verdict);
     CHECK(status != CIRCUMSPECT_INTERNAL_ERROR);
     CHECK((status == CIRCUMSPECT_OK) == (verdict != nullptr));
     judged += verdict != nullptr;

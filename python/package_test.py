@@ -1,8 +1,10 @@
 """The package circumspect: what it takes, what it refuses, and what comes back. Run by pytest."""
 import decimal
 import doctest
+import html
 import importlib
 import pathlib
+import pickle
 import subprocess
 import sys
 import threading
@@ -15,7 +17,9 @@ import numpy as np
 import pytest
 
 import circumspect
+from circumspect import _core
 
+COMMAND = pathlib.Path(_core.__file__).resolve().parents[2] / "bin" / "circumspect"  # of the same build
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 POINTS = np.array([[0, 0], [1, 0], [0, 1], [0.9, 0.9]])
 RIGHT = np.array([[0, 1, 3], [0, 3, 2]], dtype=np.int32)
@@ -29,7 +33,7 @@ def scipy_mesh(count, dimension, seed=1):
 
 
 
-@pytest.mark.parametrize("name", ["circumspect", "circumspect.meshes", "circumspect.verdicts",
+@pytest.mark.parametrize("name", ["circumspect", "circumspect.domains", "circumspect.verdicts",
                                   "circumspect.campaigns"])
 def test_docstrings(name):
     found = doctest.testmod(importlib.import_module(name), optionflags=doctest.ELLIPSIS)
@@ -53,13 +57,31 @@ def test_a_verdict_and_its_parts():
     assert distance < violation.ball.squared_radius
     assert verdict.unique is None and verdict.to_dict()["mesh"] == "mine"
     assert str(verdict).endswith("fails: delaunay mine delaunay.facet-not-local 1 face 1 2 vertex 3")
-    assert "<pre" in verdict._repr_html_() and "fails" in repr(verdict)
+    assert "fails" in repr(verdict)
     with pytest.raises(circumspect.CheckFailed, match="vertex 3") as caught:
         verdict.raise_for_failure()
     assert caught.value.verdict is verdict and isinstance(caught.value, AssertionError)
     holds = circumspect.check(POINTS, RIGHT)
     assert holds.unique is True and holds.canonical is True and holds.raise_for_failure() is holds
     assert circumspect.check(POINTS, RIGHT, "triangulation").unique is None
+
+
+def test_a_notebook_shows_the_pictures():
+    verdict = circumspect.check(POINTS, WRONG, name="<script>alert('a')</script>")
+    page = verdict.to_html()
+    assert page.startswith("<!DOCTYPE html>") and "delaunay.facet-not-local" in page and "<script>alert" not in page
+    shown = verdict._repr_html_()
+    quoted = shown.partition(' srcdoc="')[2].partition('"')[0]
+    assert html.unescape(quoted) == page and "<" not in quoted
+    assert 'sandbox="allow-scripts"' in shown and shown.index("<pre") < shown.index("<iframe")
+    holds = circumspect.check(POINTS, RIGHT)
+    assert "<pre" in holds._repr_html_() and "<iframe" not in holds._repr_html_() and "holds" in holds.to_html()
+    again = pickle.loads(pickle.dumps(verdict))
+    assert str(again) == str(verdict) and "<iframe" not in again._repr_html_()
+    with pytest.raises(ValueError, match="one that was pickled"):
+        again.to_html()
+    in_five = circumspect.check(np.vstack([np.zeros(5), np.eye(5), np.ones((1, 5))]), [[0, 1, 2, 3, 4, 5]])
+    assert not in_five and "<iframe" in in_five._repr_html_()
 
 
 @pytest.mark.parametrize("points", [
@@ -206,13 +228,49 @@ def test_domains():
         [*SQUARE["vertices"], [.25, .25], [.75, .25], [.5, .75]], [*SQUARE["segments"], [4, 5], [5, 6], [6, 4]],
         holes=[[.5, .5]])
     assert len(circumspect.constrained_delaunay(holed).simplices) == 7
+    # A square hole through a cube: without the holes of its lid and its floor there is a shaft to be filled.
+    outer = [[x, y, z] for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
+    inner = [[x, y, z] for z in (0, 4) for x, y in ((1, 1), (3, 1), (3, 3), (1, 3))]
+    sides = [[s + i, s + (i + 1) % 4, s + (i + 1) % 4 + 4, s + i + 4] for s in (0, 8) for i in range(4)]
+    lids = [[[0, 1, 2, 3], [8, 9, 10, 11]], [[4, 5, 6, 7], [12, 13, 14, 15]]]
+    whole = {"points": outer + inner, "polygons": [*sides, *lids]}
+    tube = {**whole, "polygon_holes": {8: [[2, 2, 0]], 9: [[2, 2, 4]]}}
+    volumes = []
+    for domain in (whole, tube):
+        built = circumspect.constrained_delaunay(domain).simplices
+        corners = np.array(outer + inner, dtype=float)[built]
+        volumes.append(np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 6)
+        assert circumspect.check(outer + inner, built, domain=domain)
+    assert volumes == pytest.approx([64, 48])
+    with pytest.raises(ValueError, match="one of 10 polygons, found 10"):
+        circumspect.check(outer, [[0, 1, 2, 4]], domain={**whole, "polygon_holes": {10: [[2, 2, 0]]}})
+    with pytest.raises(circumspect.InputError, match="plc.polygon-hole-seed"):
+        circumspect.check(outer, [[0, 1, 2, 4]], domain={**whole, "polygon_holes": {8: [[2, 2, 1]]}})
     for seed in range(20):
         domain = circumspect.generate_domain("delaunay-polyhedra", seed=seed)
         built = circumspect.constrained_delaunay(domain)
-        points = domain.points.values.reshape(domain.points.shape)
+        points = domain.points
         cells = types.SimpleNamespace(points=points, cells_dict={"tetra": built.simplices, "triangle": built.triangles,
                                                                  "line": built.edges})
         assert circumspect.check(cells, domain=domain)
+
+
+def test_generated_domains_are_those_of_the_command():
+    """Whole: with the holes of their polygons, which are drawn in these families."""
+    holes = 0
+    for family in (family for family in circumspect.families() if family.is_of_domains):
+        for seed in range(40 if family.name == "furnished-boxes" else 3):
+            domain = circumspect.generate_domain(family.name, seed=seed)
+            holes += sum(map(len, domain.polygon_holes.values()))
+            if COMMAND.exists():
+                drawn = subprocess.run([COMMAND, "generate", family.name, "--seed", str(seed)], capture_output=True,
+                                       text=True, check=True).stdout
+                assert drawn.endswith(_core.poly_text(domain.lists())), (family.name, seed)
+            try:
+                circumspect.check(np.zeros((0, family.dimensions[0])), [], domain=domain)
+            except circumspect.InputError as error:
+                raise AssertionError((family.name, seed)) from error
+    assert holes > 5
 
 
 def test_none_is_said():
