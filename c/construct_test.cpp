@@ -163,6 +163,50 @@ TEST_CASE("points are drawn by family and seed, and judged where they lie") {
   circumspect_drawing_free(drawing);
 }
 
+TEST_CASE("domains are drawn by family and seed, with the holes of their polygons, and filled") {
+  circumspect_drawing* drawing = nullptr;
+  std::int64_t holes = 0;
+  std::int64_t polygon_holes = 0;
+  std::size_t filled = 0;
+  for (const char* const family : {"furnished-boxes", "planar-segments"}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      REQUIRE(circumspect_generate_domain(family, 12, seed, &drawing) == CIRCUMSPECT_OK);
+      const circumspect_domain* const domain = circumspect_drawing_domain(drawing);
+      REQUIRE(domain != nullptr);
+      CHECK(circumspect_drawing_mesh(drawing)->point_count == domain->point_count);
+      holes += domain->hole_count;
+      polygon_holes += domain->polygon_hole_count;
+      circumspect_triangulation* built = nullptr;
+      const circumspect_status status = circumspect_constrained_delaunay(domain, &built);
+      REQUIRE((status == CIRCUMSPECT_OK || status == CIRCUMSPECT_NONE));
+      circumspect_mesh mesh = *circumspect_drawing_mesh(drawing);
+      if (status == CIRCUMSPECT_OK) {
+        const std::int64_t* indices = nullptr;
+        mesh.vertices_of_simplex = domain->dimension + 1;
+        mesh.simplex_count =
+            circumspect_triangulation_simplices(built, mesh.vertices_of_simplex, &indices);
+        mesh.index_bytes = 8;
+        mesh.simplices = indices;
+        if (domain->dimension == 3) {
+          mesh.triangle_count = circumspect_triangulation_simplices(built, 3, &mesh.triangles);
+        }
+        mesh.edge_count = circumspect_triangulation_simplices(built, 2, &mesh.edges);
+        const Checked judged = check("cdt", &mesh, domain);
+        CHECK(circumspect_verdict_holds(judged.verdict.get()) == 1);
+        ++filled;
+      }
+      circumspect_triangulation_free(built);
+      circumspect_drawing_free(drawing);
+    }
+  }
+  CHECK(holes > 5);
+  CHECK(polygon_holes > 2);
+  CHECK(filled > 20);
+  REQUIRE(circumspect_generate("grid", 2, 8, 1, &drawing) == CIRCUMSPECT_OK);
+  CHECK(circumspect_drawing_domain(drawing) == nullptr);
+  circumspect_drawing_free(drawing);
+}
+
 TEST_CASE("exact predicates") {
   int sign = 7;
   const std::array<double, 6> turn = {0, 0, 1, 0, 0, 1};

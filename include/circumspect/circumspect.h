@@ -225,6 +225,14 @@ typedef struct circumspect_drawing circumspect_drawing;
 CIRCUMSPECT_API circumspect_status circumspect_generate(const char* family, int64_t dimension,
                                                         int64_t points, uint64_t seed,
                                                         circumspect_drawing** drawing);
+/* The same of domains. `points`: about how many are drawn. */
+CIRCUMSPECT_API circumspect_status circumspect_generate_domain(const char* family, int64_t points,
+                                                               uint64_t seed,
+                                                               circumspect_drawing** drawing);
+/* The domain, which lives as long as the drawing; NULL of a drawing of points, and of NULL. A family may draw
+ * points of one plane and call for their hull, which is CIRCUMSPECT_INPUT_FAULT when it is to be filled. */
+CIRCUMSPECT_API const circumspect_domain* circumspect_drawing_domain(
+    const circumspect_drawing* drawing);
 /* A mesh of these points, all doubles, and of their weights if the family has such, without simplices. It lives
  * as long as the drawing; a copy may be given simplices and judged. NULL of NULL. */
 CIRCUMSPECT_API const circumspect_mesh* circumspect_drawing_mesh(

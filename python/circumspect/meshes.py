@@ -223,9 +223,23 @@ def parts_of(mesh: Any):
 
 
 def vtk_cells(grid: Any):
-    """The points of a VTK grid, and its cells by VTK's numbers."""
-    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
+    """The points of a VTK data set, and its cells by VTK's numbers."""
+    import numpy as np
+
+    points = np.zeros((grid.GetNumberOfPoints(), 3))
+    try:
+        if len(points):
+            points = np.array(memoryview(grid.GetPoints().GetData()))
+    except (AttributeError, TypeError):  # images have no array of points, and some arrays show no memory
+        points = np.array([grid.GetPoint(i) for i in range(len(points))])
     cells: dict = {}
+    if hasattr(grid, "GetCellTypesArray") and grid.GetNumberOfCells():  # an unstructured grid
+        kinds, vertices, starts = (np.array(memoryview(array)) for array in (
+            grid.GetCellTypesArray(), grid.GetCells().GetConnectivityArray(), grid.GetCells().GetOffsetsArray()))
+        for kind in np.unique(kinds).tolist():
+            own = starts[:-1][kinds == kind]
+            cells[kind] = vertices[own[:, None] + np.arange(CELLS[kind])] if kind in CELLS else own
+        return points, cells
     for i in range(grid.GetNumberOfCells()):
         ids = grid.GetCell(i).GetPointIds()
         row = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
@@ -233,20 +247,20 @@ def vtk_cells(grid: Any):
     return points, cells
 
 
-def with_cells(points: Any, cells: dict):
+def with_cells(points: Any, cells: Optional[dict]):
     """The cells of the highest dimension are the simplices, those below are listed beside them."""
     import numpy as np
 
     of_size: dict = {}
-    for kind, rows in cells.items():
-        rows = np.asarray(rows)
-        if rows.size == 0:
+    for kind, rows in (cells or {}).items():  # earlier versions of pyvista have None where there are no cells
+        if not len(rows):
             continue
         if kind not in CELLS:
-            raise ValueError(f"expected tetrahedra, triangles, edges and vertices, found cells of type {kind!r}")
-        of_size[CELLS[kind]] = rows
+            what = repr(kind) if isinstance(kind, str) else f"{kind} of VTK"
+            raise ValueError(f"expected tetrahedra, triangles, edges and vertices, found cells of type {what}")
+        of_size[CELLS[kind]] = np.asarray(rows)
     if not of_size:
-        return points, np.zeros((0, np.asarray(points).shape[1] + 1), np.int64), None, None, None
+        return points, np.zeros((0, np.shape(points)[1] + 1), np.int64), None, None, None
     most = max(of_size)
     listed = {size: np.ascontiguousarray(rows, dtype=np.int64) for size, rows in of_size.items() if size < most}
     return points, of_size[most], None, listed.get(3), listed.get(2)
