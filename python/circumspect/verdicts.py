@@ -105,7 +105,7 @@ class Verdict:
             return text
         # The page has scripts, which turn its pictures; in a sandbox they see nothing of the notebook.
         return (f'{text}\n<iframe title="the witnesses as pictures" sandbox="allow-scripts" '
-                f'style="width: 100%; height: 36em; border: 0" srcdoc="{html.escape(self.to_html())}"></iframe>')
+                f'style="width: 100%; height: 48em; border: 0" srcdoc="{html.escape(self.to_html())}"></iframe>')
 
 
 def violation_of(entry: Dict[str, Any]) -> Violation:
