@@ -16,6 +16,7 @@
 #include "inputs/arrays.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
+#include "inputs/triangulated/domain_families.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/mesh_difference.hpp"
@@ -66,11 +67,14 @@ constrained::PlcTriangulation built(const PiecewiseLinearComplex& complex) {
   }
   auto wrapped = constrained::gift_wrapping_cdt(complex);
   if (wrapped) return *std::move(wrapped);
+  const auto& [why, simplex, witness] = wrapped.error();
+  std::string place =
+      simplex.empty() ? "" : report::joined(simplex);  // either may have no vertices
+  if (!witness.empty()) place += (place.empty() ? "" : " and ") + report::joined(witness);
   throw Refusal{CIRCUMSPECT_NONE,
                 fmt::format("expected a domain that has a canonical constrained Delaunay "
-                            "triangulation, found none: it shows at {} and {}",
-                            report::joined(wrapped.error().simplex),
-                            report::joined(wrapped.error().witness))};
+                            "triangulation, found none: it shows at {}",
+                            place)};
 }
 
 // All points of one dimension, `count` of them.
@@ -115,6 +119,25 @@ int in_ball_sign(std::int64_t dimension, const double* doubles, const char* cons
 
 constexpr std::int64_t kMostDrawn = 1'000'000;
 
+std::size_t how_many(std::int64_t points) {
+  if (points < 1 || points > kMostDrawn) {
+    refuse_call(fmt::format("expected from 1 to {} points, found {}", kMostDrawn, points));
+  }
+  return static_cast<std::size_t>(points);
+}
+
+PiecewiseLinearInput drawn_domain(const char* family_name, std::int64_t points,
+                                  std::uint64_t seed) {
+  const std::string name = required(family_name, "the name of a family");
+  const generators::ComplexFamily* const family = properties::find_domain_family(name);
+  if (family == nullptr) {
+    refuse_call(fmt::format(
+        "expected the name of a family of domains (`circumspect generate --list`), found '{}'",
+        on_one_line(name)));
+  }
+  return generators::in_doubles(generators::drawn(*family, how_many(points), seed)).input;
+}
+
 PointArray drawn(const char* family_name, std::int64_t dimension, std::int64_t points,
                  std::uint64_t seed) {
   const std::string name = required(family_name, "the name of a family");
@@ -128,12 +151,9 @@ PointArray drawn(const char* family_name, std::int64_t dimension, std::int64_t p
     refuse_call(fmt::format("expected a dimension in which there are sets of {}, found {}", name,
                             dimension));
   }
-  if (points < 1 || points > kMostDrawn) {
-    refuse_call(fmt::format("expected from 1 to {} points, found {}", kMostDrawn, points));
-  }
   const auto columns = static_cast<std::size_t>(dimension);
   const generators::PointsCase set =
-      generators::drawn(*family, columns, {static_cast<std::size_t>(points), true}, seed);
+      generators::drawn(*family, columns, {how_many(points), true}, seed);
   return generators::array(generators::in_doubles(set, family->repeats_points), columns);
 }
 
@@ -168,12 +188,52 @@ struct circumspect_drawing {
     mesh.weights = points.weights.empty() ? nullptr : points.weights.data();
   }
 
+  explicit circumspect_drawing(const PiecewiseLinearInput& input)
+      : circumspect_drawing(generators::array({input.points, {}})) {
+    std::vector<Point> all_polygon_holes;
+    for (const auto& ends : input.segments)
+      segments.insert(segments.end(), ends.begin(), ends.end());
+    for (const PolygonLines& polygon : input.polygons) {
+      for (const auto& line : polygon.lines) {
+        corners.insert(corners.end(), line.begin(), line.end());
+        line_starts.push_back(static_cast<std::int64_t>(corners.size()));
+      }
+      for (const Point& hole : polygon.hole_seeds) {
+        polygons_of_holes.push_back(domain.polygon_count);
+        all_polygon_holes.push_back(hole);
+      }
+      polygon_starts.push_back(static_cast<std::int64_t>(line_starts.size()) - 1);
+      ++domain.polygon_count;
+    }
+    holes = generators::array({input.hole_seeds, {}});
+    polygon_holes = generators::array({all_polygon_holes, {}});
+    domain.dimension = mesh.dimension;
+    domain.point_count = mesh.point_count;
+    domain.coordinates = mesh.coordinates;
+    domain.segment_count = static_cast<std::int64_t>(input.segments.size());
+    domain.segments = segments.data();
+    domain.polygon_starts = polygon_starts.data();
+    domain.line_starts = line_starts.data();
+    domain.corners = corners.data();
+    domain.hole_count = static_cast<std::int64_t>(input.hole_seeds.size());
+    domain.hole_seeds = holes.coordinates.data();
+    domain.kind = input.kind == DomainKind::kHull ? CIRCUMSPECT_HULL : CIRCUMSPECT_ENCLOSED;
+    domain.polygon_hole_count = static_cast<std::int64_t>(all_polygon_holes.size());
+    domain.polygons_of_holes = polygons_of_holes.data();
+    domain.polygon_hole_seeds = polygon_holes.coordinates.data();
+  }
+
   PointArray points;
   circumspect_mesh mesh = CIRCUMSPECT_MESH;
-};
-
-struct circumspect_document {
-  std::string text;
+  // Of a domain, whose dimension else is 0.
+  std::vector<std::int64_t> segments = {};
+  std::vector<std::int64_t> polygon_starts = {0};
+  std::vector<std::int64_t> line_starts = {0};
+  std::vector<std::int64_t> corners = {};
+  std::vector<std::int64_t> polygons_of_holes = {};
+  PointArray holes = {};
+  PointArray polygon_holes = {};
+  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
 };
 
 const char* circumspect_version(void) { return CIRCUMSPECT_VERSION; }
@@ -185,6 +245,19 @@ circumspect_status circumspect_generate(const char* family, int64_t dimension, i
     c::required(drawing, "a place for the drawing");
     *drawing = new circumspect_drawing(c::drawn(family, dimension, points, seed));
   });
+}
+
+circumspect_status circumspect_generate_domain(const char* family, int64_t points, uint64_t seed,
+                                               circumspect_drawing** drawing) {
+  if (drawing != nullptr) *drawing = nullptr;
+  return c::guarded([&] {
+    c::required(drawing, "a place for the drawing");
+    *drawing = new circumspect_drawing(c::drawn_domain(family, points, seed));
+  });
+}
+
+const circumspect_domain* circumspect_drawing_domain(const circumspect_drawing* drawing) {
+  return drawing == nullptr || drawing->domain.dimension == 0 ? nullptr : &drawing->domain;
 }
 
 const circumspect_mesh* circumspect_drawing_mesh(const circumspect_drawing* drawing) {

@@ -1,5 +1,6 @@
 // What the C interface builds and compares, and its predicates.
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,60 @@ TEST_CASE("Schoenhardt's polyhedron has none, and that is said") {
   circumspect_triangulation_free(built);
 }
 
+TEST_CASE("a polygon has the holes that seeds say, and a program of an earlier version has none") {
+  // A tetrahedron whose floor has a triangular hole: the lines of a pit with its tip above it.
+  const std::vector<double> points = {0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9,
+                                      1, 1, 0, 4, 1, 0, 1, 4, 0, 2, 2, 2};
+  const std::vector<std::int64_t> polygons = {0, 1, 2, 3, 5, 6, 7, 8};
+  const std::vector<std::int64_t> lines = {0, 3, 6, 9, 12, 15, 18, 21, 24};
+  const std::vector<std::int64_t> corners = {0, 1, 3, 1, 2, 3, 0, 2, 3, 0, 1, 2,
+                                             4, 5, 6, 4, 5, 7, 5, 6, 7, 4, 6, 7};
+  const std::vector<std::int64_t> owners = {3};
+  const std::vector<double> seeds = {2, 2, 0};
+  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
+  domain.dimension = 3;
+  domain.point_count = 8;
+  domain.coordinates = points.data();
+  domain.polygon_count = 7;
+  domain.polygon_starts = polygons.data();
+  domain.line_starts = lines.data();
+  domain.corners = corners.data();
+  domain.polygon_hole_count = 1;
+  domain.polygons_of_holes = owners.data();
+  domain.polygon_hole_seeds = seeds.data();
+  const auto tetrahedra = [&] {
+    circumspect_triangulation* built = nullptr;
+    REQUIRE(circumspect_constrained_delaunay(&domain, &built) == CIRCUMSPECT_OK);
+    const std::int64_t count = circumspect_triangulation_simplices(built, 4, nullptr);
+    circumspect_triangulation_free(built);
+    return count;
+  };
+  const std::int64_t around_the_pit = tetrahedra();
+  // The members of the first version end before the holes of polygons; what lies behind is not read.
+  domain.struct_size = offsetof(circumspect_domain, polygon_hole_count);
+  CHECK(tetrahedra() == around_the_pit + 1);  // the pit is the tetrahedron 4 5 6 7
+  domain.struct_size = sizeof domain;
+  circumspect_triangulation* built = nullptr;
+  const auto refused = [&](circumspect_status status, const char* message) {
+    CHECK(circumspect_constrained_delaunay(&domain, &built) == status);
+    INFO(circumspect_last_error());
+    CHECK(has(circumspect_last_error(), message));
+  };
+  for (const std::int64_t wrong : {-1, 7}) {
+    domain.polygons_of_holes = &wrong;
+    refused(CIRCUMSPECT_INVALID_ARGUMENT, "expected hole 0 in one of 7 polygons");
+  }
+  domain.polygons_of_holes = nullptr;
+  refused(CIRCUMSPECT_INVALID_ARGUMENT, "expected polygons_of_holes, found NULL");
+  domain.polygons_of_holes = owners.data();
+  domain.polygon_hole_seeds = nullptr;
+  refused(CIRCUMSPECT_INVALID_ARGUMENT, "found NULL");
+  domain.polygon_hole_seeds = points.data();  // a corner of the floor
+  refused(CIRCUMSPECT_INPUT_FAULT, "plc.polygon-hole-seed");
+  domain.polygon_hole_count = -1;
+  refused(CIRCUMSPECT_INVALID_ARGUMENT, "a number of holes of polygons, found -1");
+}
+
 TEST_CASE("points are drawn by family and seed, and judged where they lie") {
   circumspect_drawing* drawing = nullptr;
   REQUIRE(circumspect_generate("duplicates", 2, 9, 7, &drawing) == CIRCUMSPECT_OK);
@@ -105,6 +160,50 @@ TEST_CASE("points are drawn by family and seed, and judged where they lie") {
   CHECK(circumspect_verdict_holds(judged.verdict.get()) == 1);
   CHECK(circumspect_verdict_canonical(judged.verdict.get()) == 1);
   circumspect_triangulation_free(built);
+  circumspect_drawing_free(drawing);
+}
+
+TEST_CASE("domains are drawn by family and seed, with the holes of their polygons, and filled") {
+  circumspect_drawing* drawing = nullptr;
+  std::int64_t holes = 0;
+  std::int64_t polygon_holes = 0;
+  std::size_t filled = 0;
+  for (const char* const family : {"furnished-boxes", "planar-segments"}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      REQUIRE(circumspect_generate_domain(family, 12, seed, &drawing) == CIRCUMSPECT_OK);
+      const circumspect_domain* const domain = circumspect_drawing_domain(drawing);
+      REQUIRE(domain != nullptr);
+      CHECK(circumspect_drawing_mesh(drawing)->point_count == domain->point_count);
+      holes += domain->hole_count;
+      polygon_holes += domain->polygon_hole_count;
+      circumspect_triangulation* built = nullptr;
+      const circumspect_status status = circumspect_constrained_delaunay(domain, &built);
+      REQUIRE((status == CIRCUMSPECT_OK || status == CIRCUMSPECT_NONE));
+      circumspect_mesh mesh = *circumspect_drawing_mesh(drawing);
+      if (status == CIRCUMSPECT_OK) {
+        const std::int64_t* indices = nullptr;
+        mesh.vertices_of_simplex = domain->dimension + 1;
+        mesh.simplex_count =
+            circumspect_triangulation_simplices(built, mesh.vertices_of_simplex, &indices);
+        mesh.index_bytes = 8;
+        mesh.simplices = indices;
+        if (domain->dimension == 3) {
+          mesh.triangle_count = circumspect_triangulation_simplices(built, 3, &mesh.triangles);
+        }
+        mesh.edge_count = circumspect_triangulation_simplices(built, 2, &mesh.edges);
+        const Checked judged = check("cdt", &mesh, domain);
+        CHECK(circumspect_verdict_holds(judged.verdict.get()) == 1);
+        ++filled;
+      }
+      circumspect_triangulation_free(built);
+      circumspect_drawing_free(drawing);
+    }
+  }
+  CHECK(holes > 5);
+  CHECK(polygon_holes > 2);
+  CHECK(filled > 20);
+  REQUIRE(circumspect_generate("grid", 2, 8, 1, &drawing) == CIRCUMSPECT_OK);
+  CHECK(circumspect_drawing_domain(drawing) == nullptr);
   circumspect_drawing_free(drawing);
 }
 

@@ -1,9 +1,18 @@
 // What keeps exceptions and C++ types on this side of <circumspect/circumspect.h>.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <initializer_list>
 #include <string>
 
 #include <circumspect/circumspect.h>
+
+// Behind the handle.
+struct circumspect_document {
+  std::string text;
+};
 
 namespace circumspect::c {
 
@@ -40,6 +49,20 @@ template <class Pointer>
 Pointer* required(Pointer* pointer, const char* what) {
   if (pointer == nullptr) refuse_call(std::string("expected ") + what + ", found NULL");
   return pointer;
+}
+
+// A copy of a struct of the header, `begun` being what its macro makes. Programs that were compiled when it had
+// fewer members hand in fewer bytes: the sizes that it had are `earlier`.
+template <class Struct>
+Struct of_any_version(const Struct& given, Struct begun, std::initializer_list<std::size_t> earlier,
+                      const char* macro) {
+  const std::size_t size = given.struct_size;
+  if (size != sizeof(Struct) && std::find(earlier.begin(), earlier.end(), size) == earlier.end()) {
+    refuse_call(std::string("expected a struct that began as ") + macro +
+                ", found another struct_size");
+  }
+  std::memcpy(&begun, &given, size);
+  return begun;
 }
 
 }  // namespace circumspect::c

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
@@ -135,6 +136,21 @@ std::vector<PolygonLines> polygons_of(const circumspect_domain& domain) {
   return polygons;
 }
 
+void take_polygon_holes(const circumspect_domain& domain, std::vector<PolygonLines>& polygons) {
+  require_count(domain.polygon_hole_count, "holes of polygons");
+  const auto size = static_cast<std::size_t>(domain.polygon_hole_count);
+  const auto owners = array(domain.polygons_of_holes, size, "polygons_of_holes");
+  const std::vector<Point> seeds =
+      exact_points(domain.polygon_hole_count, domain.dimension, domain.polygon_hole_seeds, nullptr);
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (owners[i] < 0 || owners[i] >= domain.polygon_count) {
+      refuse_call(fmt::format("expected hole {} in one of {} polygons, found it in polygon {}", i,
+                              domain.polygon_count, owners[i]));
+    }
+    polygons[static_cast<std::size_t>(owners[i])].hole_seeds.push_back(seeds[i]);
+  }
+}
+
 constexpr Claim kClaims[] = {Claim::kTriangulation,        Claim::kDelaunay,
                              Claim::kWeightedDelaunay,     Claim::kPlcTriangulation,
                              Claim::kSteinerTriangulation, Claim::kCdt,
@@ -242,10 +258,10 @@ Claim claim_of(const char* text, bool has_domain) {
                           has_domain ? "and its" : "without a", known, on_one_line(word)));
 }
 
-Domain domain_of(const circumspect_domain& domain) {
-  if (domain.struct_size != sizeof(circumspect_domain)) {
-    refuse_call("expected a domain that began as CIRCUMSPECT_DOMAIN, found another struct_size");
-  }
+Domain domain_of(const circumspect_domain& given) {
+  const circumspect_domain domain = of_any_version<circumspect_domain>(
+      given, CIRCUMSPECT_DOMAIN, {offsetof(circumspect_domain, polygon_hole_count)},
+      "CIRCUMSPECT_DOMAIN");
   require_dimension(domain.dimension, 2, 3);
   require_count(domain.point_count, "points");
   require_count(domain.segment_count, "segments");
@@ -259,6 +275,7 @@ Domain domain_of(const circumspect_domain& domain) {
   if (input.points.empty()) refuse_input("expected a domain with points, found none");
   take_faces(domain.segments, domain.segment_count, 2, "segments", input.segments);
   input.polygons = polygons_of(domain);
+  take_polygon_holes(domain, input.polygons);
   input.hole_seeds = exact_points(domain.hole_count, domain.dimension, domain.hole_seeds, nullptr);
   auto complex = validated(input);
   if (!complex) refuse_input(breach_text(complex.error()));

@@ -147,11 +147,16 @@ TEST_CASE("whatever the members hold, the answer is a status") {
     domain.polygon_starts = starts.data();
     domain.line_starts = lines.data();
     domain.corners = indices.data();
+    domain.polygon_hole_count = one_of(std::int64_t{0}, 0, 1, 2, -1, most);
+    domain.polygons_of_holes = indices.data();
+    domain.polygon_hole_seeds = numbers.data();
+    circumspect_options options = CIRCUMSPECT_OPTIONS;
+    options.with_pictures = one_of(0, 1);
     const bool with_domain = random() % 3 == 0;
     circumspect_verdict* verdict = nullptr;
     const circumspect_status status = circumspect_check(
         with_domain ? "cdt" : one_of("delaunay", "weighted-delaunay", "triangulation"), &mesh,
-        with_domain ? &domain : nullptr, nullptr, &verdict);
+        with_domain ? &domain : nullptr, &options, &verdict);
     CHECK(status != CIRCUMSPECT_INTERNAL_ERROR);
     CHECK((status == CIRCUMSPECT_OK) == (verdict != nullptr));
     judged += verdict != nullptr;
@@ -179,6 +184,15 @@ TEST_CASE("drawings that cannot be made are refused") {
   refused("sphere", 3, 0, "from 1 to 1000000 points, found 0");
   refused("sphere", 3, std::numeric_limits<std::int64_t>::max(), "found 9223372036854775807");
   CHECK(circumspect_generate("sphere", 3, 12, 1, nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+  circumspect_drawing* drawing = nullptr;
+  for (const char* const family : {"sphere", "a\nb", static_cast<const char*>(nullptr)}) {
+    CHECK(circumspect_generate_domain(family, 12, 1, &drawing) == CIRCUMSPECT_INVALID_ARGUMENT);
+    CHECK(has(circumspect_last_error(), "the name of a family"));
+  }
+  CHECK(circumspect_generate_domain("planar-grid", 0, 1, &drawing) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(has(circumspect_last_error(), "from 1 to 1000000 points, found 0"));
+  CHECK(circumspect_generate_domain("planar-grid", 9, 1, nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(drawing == nullptr);
 }
 
 TEST_CASE("no handle at all") {
@@ -187,6 +201,7 @@ TEST_CASE("no handle at all") {
   circumspect_document_free(nullptr);
   circumspect_drawing_free(nullptr);
   CHECK(circumspect_drawing_mesh(nullptr) == nullptr);
+  CHECK(circumspect_drawing_domain(nullptr) == nullptr);
   CHECK(circumspect_verdict_holds(nullptr) == -1);
   CHECK(circumspect_verdict_unique(nullptr) == -1);
   CHECK(circumspect_verdict_canonical(nullptr) == -1);
@@ -235,6 +250,9 @@ TEST_CASE("where memory ends, at whatever allocation, the call says so and nothi
   circumspect_triangulation_free(built);
   circumspect_drawing* drawing = nullptr;
   CHECK(survives([&] { return circumspect_generate("sphere+ulp", 2, 5, 1, &drawing); }) > 10);
+  circumspect_drawing_free(drawing);
+  CHECK(survives([&] { return circumspect_generate_domain("planar-segments", 3, 1, &drawing); }) >
+        10);
   circumspect_drawing_free(drawing);
   circumspect_document* document = nullptr;
   int answer = 0;

@@ -1,7 +1,11 @@
 // Judging, and what a verdict holds.
 #include <charconv>
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <new>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +19,7 @@
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/printable.hpp"
+#include "oracle/picture/page.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 #include "oracle/report/wording.hpp"
@@ -113,21 +118,24 @@ std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const 
   return kept;
 }
 
-check::Options options_of(const circumspect_options* options) {
-  if (options == nullptr) return {};
-  if (options->struct_size != sizeof(circumspect_options)) {
-    refuse_call("expected options that began as CIRCUMSPECT_OPTIONS, found another struct_size");
+circumspect_options asked_of(const circumspect_options* options) {
+  const circumspect_options defaults = CIRCUMSPECT_OPTIONS;
+  if (options == nullptr) return defaults;
+  return of_any_version<circumspect_options>(
+      *options, defaults, {offsetof(circumspect_options, with_pictures)}, "CIRCUMSPECT_OPTIONS");
+}
+
+check::Options options_of(const circumspect_options& asked) {
+  if (asked.threads < 0 || asked.threads > 4096) {
+    refuse_call(fmt::format("expected 0 to 4096 threads, found {}", asked.threads));
   }
-  if (options->threads < 0 || options->threads > 4096) {
-    refuse_call(fmt::format("expected 0 to 4096 threads, found {}", options->threads));
+  if (asked.max_violations < 0) {
+    refuse_call(fmt::format("expected a number of witnesses, found {}", asked.max_violations));
   }
-  if (options->max_violations < 0) {
-    refuse_call(fmt::format("expected a number of witnesses, found {}", options->max_violations));
-  }
-  return {.by = options->by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
-          .oriented = options->oriented != 0,
-          .max_violations = static_cast<std::size_t>(options->max_violations),
-          .threads = static_cast<unsigned>(options->threads)};
+  return {.by = asked.by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
+          .oriented = asked.oriented != 0,
+          .max_violations = static_cast<std::size_t>(asked.max_violations),
+          .threads = static_cast<unsigned>(asked.threads)};
 }
 
 Verdict judged_within(const char* within, Claim claim, Mesh& mesh, const Domain& domain,
@@ -146,13 +154,11 @@ Verdict judged_within(const char* within, Claim claim, Mesh& mesh, const Domain&
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
 }
 
-Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_options* options) {
-  const check::Options own = options_of(options);
-  if (options == nullptr || options->within == nullptr) {
-    return check::judge_merged(claim, mesh, domain, own);
-  }
+Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const char* within,
+               const check::Options& options) {
+  if (within == nullptr) return check::judge_merged(claim, mesh, domain, options);
   if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
-  return judged_within(options->within, claim, mesh, *domain, own);
+  return judged_within(within, claim, mesh, *domain, options);
 }
 
 int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
@@ -170,6 +176,7 @@ struct circumspect_verdict {
   std::string json;
   std::vector<std::pair<const char*, std::int64_t>> rules = {};
   std::vector<std::unique_ptr<c::KeptViolation>> violations = {};
+  std::optional<picture::Page> page = {};
 };
 
 circumspect_status circumspect_check(const char* claim, const circumspect_mesh* mesh,
@@ -180,7 +187,8 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
   return c::guarded([&] {
     c::required(verdict, "a place for the verdict");
     const Claim known = c::claim_of(claim, domain != nullptr);
-    const check::Options own = c::options_of(options);
+    const circumspect_options asked = c::asked_of(options);
+    const check::Options own = c::options_of(asked);
     Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
     std::optional<Domain> about;
     if (domain != nullptr) {
@@ -192,20 +200,23 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
       }
     }
     const Domain* const filled = about ? &*about : nullptr;
-    const Verdict found = c::judged(known, judged, filled, options);
-    const std::string name = options != nullptr && options->mesh_name != nullptr
-                                 ? on_one_line(options->mesh_name)
-                                 : "mesh";
+    const Verdict found = c::judged(known, judged, filled, asked.within, own);
+    const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
     auto made = std::make_unique<circumspect_verdict>();
     made->holds = found.holds();
     made->unique = c::said(found.unique);
     made->canonical = c::said(found.canonical);
     made->text = report::explanation(found, judged, filled) +
                  report::verdict_line(found, judged, name, filled) + "\n";
-    if (options == nullptr || options->without_json == 0) {
+    if (asked.without_json == 0 || asked.with_pictures != 0) {
       c::require_memory_for_json();
-      const report::Json result = report::verdict(found, judged, name, own.by, filled);
-      made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
+      report::Json result = report::verdict(found, judged, name, own.by, filled);
+      if (asked.without_json == 0) {
+        made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
+      }
+      if (asked.with_pictures != 0) {
+        made->page.emplace().add(found, judged, name, std::move(result), filled);
+      }
     }
     for (const auto& [rule, tally] : found.tallies()) {
       made->rules.emplace_back(identifier(rule).data(), static_cast<std::int64_t>(tally.count));
@@ -237,6 +248,24 @@ const char* circumspect_verdict_text(const circumspect_verdict* verdict) {
 
 const char* circumspect_verdict_json(const circumspect_verdict* verdict) {
   return verdict == nullptr ? "" : verdict->json.c_str();
+}
+
+circumspect_status circumspect_verdict_page(const circumspect_verdict* verdict,
+                                            circumspect_document** page) {
+  if (page != nullptr) *page = nullptr;
+  return c::guarded([&] {
+    c::required(page, "a place for the page");
+    const auto& kept = c::required(verdict, "a verdict")->page;
+    if (!kept) {
+      throw c::Refusal{CIRCUMSPECT_NONE,
+                       "expected a verdict that was asked for with_pictures, found one without"};
+    }
+    c::require_memory_for_json();
+    std::ostringstream text;
+    kept->write(text);
+    if (!text) throw std::bad_alloc();  // streams tell so where memory ends
+    *page = new circumspect_document{text.str()};
+  });
 }
 
 int64_t circumspect_verdict_rule_count(const circumspect_verdict* verdict) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <thread>
 #include <vector>
@@ -123,6 +124,36 @@ TEST_CASE("wide indices, neighbours, weights, exact numbers and options") {
   CHECK(std::string(
             circumspect_verdict_json(check("delaunay", &mesh, nullptr, &options).verdict.get()))
             .empty());
+}
+
+TEST_CASE("a page shows the witnesses of a verdict that was asked for with pictures") {
+  const circumspect_mesh mesh = mesh_of(kPoints, kWrong);
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  options.mesh_name = "</script><b>";
+  circumspect_document* page = nullptr;
+  const Checked without = check("delaunay", &mesh, nullptr, &options);
+  CHECK(circumspect_verdict_page(without.verdict.get(), &page) == CIRCUMSPECT_NONE);
+  CHECK(page == nullptr);
+  CHECK(has(circumspect_last_error(), "asked for with_pictures, found one without"));
+  options.with_pictures = 1;
+  for (const int without_json : {0, 1}) {
+    options.without_json = without_json;
+    const Checked found = check("delaunay", &mesh, nullptr, &options);
+    REQUIRE(circumspect_verdict_page(found.verdict.get(), &page) == CIRCUMSPECT_OK);
+    const char* const text = circumspect_document_text(page);
+    CHECK(has(text, "<!DOCTYPE html>"));
+    CHECK(has(text, "fails: delaunay &lt;/script&gt;&lt;b&gt; delaunay.facet-not-local"));
+    CHECK(has(text, R"("pictures":[{)"));
+    CHECK(!has(text, "</script><b>"));
+    circumspect_document_free(page);
+  }
+  // The options of the first version end before the pictures.
+  options.struct_size = offsetof(circumspect_options, with_pictures);
+  const Checked earlier = check("delaunay", &mesh, nullptr, &options);
+  REQUIRE(earlier.status == CIRCUMSPECT_OK);
+  CHECK(circumspect_verdict_page(earlier.verdict.get(), &page) == CIRCUMSPECT_NONE);
+  CHECK(circumspect_verdict_page(nullptr, &page) == CIRCUMSPECT_INVALID_ARGUMENT);
+  CHECK(circumspect_verdict_page(earlier.verdict.get(), nullptr) == CIRCUMSPECT_INVALID_ARGUMENT);
 }
 
 TEST_CASE("a domain, moved or not") {

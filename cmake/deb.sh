@@ -24,6 +24,7 @@ export CCACHE_DIR=${CCACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/ccache}
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 export DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym"
 dpkg-buildpackage --build=binary --no-sign --jobs="${JOBS:-$(nproc)}"
+cd "$folder"  # lintian cannot begin in a folder that is gone
 rm -rf "$sources"
 lintian --fail-on error "$folder"/*.changes
 echo "built, in $folder:"

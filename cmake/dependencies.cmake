@@ -20,6 +20,8 @@ if(CIRCUMSPECT_STATIC)
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
   add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
   target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
+  # Archives are searched in the order in which they stand: CGAL names GMP before MPFR, which needs it behind.
+  string(APPEND CMAKE_CXX_STANDARD_LIBRARIES " -lgmp")
 endif()
 
 # circumspect_find_library(NAME HEADER [LIBRARY...] DEBIAN PACKAGE)

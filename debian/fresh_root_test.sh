@@ -81,6 +81,13 @@ quietly inside "python3 judge.py"
 grep -q "^holds: delaunay mesh 4 points 2 triangles unique canonical" "$work/log" || fail "expected a verdict from Python"
 grep -q "^{'delaunay.facet-not-local': 1}" "$work/log" || fail "expected a broken rule from Python"
 
+echo "the tests of the Python package, with VTK itself"
+mkdir "$root/root/python"
+cp "$here"/python/{package,domains}_test.py "$root/root/python/"
+quietly inside "apt-get install -q -y --no-install-recommends python3-pytest python3-vtk9"
+quietly inside "python3 -m pytest -q -rs -p no:cacheprovider -k 'not pages' python/package_test.py python/domains_test.py"
+if grep -q "SKIPPED.*vtk" "$work/log"; then fail "expected data sets of VTK to be judged"; fi
+
 echo "Rust and Octave, as Debian has them"
 cp -r "$here/examples/rust" "$here/examples/octave" "$root/root/"
 quietly inside "apt-get install -q -y --no-install-recommends rustc octave octave-dev"

@@ -1,7 +1,10 @@
 """Campaigns, Hypothesis strategies and the pytest plugin of the package circumspect. Run by pytest."""
+import importlib.metadata
 import os
 import time
+import types
 
+import numpy as np
 import pytest
 
 import circumspect
@@ -70,6 +73,67 @@ def test_weighted_campaign():
     assert wrong.findings[0].weights is not None
 
 
+def test_a_campaign_on_domains(tmp_path):
+    def right(domain):
+        built = circumspect.constrained_delaunay(domain)
+        assert domain.points.shape[1] == domain.dimension and len(domain.holes) < 20
+        return built
+
+    refuses = (circumspect.NoTriangulation,)
+    for dimension in (2, 3):
+        found = circumspect.campaign(right, domains=True, dimension=dimension, cases=40, refuses=refuses)
+        assert found and found.cases == 40, str(found)
+    flat = {"families": ["scattered-cells"], "points": 4, "cases": 150}  # whose hulls nothing fills are left out
+    assert circumspect.campaign(right, domains=True, refuses=refuses, **flat)
+
+    def careless(domain):
+        return right(domain).simplices[1:]
+
+    found = circumspect.campaign(careless, domains=True, families=["planar-segments"], dimension=2, cases=30,
+                                 save=tmp_path)
+    assert not found
+    finding = found.findings[0]
+    assert finding.domain.dimension == 2 and len(finding.domain.points) <= 4 and finding.family == "planar-segments"
+    assert finding.rule in finding.report and finding.domain.size() in str(finding)
+    original = circumspect.generate_domain(finding.family, points=20, seed=finding.seed)
+    assert (original.points == finding.original.points).all() and len(finding.original.segments) == len(original.segments)
+    assert {path.suffix for path in tmp_path.iterdir()} == {".npy", ".txt", ".poly"}
+    again = circumspect.minimize(careless, finding.original)
+    assert again.rule == finding.rule and len(again.points) == len(finding.points)
+    in_process = circumspect.campaign(careless, domains=True, families=["planar-segments"], dimension=2, cases=30,
+                                      isolated=True)
+    assert [one.rule for one in in_process.findings] == [one.rule for one in found.findings]
+
+
+def test_what_functions_make_of_domains():
+    square = circumspect.Domain([[0, 0], [2, 0], [2, 2], [0, 2]], [[0, 1], [1, 2], [2, 3], [3, 0]])
+    fan = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    centre = np.vstack([square.points, [[1, 1]]])
+
+    def holds(made, claim="steiner-cdt", **options):
+        with pytest.raises(ValueError, match="found that it is right"):
+            circumspect.minimize(lambda domain: made, square, claim=claim, **options)
+
+    holds((centre, fan))
+    holds(types.SimpleNamespace(points=np.column_stack([centre, np.zeros(5)]), cells_dict={"triangle": fan}))
+    holds([[0, 1, 2], [0, 2, 3]], "conforming-delaunay")
+    holds((centre + [[0, 1e-13], [0, 0], [0, 0], [0, 0], [0, 0]], fan), within=1e-9)
+    for made, rule in (((centre[:, :1], fan), "no-mesh"), ((centre, "fan"), "no-mesh"), (None, "no-mesh"),
+                       (np.zeros((2, 3)), "no-mesh"), (([[0.5]], fan), "no-mesh")):
+        assert circumspect.minimize(lambda domain, made=made: made, square, claim="steiner-cdt").rule == rule
+    crossing = circumspect.Domain(square.points, [[0, 2], [1, 3]])
+    with pytest.raises(circumspect.InputError, match="plc.crossing-segments"):
+        circumspect.minimize(lambda domain: 1 / 0, crossing)
+    for options, message in (({"claim": "delaunay"}, "expected the claim plc-triangulation"),
+                             ({"families": ["sphere"]}, "a family of domains, found 'sphere'"),
+                             ({"families": ["planar-grid"], "dimension": 3}, "does not exist in dimension 3"),
+                             ({"dimension": 4}, "of the plane or of space"), ({"within": -1}, "at least 0")):
+        with pytest.raises(ValueError, match=message):
+            circumspect.campaign(lambda domain: [], domains=True, cases=1, **options)
+    with pytest.raises(ValueError, match="domains beside within"):
+        circumspect.campaign(lambda points: [], cases=1, within=1)
+
+
 def test_plugin(pytester):
     pytester.makepyfile("""
         def test_right(assert_delaunay):
@@ -79,7 +143,10 @@ def test_plugin(pytester):
         def test_hunt(circumspect_campaign):
             circumspect_campaign(lambda points: [[0, 1, 2]], dimension=2)
     """)
-    result = pytester.runpytest_subprocess("-p", "circumspect.pytest_plugin", "--circumspect-time=0.2")
+    # An installed package registers its plugin by itself.
+    is_registered = "circumspect" in {point.name for point in importlib.metadata.entry_points(group="pytest11")}
+    by_name = () if is_registered else ("-p", "circumspect.pytest_plugin")
+    result = pytester.runpytest_subprocess(*by_name, "--circumspect-time=0.2")
     result.assert_outcomes(passed=1, failed=2)
     result.stdout.fnmatch_lines(["*vertex   3 at (0.9, 0.9)*", "*triangulation.unused-point on 4 points*"])
     assert list((pytester.path / ".circumspect").rglob("*.npy"))

@@ -1,4 +1,4 @@
-// circumspect._core: the C interface and the families of inputs, for the package around it. Arrays come
+// circumspect._core: the C interface, for the package around it; inputs.cpp has the families of inputs. Arrays come
 // in as the package has made them: doubles and indices in C order, or exact numbers as texts.
 #include <memory>
 #include <optional>
@@ -13,17 +13,12 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "fuzz/harness/cases.hpp"
-#include "inputs/arrays.hpp"
-#include "inputs/families.hpp"
-#include "inputs/in_doubles.hpp"
-#include "inputs/minimise.hpp"
-#include "inputs/triangulated/domain_families.hpp"
-#include "reference/kernel/exact/number.hpp"
-
 namespace py = pybind11;
 
 namespace circumspect {
+
+void bind_inputs(py::module_& module);  // inputs.cpp
+
 namespace {
 
 struct InputError : std::runtime_error {
@@ -57,6 +52,7 @@ void require_ok(circumspect_status status) {
   throw std::runtime_error(message);
 }
 
+using OwnDocument = std::unique_ptr<circumspect_document, decltype(&circumspect_document_free)>;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int64_t, py::array::c_style>;
 
@@ -127,7 +123,8 @@ class MeshArgument {
   py::tuple arrays_;  // which live as long as this
 };
 
-// (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind)
+// (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind, polygons_of_holes,
+// polygon_hole_seeds)
 class DomainArgument {
  public:
   explicit DomainArgument(const py::tuple& parts)
@@ -136,7 +133,9 @@ class DomainArgument {
         polygons_(parts[3].cast<Indices>()),
         lines_(parts[4].cast<Indices>()),
         corners_(parts[5].cast<Indices>()),
-        holes_(parts[6].cast<Doubles>()) {
+        holes_(parts[6].cast<Doubles>()),
+        polygons_of_holes_(parts[8].cast<Indices>()),
+        polygon_holes_(parts[9].cast<Doubles>()) {
     domain_.dimension = parts[0].cast<std::int64_t>();
     domain_.point_count = domain_.dimension > 0 ? coordinates_.size() / domain_.dimension : 0;
     domain_.coordinates = coordinates_.doubles();
@@ -150,6 +149,9 @@ class DomainArgument {
     domain_.hole_count = domain_.dimension > 0 ? holes_.size() / domain_.dimension : 0;
     domain_.hole_seeds = holes_.data();
     domain_.kind = parts[7].cast<std::int32_t>();
+    domain_.polygon_hole_count = polygons_of_holes_.size();
+    domain_.polygons_of_holes = polygons_of_holes_.data();
+    domain_.polygon_hole_seeds = polygon_holes_.data();
   }
   const circumspect_domain* get() const { return &domain_; }
 
@@ -158,13 +160,23 @@ class DomainArgument {
   NumberList coordinates_;
   Indices segments_, polygons_, lines_, corners_;
   Doubles holes_;
+  Indices polygons_of_holes_;
+  Doubles polygon_holes_;
 };
 
-// (holds, unique, canonical, text, json, rules), facts −1 where they are not said.
+std::string page_of(const circumspect_verdict* verdict) {
+  circumspect_document* page = nullptr;
+  require_ok(circumspect_verdict_page(verdict, &page));
+  const OwnDocument own(page, circumspect_document_free);
+  return circumspect_document_text(page);
+}
+
+// (holds, unique, canonical, text, json, rules, page), facts −1 where they are not said; `page` is a function
+// without arguments that returns HTML, or None. `brief`: neither JSON nor page.
 py::tuple check(const std::string& claim, const py::tuple& mesh,
                 const std::optional<py::tuple>& domain, std::int64_t threads,
                 std::int64_t max_violations, bool by_definition, bool oriented,
-                const std::optional<std::string>& within, const std::string& name, bool with_json) {
+                const std::optional<std::string>& within, const std::string& name, bool brief) {
   const MeshArgument argument(mesh);
   std::optional<DomainArgument> about;
   if (domain) about.emplace(*domain);
@@ -175,7 +187,8 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
   options.oriented = oriented ? 1 : 0;
   options.within = within ? within->c_str() : nullptr;
   options.mesh_name = name.c_str();
-  options.without_json = with_json ? 0 : 1;
+  options.without_json = brief ? 1 : 0;
+  options.with_pictures = brief ? 0 : 1;
   circumspect_verdict* verdict = nullptr;
   circumspect_status status = CIRCUMSPECT_OK;
   {
@@ -184,18 +197,19 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
                                &options, &verdict);
   }
   require_ok(status);
-  const std::unique_ptr<circumspect_verdict, decltype(&circumspect_verdict_free)> own(
-      verdict, circumspect_verdict_free);
+  const std::shared_ptr<circumspect_verdict> own(verdict, circumspect_verdict_free);
   py::dict rules;
   for (std::int64_t i = 0; i < circumspect_verdict_rule_count(verdict); ++i) {
     std::int64_t count = 0;
     const char* const rule = circumspect_verdict_rule(verdict, i, &count);
     rules[rule] = count;
   }
+  py::object page = py::none();
+  if (!brief) page = py::cpp_function([own] { return page_of(own.get()); });
   return py::make_tuple(circumspect_verdict_holds(verdict) == 1,
                         circumspect_verdict_unique(verdict), circumspect_verdict_canonical(verdict),
-                        circumspect_verdict_text(verdict), circumspect_verdict_json(verdict),
-                        rules);
+                        circumspect_verdict_text(verdict), circumspect_verdict_json(verdict), rules,
+                        page);
 }
 
 // Rows of `vertices` indices.
@@ -265,8 +279,7 @@ py::tuple with_document(
     status = call(&answer, &document);
   }
   require_ok(status);
-  const std::unique_ptr<circumspect_document, decltype(&circumspect_document_free)> own(
-      document, circumspect_document_free);
+  const OwnDocument own(document, circumspect_document_free);
   return py::make_tuple(answer == 1, circumspect_document_text(document));
 }
 
@@ -292,114 +305,6 @@ py::tuple certify(const std::string& claim, const py::tuple& mesh) {
   });
 }
 
-// Points as (n × d doubles, n weights or None).
-py::tuple arrays_of(const generators::PointsCase& set, std::size_t dimension) {
-  const PointArray points = generators::array(set, dimension);
-  const auto count = static_cast<py::ssize_t>(points.size());
-  py::object weights = py::none();
-  if (!points.weights.empty()) weights = Doubles(count, points.weights.data());
-  return py::make_tuple(
-      Doubles({count, static_cast<py::ssize_t>(dimension)}, points.coordinates.data()), weights);
-}
-
-generators::PointsCase set_of(const Doubles& points, const std::optional<Doubles>& weights) {
-  PointArray array{static_cast<std::size_t>(points.shape(1)), {}, {}};
-  array.coordinates.assign(points.data(), points.data() + points.size());
-  if (weights) array.weights.assign(weights->data(), weights->data() + weights->size());
-  return generators::from(array);
-}
-
-py::list families() {
-  py::list all;
-  for (const generators::Family& family : generators::modified_families()) {
-    std::vector<std::size_t> dimensions;
-    for (std::size_t d = 1; d <= 8; ++d) {
-      if (family.exists_in(d)) dimensions.push_back(d);
-    }
-    all.append(py::make_tuple(family.name, family.about, dimensions, family.weighted,
-                              family.repeats_points));
-  }
-  return all;
-}
-
-py::list domain_families() {
-  py::list all;
-  for (const generators::ComplexFamily& family : properties::domain_families()) {
-    all.append(py::make_tuple(family.name, family.about, family.dimension));
-  }
-  return all;
-}
-
-const generators::Family& family_in(const std::string& name, std::size_t dimension) {
-  return *harness::chosen_families({name}, dimension, false).front();
-}
-
-py::tuple generate(const std::string& name, std::size_t dimension, std::size_t max_points,
-                   std::uint64_t seed, bool fewer) {
-  const generators::Family& family = family_in(name, dimension);
-  const generators::PointsCase set =
-      generators::drawn(family, dimension, {max_points, !fewer}, seed);
-  return arrays_of(generators::in_doubles(set, family.repeats_points), dimension);
-}
-
-// Coordinates as texts, row after row.
-std::vector<std::string> generate_exact(const std::string& name, std::size_t dimension,
-                                        std::size_t max_points, std::uint64_t seed, bool fewer) {
-  const generators::Family& family = family_in(name, dimension);
-  const generators::PointsCase set =
-      generators::drawn(family, dimension, {max_points, !fewer}, seed);
-  std::vector<std::string> texts;
-  for (const Point& point : set.points) {
-    for (const Rational& x : point) texts.push_back(to_string(x));
-  }
-  return texts;
-}
-
-// (points, segments, polygons as lists of lines, hole seeds, fills the hull?)
-py::tuple generate_domain(const std::string& name, std::size_t max_points, std::uint64_t seed) {
-  const generators::ComplexFamily* const family = properties::find_domain_family(name);
-  if (family == nullptr) {
-    throw std::invalid_argument("expected the name of a family of domains, found '" + name + "'");
-  }
-  const PiecewiseLinearInput input =
-      generators::in_doubles(generators::drawn(*family, max_points, seed)).input;
-  py::list polygons;
-  for (const PolygonLines& polygon : input.polygons) polygons.append(py::cast(polygon.lines));
-  return py::make_tuple(arrays_of({input.points}, family->dimension)[0], input.segments, polygons,
-                        arrays_of({input.hole_seeds}, family->dimension)[0],
-                        input.kind == DomainKind::kHull);
-}
-
-// Case number `index` of a run: (family, seed, points, weights).
-py::tuple drawn_case(const std::vector<std::string>& names, std::size_t dimension, bool weighted,
-                     std::size_t max_points, std::uint64_t run_seed, std::uint64_t index) {
-  const auto chosen = harness::chosen_families(names, dimension, weighted);
-  const harness::DrawnCase drawn =
-      harness::drawn_case(chosen, dimension, max_points, run_seed, index);
-  const py::tuple arrays = arrays_of(drawn.set, dimension);
-  return py::make_tuple(drawn.family, drawn.seed, arrays[0], arrays[1]);
-}
-
-// The smallest points found for which `still_fails(points, weights)` is true.
-py::tuple minimized(const Doubles& points, const std::optional<Doubles>& weights,
-                    const std::function<bool(const py::object&, const py::object&)>& still_fails,
-                    std::size_t tries, double seconds) {
-  const auto dimension = static_cast<std::size_t>(points.shape(1));
-  const auto fails = [&](const generators::PointsCase& set) {
-    for (const Point& point : set.points) {
-      for (const Rational& x : point) {
-        if (exact_value(x.get_d()) != x) return false;
-      }
-    }
-    const py::tuple arrays = arrays_of(set, dimension);
-    return still_fails(arrays[0], arrays[1]);
-  };
-  return arrays_of(
-      generators::minimised(set_of(points, weights), fails,
-                            {.tries = tries, .time = std::chrono::duration<double>(seconds)}),
-      dimension);
-}
-
 }  // namespace
 }  // namespace circumspect
 
@@ -416,11 +321,5 @@ PYBIND11_MODULE(_core, module) {
   module.def("compare", &compare);
   module.def("certify", &certify);
   module.def("inspect", &inspect);
-  module.def("families", &families);
-  module.def("domain_families", &domain_families);
-  module.def("generate", &generate);
-  module.def("generate_exact", &generate_exact);
-  module.def("generate_domain", &generate_domain);
-  module.def("drawn_case", &drawn_case);
-  module.def("minimized", &minimized);
+  circumspect::bind_inputs(module);
 }

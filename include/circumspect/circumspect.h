@@ -24,7 +24,7 @@
  *
  * Memory: where the C++ runtime finds none, CIRCUMSPECT_OUT_OF_MEMORY comes back. Not so in two libraries of
  * others, which end the process: GMP, of exact numbers too large for memory, and the writer of JSON, which is
- * only begun where a megabyte is left; `without_json` does without it. */
+ * only begun where a megabyte is left; `without_json` does without it, unless there are pictures. */
 #ifndef CIRCUMSPECT_CIRCUMSPECT_H
 #define CIRCUMSPECT_CIRCUMSPECT_H
 
@@ -62,6 +62,9 @@ typedef enum circumspect_status {
 /* Why the last call of this thread that returned a status failed, for people: what was expected and what
  * was found. Empty if it did not fail. Lives until the thread's next call. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_error(void);
+
+/* Structs grow at their end alone. One that began as its macro of an earlier version is taken: what it does
+ * not have is as the macro sets it. */
 
 /* A mesh where it lies. Begin with CIRCUMSPECT_MESH, which is the empty mesh, and set what there is. Of
  * numbers, doubles are read where `coordinates` is set, else the texts of `exact_coordinates`: "1/3",
@@ -115,10 +118,17 @@ typedef struct circumspect_domain {
   int64_t hole_count;
   const double* hole_seeds; /* a point in each hole */
   int32_t kind;             /* circumspect_domain_kind */
+  /* Holes of polygons. A closed line within a polygon bounds a hole of it only where a seed says so. */
+  int64_t polygon_hole_count;
+  const int64_t* polygons_of_holes; /* the polygon that each is a hole of */
+  const double* polygon_hole_seeds; /* a point of its plane in each: three coordinates */
 } circumspect_domain;
 
-#define CIRCUMSPECT_DOMAIN \
-  { sizeof(circumspect_domain), 0, 0, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, 0 }
+#define CIRCUMSPECT_DOMAIN                                                                     \
+  {                                                                                            \
+    sizeof(circumspect_domain), 0, 0, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, 0, 0, \
+        NULL, NULL                                                                             \
+  }
 
 typedef struct circumspect_options {
   size_t struct_size;     /* set by CIRCUMSPECT_OPTIONS */
@@ -129,10 +139,11 @@ typedef struct circumspect_options {
   const char* within;     /* NULL, or how far cells of the domain may be moved: "1e-9" */
   const char* mesh_name;  /* for text and JSON; NULL: "mesh" */
   int32_t without_json;   /* not 0: circumspect_verdict_json is empty */
+  int64_t with_pictures;  /* not 0: the verdict keeps what circumspect_verdict_page shows */
 } circumspect_options;
 
 #define CIRCUMSPECT_OPTIONS \
-  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0 }
+  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0 }
 
 typedef struct circumspect_verdict circumspect_verdict;
 
@@ -156,6 +167,13 @@ CIRCUMSPECT_API int circumspect_verdict_canonical(const circumspect_verdict* ver
  * NULL; empty if the verdict is. */
 CIRCUMSPECT_API const char* circumspect_verdict_text(const circumspect_verdict* verdict);
 CIRCUMSPECT_API const char* circumspect_verdict_json(const circumspect_verdict* verdict);
+
+typedef struct circumspect_document circumspect_document;
+
+/* The page that `--html` of the command writes, with a picture of each witness: one file of HTML, which loads
+ * nothing. CIRCUMSPECT_NONE if the verdict was asked for without `with_pictures`. */
+CIRCUMSPECT_API circumspect_status circumspect_verdict_page(const circumspect_verdict* verdict,
+                                                            circumspect_document** page);
 
 /* The broken rules, in the order in which they are judged, and how often each is broken. NULL and 0 where
  * `index` is out of range. */
@@ -207,6 +225,14 @@ typedef struct circumspect_drawing circumspect_drawing;
 CIRCUMSPECT_API circumspect_status circumspect_generate(const char* family, int64_t dimension,
                                                         int64_t points, uint64_t seed,
                                                         circumspect_drawing** drawing);
+/* The same of domains. `points`: about how many are drawn. */
+CIRCUMSPECT_API circumspect_status circumspect_generate_domain(const char* family, int64_t points,
+                                                               uint64_t seed,
+                                                               circumspect_drawing** drawing);
+/* The domain, which lives as long as the drawing; NULL of a drawing of points, and of NULL. A family may draw
+ * points of one plane and call for their hull, which is CIRCUMSPECT_INPUT_FAULT when it is to be filled. */
+CIRCUMSPECT_API const circumspect_domain* circumspect_drawing_domain(
+    const circumspect_drawing* drawing);
 /* A mesh of these points, all doubles, and of their weights if the family has such, without simplices. It lives
  * as long as the drawing; a copy may be given simplices and judged. NULL of NULL. */
 CIRCUMSPECT_API const circumspect_mesh* circumspect_drawing_mesh(
@@ -249,8 +275,6 @@ CIRCUMSPECT_API circumspect_status circumspect_orientation_exact(int64_t dimensi
 CIRCUMSPECT_API circumspect_status circumspect_in_ball_exact(int64_t dimension,
                                                              const char* const* coordinates,
                                                              int* sign);
-
-typedef struct circumspect_document circumspect_document;
 
 /* Are two meshes the same complex, whatever their numbering? *same is 1 or 0, and the document says in JSON
  * what each mesh alone has: {"same", "only_in_a": {"points", "simplices"}, "only_in_b"}. Equal points are

@@ -18,7 +18,8 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _core
 from ._core import InputError, NoTriangulation, Undecided
 from .campaigns import Campaign, Finding, campaign, minimize
-from .meshes import Domain, Held, Mesh, domain_of, mesh_of, numbers_of, points_of
+from .domains import Domain, domain_of, in_plane_of
+from .meshes import Held, mesh_of, number_text, numbers_of, points_of
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
 
 __version__: str = _core.version
@@ -73,28 +74,10 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     elif within is not None:
         raise ValueError("expected a domain beside within, found None")
     claim = claim or "delaunay"
-    distance = None if within is None else numbers_text(within)
+    distance = None if within is None else number_text(within, "a distance")
     with Held(mesh, copy) as held:
         return Verdict(claim, _core.check(claim, held.parts(), about, threads, max_errors, by == "definition",
-                                          oriented, distance, name, True))
-
-
-def numbers_text(number: Any) -> str:
-    """The exact value of a distance; a text stands for itself."""
-    from .meshes import exact_text
-
-    return number if isinstance(number, str) else exact_text(number, "a distance")
-
-
-def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:
-    """The mesh without its third coordinate, if that is the same for all and the domain is one of the plane."""
-    points = mesh.points
-    if domain.dimension != 2 or mesh.dimension != 3 or isinstance(points.values, list) or not points.shape[0]:
-        return mesh
-    rows = points.values.reshape(points.shape)
-    if (rows[:, 2] != rows[0, 2]).any():
-        return mesh
-    return mesh._replace(points=numbers_of(rows[:, :2].copy(), "points"))
+                                          oriented, distance, name, False))
 
 
 def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:
@@ -253,5 +236,4 @@ def generate_domain(family: str, *, points: int = 12, seed: int = 0) -> Domain:
     >>> generate_domain("glued-tetrahedra", seed=1).dimension
     3
     """
-    drawn, segments, polygons, holes, is_hull = _core.generate_domain(family, points, seed)
-    return Domain(drawn, segments, polygons, holes if len(holes) else None, "hull" if is_hull else "enclosed")
+    return Domain.of_lists(_core.generate_domain(family, points, seed))

@@ -1,6 +1,7 @@
 """Hunting for mistakes in a Python function that triangulates, in this process or in one beside it."""
 from __future__ import annotations
 
+import copy
 import faulthandler
 import inspect as signatures
 import multiprocessing
@@ -10,8 +11,12 @@ from pathlib import Path
 from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple
 
 from . import _core
-from .meshes import mesh_of, parts_of
+from .domains import Domain, in_plane_of
+from .meshes import Mesh, indices_of, mesh_of, number_text, parts_of, points_of
 from .verdicts import Verdict
+
+CLAIMS = ("triangulation", "delaunay", "weighted-delaunay")
+CLAIMS_OF_DOMAINS = ("plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay")
 
 # Minimizing ends after so many calls, or when its share of the time is over.
 MOST_TRIES = 20_000
@@ -28,10 +33,16 @@ class Finding(NamedTuple):
     family: str = ""
     seed: int = 0  # generate(family, dimension=..., points=..., seed=..., fewer=True) makes the original
     original: Any = None
+    domain: Optional[Domain] = None  # whose points these are; generate_domain(family, points=..., seed=...) makes the
+    # original
 
     def __str__(self) -> str:
-        rows = "\n".join(f"  {index} {' '.join(map(repr, row))}" for index, row in enumerate(self.points.tolist()))
-        return f"{self.rule} on {len(self.points)} points:\n{rows}\n{self.report}".rstrip()
+        rows = [f"  {index} {' '.join(map(repr, row))}" for index, row in enumerate(self.points.tolist())]
+        size = f"{len(self.points)} points"
+        if self.domain is not None:
+            size, rows = self.domain.size(), [_core.poly_text(self.domain.lists()).rstrip()]
+        listed = "\n".join(rows)
+        return f"{self.rule} on {size}:\n{listed}\n{self.report}".rstrip()
 
 
 class Campaign(NamedTuple):
@@ -64,39 +75,59 @@ class Outcome(NamedTuple):
     simplices: Any = None
 
 
+class Case(NamedTuple):
+    """An input: (n, d) points and weights, or a domain."""
+
+    points: Any
+    weights: Any = None
+    domain: Optional[Domain] = None
+
+
 class Subject:
     """The function under test, called in this process."""
 
-    def __init__(self, function: Callable, claim: str, refuses: Tuple[type, ...] = ()):
-        self.function, self.claim, self.refuses = function, claim, refuses
+    def __init__(self, function: Callable, claim: str, refuses: Tuple[type, ...] = (), within: Optional[str] = None):
+        self.function, self.claim, self.refuses, self.within = function, claim, refuses, within
         self.takes_weights = claim == "weighted-delaunay"
 
-    def answer(self, points: Any, weights: Any) -> Tuple[str, Any]:
-        """("mesh", simplices), ("refused", None), or a rule and a report."""
-        own = points.copy()  # the function may change what it is given
+    def call(self, case: Case) -> Any:
+        """On copies: the function may change what it is given."""
+        if case.domain is not None:
+            return self.function(Domain.of_lists(copy.deepcopy(case.domain.lists())))
+        own = case.points.copy()
+        return self.function(own, case.weights.copy()) if self.takes_weights else self.function(own)
+
+    def answer(self, case: Case) -> Tuple[str, Any]:
+        """("mesh", its Mesh), ("refused", None), or a rule and a report."""
         try:
-            made = self.function(own, weights.copy()) if self.takes_weights else self.function(own)
+            made = self.call(case)
         except self.refuses:
             return "refused", None
         except (Exception, SystemExit):  # whatever a mesher raises is a finding
             return "raised", traceback.format_exc(limit=-3)
         try:
+            if case.domain is not None:
+                return "mesh", mesh_on(case.domain, made)
             # A mesh object is judged by the points that were given, not by those it may have changed.
             simplices = parts_of(made)[1] if not hasattr(made, "__array__") and hasattr(made, "__dict__") else made
-            return "mesh", mesh_of(points, simplices).simplices
+            return "mesh", mesh_of(case.points, simplices, None, case.weights)
         except Exception as error:  # rubbish may be of any kind
             return "no-mesh", str(error)
 
-    def outcome(self, points: Any, weights: Any) -> Outcome:
+    def outcome(self, case: Case) -> Outcome:
         """The call, judged."""
-        kind, value = self.answer(points, weights)
+        kind, value = self.answer(case)
         if kind == "refused":
             return Outcome("")
         if kind != "mesh":
             return Outcome(kind, value)
-        mesh = mesh_of(points, value, None, weights)
-        verdict = Verdict(self.claim, _core.check(self.claim, mesh.parts(), None, 1, 3, False, False, None, "mesh", False))
-        return Outcome("") if verdict else Outcome(next(iter(verdict.rules)), str(verdict), value)
+        about = None if case.domain is None else case.domain.parts()
+        try:
+            verdict = Verdict(self.claim, _core.check(self.claim, value.parts(), about, 1, 3, False, False, self.within,
+                                                      "mesh", True))
+        except _core.Undecided:
+            return Outcome("")
+        return Outcome("") if verdict else Outcome(next(iter(verdict.rules)), str(verdict), value.simplices)
 
     def close(self) -> None:
         """Nothing to end."""
@@ -117,10 +148,10 @@ class IsolatedSubject(Subject):
         faulthandler.disable()  # what ends it is told by the parent
         while True:
             try:
-                points, weights = connection.recv()
+                case = connection.recv()
             except EOFError:
                 return
-            connection.send(super().answer(points, weights))
+            connection.send(super().answer(case))
 
     def start(self) -> None:
         """Forks a process."""
@@ -129,11 +160,11 @@ class IsolatedSubject(Subject):
         self.process.start()
         others.close()
 
-    def answer(self, points: Any, weights: Any) -> Tuple[str, Any]:
+    def answer(self, case: Case) -> Tuple[str, Any]:
         if self.process is None:
             self.start()
         try:
-            self.connection.send((points, weights))
+            self.connection.send(case)
             if not self.connection.poll(self.time_limit):
                 self.close()
                 return "hang", f"no answer within {self.time_limit:g} s"
@@ -153,26 +184,66 @@ class IsolatedSubject(Subject):
             self.process = None
 
 
-def subject_of(function: Callable, claim: str, refuses: Sequence[type], isolated: bool, time_limit: float) -> Subject:
+def mesh_on(domain: Domain, made: Any) -> Mesh:
+    """What a function made of a domain: simplices of its points, (points, simplices), or a mesh object."""
+    import numpy as np
+
+    triangles = edges = None
+    if isinstance(made, tuple) and len(made) == 2 and np.ndim(made[0]) == 2:
+        points, simplices = made
+    elif hasattr(made, "simplices") and not hasattr(made, "points"):  # Constrained
+        points, simplices = domain.points, made.simplices
+        triangles, edges = getattr(made, "triangles", None), getattr(made, "edges", None)
+    elif not hasattr(made, "__array__") and hasattr(made, "__dict__"):
+        points, simplices, _, triangles, edges = parts_of(made)
+    else:
+        points, simplices = domain.points, made
+    mesh = in_plane_of(mesh_of(points, simplices), domain)
+    if mesh.dimension != domain.dimension:
+        raise ValueError(f"expected points of {domain.dimension} coordinates, as those of the domain, "
+                         f"found {mesh.dimension}")
+    faces = [None if rows is None else indices_of(rows, what, size).astype(np.int64)
+             for rows, what, size in ((triangles, "triangles", 3), (edges, "edges", 2))]
+    return mesh._replace(triangles=faces[0], edges=faces[1])
+
+
+def subject_of(function: Callable, claim: Optional[str], domains: bool, refuses: Sequence[type], isolated: bool,
+               time_limit: float, within: Any) -> Subject:
     """The function, called here or in a process of its own."""
     if not callable(function):
         raise TypeError(f"expected a function that takes points and returns simplices, found {function!r}")
-    if claim not in ("triangulation", "delaunay", "weighted-delaunay"):
-        raise ValueError(f"expected the claim triangulation, delaunay or weighted-delaunay, found {claim!r}")
+    known = CLAIMS_OF_DOMAINS if domains else CLAIMS
+    claim = claim or ("cdt" if domains else "delaunay")
+    if claim not in known:
+        raise ValueError(f"expected the claim {', '.join(known[:-1])} or {known[-1]}, found {claim!r}")
+    if within is not None and not domains:
+        raise ValueError("expected domains beside within, found points")
     kinds = tuple(refuses) if isinstance(refuses, (tuple, list, set)) else (refuses,)
     if not all(signatures.isclass(kind) and issubclass(kind, BaseException) for kind in kinds):
         raise TypeError(f"expected exception types as refuses, found {refuses!r}")
+    distance = None if within is None else number_text(within, "a distance")
     if isolated:
-        return IsolatedSubject(function, claim, kinds, time_limit=time_limit)
-    return Subject(function, claim, kinds)
+        return IsolatedSubject(function, claim, kinds, distance, time_limit=time_limit)
+    return Subject(function, claim, kinds, distance)
 
 
-def made_small(subject: Subject, points: Any, weights: Any, rule: str, flat: bool, seconds: float):
-    """The smallest points found on which the same rule is broken."""
+def made_small(subject: Subject, case: Case, rule: str, flat: bool, seconds: float) -> Case:
+    """The smallest input found on which the same rule is broken."""
     def still_fails(fewer: Any, of_fewer: Any) -> bool:
-        return is_wanted(fewer, flat) and subject.outcome(fewer, of_fewer).rule == rule
+        return is_wanted(fewer, flat) and subject.outcome(Case(fewer, of_fewer)).rule == rule
 
-    return _core.minimized(points, weights, still_fails, MOST_TRIES, seconds)
+    def of_domain(lists: tuple) -> bool:
+        return subject.outcome(domain_case(lists)).rule == rule
+
+    if case.domain is not None:
+        return domain_case(_core.minimized_domain(case.domain.lists(), of_domain, MOST_TRIES, seconds))
+    return Case(*_core.minimized(case.points, case.weights, still_fails, MOST_TRIES, seconds))
+
+
+def domain_case(lists: tuple) -> Case:
+    """From what `_core` draws."""
+    domain = Domain.of_lists(lists)
+    return Case(domain.points, None, domain)
 
 
 def is_wanted(points: Any, flat: bool) -> bool:
@@ -195,45 +266,54 @@ def is_wanted(points: Any, flat: bool) -> bool:
         mesh_of(np.unique(points, axis=0), np.zeros((0, dimension + 1), int)).parts()).shape[1] == dimension + 1
 
 
-def minimize(function: Callable, points: Any, *, claim: str = "delaunay", weights: Any = None,
+def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, weights: Any = None,
              refuses: Sequence[type] = (), isolated: bool = False, time_limit: float = 10.0, flat: bool = True,
-             time: float = 60.0) -> Finding:
+             time: float = 60.0, within: Any = None) -> Finding:
     """The smallest (n, d) points found on which a function is wrong in the same way as on these.
 
-    `function(points)` (with weights: `function(points, weights)`) returns simplices, or a mesh object. Raises
-    ValueError if it is right on the points that are given.
+    `function(points)` (with weights: `function(points, weights)`) returns simplices, or a mesh object. In the place of
+    points there may be a Domain, which `function(domain)` is given. Raises ValueError if the function is right on it.
     """
     import numpy as np
 
-    own = np.array(points, dtype=np.float64)
-    if own.ndim != 2 or not np.isfinite(own).all():
-        raise ValueError(f"expected finite points of shape (n, d), found {own.shape}")
-    heavy = None if weights is None else np.array(weights, dtype=np.float64)
-    subject = subject_of(function, claim, refuses, isolated, time_limit)
+    if isinstance(points, Domain):
+        given = domain_case(points.lists())
+        # What is no piecewise linear complex is refused here, before any function is called.
+        _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, None, "", True)
+    else:
+        own = np.array(points, dtype=np.float64)
+        if own.ndim != 2 or not np.isfinite(own).all():
+            raise ValueError(f"expected finite points of shape (n, d), found {own.shape}")
+        given = Case(own, None if weights is None else np.array(weights, dtype=np.float64))
+    subject = subject_of(function, claim, given.domain is not None, refuses, isolated, time_limit, within)
     try:
-        rule = subject.outcome(own, heavy).rule
+        rule = subject.outcome(given).rule
         if not rule:
             raise ValueError("expected points on which the function is wrong, found that it is right on them")
-        small, of_small = made_small(subject, own, heavy, rule, flat, time)
-        outcome = subject.outcome(small, of_small)
+        return small_finding(subject, rule, "", 0, given, flat=flat, seconds=time)
     finally:
         subject.close()
-    return Finding(rule, small, of_small, outcome.simplices, outcome.report, original=own)
 
 
 def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = None, dimension: int = 3,
-             claim: str = "delaunay", families: Sequence[str] = (), points: int = 20, seed: int = 20260101,
+             claim: Optional[str] = None, families: Sequence[str] = (), points: int = 20, seed: int = 20260101,
              flat: bool = False, refuses: Sequence[type] = (), isolated: bool = False, time_limit: float = 10.0,
-             save: Any = None) -> Campaign:
+             save: Any = None, domains: bool = False, within: Any = None) -> Campaign:
     """Hunts for inputs on which a function is wrong, for `time` seconds or for a number of `cases`.
 
     function(points): from (n, d) doubles to (m, d+1) integers, or to a mesh object such as
         scipy.spatial.Delaunay. For "weighted-delaunay", function(points, weights). What it raises is a finding,
         unless its type is among `refuses`; so is anything that is no mesh.
+    domains: draws domains. function(domain) is then given a Domain, whose `points`, `segments`, `polygons` and
+        `holes` are there to be read. It returns simplices, (points, simplices) if it adds points, or a mesh object.
+    claim: "delaunay" (the default), "triangulation", "weighted-delaunay"; of domains "cdt" (the default),
+        "plc-triangulation", "steiner-triangulation", "steiner-cdt" or "conforming-delaunay". Not every domain has a
+        CDT: a function that says so raises what is among `refuses`.
+    within: how far cells of the domain may be moved, as in `check`: points that were rounded need it.
     families: names (see circumspect.families); none: all of the dimension whose points are distinct.
     flat: also points that span only a flat, where rows of k+1 indices are the answer.
     isolated: calls it in a forked process, so that a crash, or a call longer than `time_limit`, is a finding.
-    save: a folder for the findings, one .npy and one .txt each.
+    save: a folder for the findings, one .npy and one .txt each; of domains a .poly too.
 
     One finding for each rule, its input made small; that takes up to `time` again.
 
@@ -241,25 +321,31 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
     >>> bool(found), found.findings[0].rule
     (False, 'triangulation.unused-point')
     """
-    subject = subject_of(function, claim, refuses, isolated, time_limit)
+    subject = subject_of(function, claim, domains, refuses, isolated, time_limit, within)
     start = clocks.monotonic()
-    found: List[Tuple[str, str, int, Any, Any]] = []
+    found: List[Tuple[str, str, int, Case]] = []
     seen = set()
     count = 0
     try:
         while count < cases if cases is not None else clocks.monotonic() - start < time:
-            family, drawn_seed, drawn, weights = _core.drawn_case(list(families), dimension,
-                                                                  claim == "weighted-delaunay", points, seed, count)
+            if domains:
+                family, drawn_seed, lists = _core.drawn_domain_case(list(families), dimension, points, seed, count)
+                case = domain_case(lists)
+            else:
+                family, drawn_seed, *drawn = _core.drawn_case(list(families), dimension, subject.takes_weights, points,
+                                                              seed, count)
+                case = Case(*drawn)
             count += 1
-            if not len(drawn) or not is_wanted(drawn, flat):
+            # A hull has to span its space.
+            if not len(case.points) or not is_wanted(case.points, case.domain.kind != "hull" if domains else flat):
                 continue
-            if subject.takes_weights and weights is None:
+            if subject.takes_weights and case.weights is None:
                 continue
-            rule = subject.outcome(drawn, weights).rule
+            rule = subject.outcome(case).rule
             if rule and rule not in seen:
                 seen.add(rule)
-                found.append((rule, family, drawn_seed, drawn, weights))
-        findings = [small_finding(subject, *case, flat=flat, seconds=time / len(found)) for case in found]
+                found.append((rule, family, drawn_seed, case))
+        findings = [small_finding(subject, *one, flat=flat, seconds=time / len(found)) for one in found]
     finally:
         subject.close()
     if save is not None:
@@ -267,20 +353,23 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
     return Campaign(count, findings, clocks.monotonic() - start)
 
 
-def small_finding(subject: Subject, rule: str, family: str, seed: int, drawn: Any, weights: Any, *, flat: bool,
+def small_finding(subject: Subject, rule: str, family: str, seed: int, case: Case, *, flat: bool,
                   seconds: float) -> Finding:
     """A case made small."""
-    small, of_small = made_small(subject, drawn, weights, rule, flat, seconds)
-    outcome = subject.outcome(small, of_small)
-    return Finding(rule, small, of_small, outcome.simplices, outcome.report, family, seed, drawn)
+    small = made_small(subject, case, rule, flat, seconds)
+    outcome = subject.outcome(small)
+    return Finding(rule, small.points, small.weights, outcome.simplices, outcome.report, family, seed,
+                   case.points if case.domain is None else case.domain, small.domain)
 
 
 def save_findings(folder: Path, findings: Sequence[Finding]) -> None:
-    """One .npy file with the points and one .txt file with the report each."""
+    """One .npy file with the points and one .txt file with the report each; of a domain a .poly file too."""
     import numpy as np
 
     folder.mkdir(parents=True, exist_ok=True)
     for number, finding in enumerate(findings, 1):
         stem = f"{number:02d}-{finding.rule}"
         np.save(folder / f"{stem}.npy", finding.points)
+        if finding.domain is not None:
+            (folder / f"{stem}.poly").write_text(_core.poly_text(finding.domain.lists()), encoding="utf-8")
         (folder / f"{stem}.txt").write_text(f"{finding}\n", encoding="utf-8")

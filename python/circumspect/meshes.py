@@ -7,7 +7,7 @@ from __future__ import annotations
 import fractions
 import numbers
 import threading
-from typing import Any, NamedTuple, Optional, Sequence
+from typing import Any, NamedTuple, Optional
 
 # Arrays up to so many bytes are copied before they are judged, so that no other thread can change them;
 # larger ones are made read-only meanwhile.
@@ -56,6 +56,11 @@ def exact_text(value: Any, what: str) -> str:
     except (OverflowError, ValueError):
         raise ValueError(f"expected finite {what}, found {value!r}") from None
     return str(exact)
+
+
+def number_text(number: Any, what: str) -> str:
+    """The same; a text stands for itself."""
+    return number if isinstance(number, str) else exact_text(number, what)
 
 
 def array_of(values: Any, what: str):
@@ -218,9 +223,23 @@ def parts_of(mesh: Any):
 
 
 def vtk_cells(grid: Any):
-    """The points of a VTK grid, and its cells by VTK's numbers."""
-    points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
+    """The points of a VTK data set, and its cells by VTK's numbers."""
+    import numpy as np
+
+    points = np.zeros((grid.GetNumberOfPoints(), 3))
+    try:
+        if len(points):
+            points = np.array(memoryview(grid.GetPoints().GetData()))
+    except (AttributeError, TypeError):  # images have no array of points, and some arrays show no memory
+        points = np.array([grid.GetPoint(i) for i in range(len(points))])
     cells: dict = {}
+    if hasattr(grid, "GetCellTypesArray") and grid.GetNumberOfCells():  # an unstructured grid
+        kinds, vertices, starts = (np.array(memoryview(array)) for array in (
+            grid.GetCellTypesArray(), grid.GetCells().GetConnectivityArray(), grid.GetCells().GetOffsetsArray()))
+        for kind in np.unique(kinds).tolist():
+            own = starts[:-1][kinds == kind]
+            cells[kind] = vertices[own[:, None] + np.arange(CELLS[kind])] if kind in CELLS else own
+        return points, cells
     for i in range(grid.GetNumberOfCells()):
         ids = grid.GetCell(i).GetPointIds()
         row = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
@@ -228,20 +247,20 @@ def vtk_cells(grid: Any):
     return points, cells
 
 
-def with_cells(points: Any, cells: dict):
+def with_cells(points: Any, cells: Optional[dict]):
     """The cells of the highest dimension are the simplices, those below are listed beside them."""
     import numpy as np
 
     of_size: dict = {}
-    for kind, rows in cells.items():
-        rows = np.asarray(rows)
-        if rows.size == 0:
+    for kind, rows in (cells or {}).items():  # earlier versions of pyvista have None where there are no cells
+        if not len(rows):
             continue
         if kind not in CELLS:
-            raise ValueError(f"expected tetrahedra, triangles, edges and vertices, found cells of type {kind!r}")
-        of_size[CELLS[kind]] = rows
+            what = repr(kind) if isinstance(kind, str) else f"{kind} of VTK"
+            raise ValueError(f"expected tetrahedra, triangles, edges and vertices, found cells of type {what}")
+        of_size[CELLS[kind]] = np.asarray(rows)
     if not of_size:
-        return points, np.zeros((0, np.asarray(points).shape[1] + 1), np.int64), None, None, None
+        return points, np.zeros((0, np.shape(points)[1] + 1), np.int64), None, None, None
     most = max(of_size)
     listed = {size: np.ascontiguousarray(rows, dtype=np.int64) for size, rows in of_size.items() if size < most}
     return points, of_size[most], None, listed.get(3), listed.get(2)
@@ -308,87 +327,3 @@ class Held:
                     array.flags.writeable = True
                 except ValueError:
                     self._released.append(array)
-
-
-class Domain:
-    """A piecewise linear complex: what a mesh is meant to fill.
-
-    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, in space alone: each a list of
-    corners, or of several such lines (outline and holes); holes: a point in each hole; kind: "enclosed" (what
-    segments or polygons enclose), "hull" (the convex hull), or None, which is "enclosed" if they enclose
-    anything, and "hull" if there are none.
-
-    >>> square = Domain([[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
-    >>> square
-    Domain(4 points, 4 segments, 0 polygons)
-    """
-
-    def __init__(self, points: Any, segments: Any = None, polygons: Optional[Sequence] = None, holes: Any = None,
-                 kind: Optional[str] = None):
-        import numpy as np
-
-        self.points = numbers_of(points, "points")
-        if self.dimension not in (2, 3):
-            raise ValueError(f"expected a domain of the plane or of space, found points of {self.dimension} coordinates")
-        self.segments = indices_of([] if segments is None else segments, "segments", 2).astype(np.int64)
-        self.polygons = [lines_of(polygon) for polygon in (() if polygons is None else polygons)]
-        if holes is None or np.size(holes) == 0:
-            self.holes = np.zeros((0, self.dimension))
-        else:
-            found = numbers_of(holes, "holes")
-            if isinstance(found.values, list) or found.shape[1] != self.dimension:
-                raise ValueError(f"expected holes as doubles of shape (h, {self.dimension}), found {found.shape}")
-            self.holes = found.values.reshape(found.shape)
-        kinds = {None: 0, "enclosed": 1, "hull": 2}
-        if kind not in kinds:
-            raise ValueError(f"expected the kind 'enclosed', 'hull' or None, found {kind!r}")
-        self.kind = kind
-        self._kind = kinds[kind]
-
-    @property
-    def dimension(self) -> int:
-        """2 or 3."""
-        return self.points.shape[1]
-
-    def __repr__(self) -> str:
-        return (f"Domain({self.points.shape[0]} points, {len(self.segments)} segments, "
-                f"{len(self.polygons)} polygons)")
-
-    def parts(self) -> tuple:
-        """What `_core` takes."""
-        import numpy as np
-
-        polygon_starts, line_starts, corners = [0], [0], []
-        for lines in self.polygons:
-            for line in lines:
-                corners += line
-                line_starts.append(len(corners))
-            polygon_starts.append(len(line_starts) - 1)
-        lists = [np.array(values, dtype=np.int64) for values in (polygon_starts, line_starts, corners)]
-        return (self.dimension, self.points.values, self.segments.reshape(-1), *lists, self.holes.reshape(-1),
-                self._kind)
-
-
-def lines_of(polygon: Any) -> list:
-    """A polygon as lines of corners: one line may stand for itself."""
-    polygon = list(polygon)
-    if not polygon or not hasattr(polygon[0], "__iter__"):
-        polygon = [polygon]
-    return [[int(corner) for corner in line] for line in polygon]
-
-
-def domain_of(domain: Any) -> Domain:
-    """A domain, the dictionary of one (vertices, segments, holes, as `triangle` has it), or a closed surface."""
-    if isinstance(domain, Domain):
-        return domain
-    if isinstance(domain, dict):
-        known = {"vertices": "points", "points": "points", "segments": "segments", "polygons": "polygons",
-                 "holes": "holes", "kind": "kind"}
-        unknown = set(domain) - set(known)
-        if unknown or not {"vertices", "points"} & set(domain):
-            raise ValueError(f"expected a domain with the keys {', '.join(sorted(known))}, found {sorted(domain)}")
-        return Domain(**{known[key]: value for key, value in domain.items()})
-    points, simplices, _, _, edges = parts_of(domain)
-    if simplices.shape[1] != 3:
-        raise ValueError(f"expected a surface of triangles as a domain, found cells of {simplices.shape[1]} vertices")
-    return Domain(points, edges, polygons=simplices.tolist())

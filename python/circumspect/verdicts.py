@@ -56,11 +56,14 @@ class Verdict:
     def __init__(self, claim: str, parts: tuple):
         self.claim = claim
         self.holds: bool
-        self.holds, unique, canonical, self.text, self.json, rules = parts
+        self.holds, unique, canonical, self.text, self.json, rules, self._page = parts
         self.rules: Dict[str, int] = rules  # the broken ones, and how often each is
         # Of a Delaunay claim that holds: is there no other, is this the canonical one? Else None.
         self.unique: Optional[bool] = None if unique < 0 else bool(unique)
         self.canonical: Optional[bool] = None if canonical < 0 else bool(canonical)
+
+    def __getstate__(self) -> dict:
+        return {**self.__dict__, "_page": None}  # which is no text before it is asked for
 
     def __bool__(self) -> bool:
         return self.holds
@@ -86,9 +89,23 @@ class Verdict:
             raise CheckFailed(self)
         return self
 
+    def to_html(self) -> str:
+        """The page that `circumspect check --html` writes, with a picture of each witness. It loads nothing.
+
+        Raises ValueError for a verdict that was pickled, which leaves its pictures behind.
+        """
+        if self._page is None:
+            raise ValueError("expected a verdict of this process, found one that was pickled, which has no pictures")
+        return self._page()
+
     def _repr_html_(self) -> str:
         colour = "#1a7f37" if self.holds else "#cf222e"
-        return f'<pre style="border-left: 4px solid {colour}; padding-left: 1em">{html.escape(str(self))}</pre>'
+        text = f'<pre style="border-left: 4px solid {colour}; padding-left: 1em">{html.escape(str(self))}</pre>'
+        if self.holds or self._page is None:
+            return text
+        # The page has scripts, which turn its pictures; in a sandbox they see nothing of the notebook.
+        return (f'{text}\n<iframe title="the witnesses as pictures" sandbox="allow-scripts" '
+                f'style="width: 100%; height: 48em; border: 0" srcdoc="{html.escape(self.to_html())}"></iframe>')
 
 
 def violation_of(entry: Dict[str, Any]) -> Violation:

@@ -1,0 +1,149 @@
+"""What a mesh is meant to fill: piecewise linear complexes."""
+from __future__ import annotations
+
+import fractions
+import numbers
+from typing import Any, Mapping, Optional, Sequence
+
+from .meshes import Mesh, indices_of, numbers_of, parts_of
+
+
+class Domain:
+    """A piecewise linear complex: what a mesh is meant to fill.
+
+    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, in space alone: each a list of
+    corners, or of several such lines (outline, outlines of holes, segments, vertices); polygon_holes: by the index of
+    a polygon the points, one in each of its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
+    segments or polygons enclose), "hull" (the convex hull), or None, which is "enclosed" if they enclose
+    anything, and "hull" if there are none.
+
+    >>> square = Domain([[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
+    >>> square
+    Domain(4 points, 4 segments, 0 polygons)
+    """
+
+    def __init__(self, points: Any, segments: Any = None, polygons: Optional[Sequence] = None, holes: Any = None,
+                 kind: Optional[str] = None, polygon_holes: Optional[Mapping] = None):
+        import numpy as np
+
+        self._points = numbers_of(points, "points")
+        if self.dimension not in (2, 3):
+            raise ValueError(f"expected a domain of the plane or of space, found points of {self.dimension} coordinates")
+        self.segments = indices_of([] if segments is None else segments, "segments", 2).astype(np.int64)
+        self.polygons = [lines_of(polygon) for polygon in (() if polygons is None else polygons)]
+        self.holes = self.seeds_of(holes, "holes")
+        self.polygon_holes = {}
+        for polygon, seeds in dict(polygon_holes or {}).items():
+            if not isinstance(polygon, numbers.Integral) or not 0 <= polygon < len(self.polygons):
+                raise ValueError(f"expected polygon_holes by the index of one of {len(self.polygons)} polygons, "
+                                 f"found {polygon!r}")
+            self.polygon_holes[int(polygon)] = self.seeds_of(seeds, "holes of a polygon")
+        kinds = {None: 0, "enclosed": 1, "hull": 2}
+        if kind not in kinds:
+            raise ValueError(f"expected the kind 'enclosed', 'hull' or None, found {kind!r}")
+        self.kind = kind
+        self._kind = kinds[kind]
+
+    def seeds_of(self, seeds: Any, what: str):
+        """(h, d) doubles, a point in each hole."""
+        import numpy as np
+
+        if seeds is None or np.size(seeds) == 0:
+            return np.zeros((0, self.dimension))
+        found = numbers_of(seeds, what)
+        if isinstance(found.values, list) or found.shape[1] != self.dimension:
+            raise ValueError(f"expected {what} as doubles of shape (h, {self.dimension}), found {found.shape}")
+        return found.values.reshape(found.shape)
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self._points.shape[1]
+
+    @property
+    def points(self):
+        """(n, d) doubles; an array of Fractions if the points are exact numbers that may be no doubles."""
+        import numpy as np
+
+        values = self._points.values
+        if isinstance(values, list):
+            values = np.array([fractions.Fraction(text) for text in values], dtype=object)
+        return values.reshape(self._points.shape)
+
+    def __repr__(self) -> str:
+        return f"Domain({self.size()})"
+
+    def size(self) -> str:
+        """How many points and cells there are, for people."""
+        counts = {"point": self._points.shape[0], "segment": len(self.segments), "polygon": len(self.polygons)}
+        return ", ".join(f"{count} {what}{'' if count == 1 else 's'}" for what, count in counts.items())
+
+    def parts(self) -> tuple:
+        """What `_core` takes."""
+        import numpy as np
+
+        polygon_starts, line_starts, corners = [0], [0], []
+        for lines in self.polygons:
+            for line in lines:
+                corners += line
+                line_starts.append(len(corners))
+            polygon_starts.append(len(line_starts) - 1)
+        lists = [np.array(values, dtype=np.int64) for values in (polygon_starts, line_starts, corners)]
+        owners = [polygon for polygon, seeds in self.polygon_holes.items() for _ in seeds]
+        seeds = np.concatenate([np.zeros((0, self.dimension)), *self.polygon_holes.values()])
+        return (self.dimension, self._points.values, self.segments.reshape(-1), *lists, self.holes.reshape(-1),
+                self._kind, np.array(owners, dtype=np.int64), seeds.reshape(-1))
+
+    def lists(self) -> tuple:
+        """What `_core` takes to make a domain small and to write it."""
+        if isinstance(self._points.values, list):
+            raise ValueError("expected a domain whose points are doubles, found other numbers")
+        seeds = [(polygon, seed.tolist()) for polygon, all_of_it in self.polygon_holes.items() for seed in all_of_it]
+        has_walls = len(self.segments if self.dimension == 2 else self.polygons) > 0
+        is_hull = self.kind == "hull" or self.kind is None and not has_walls
+        return (self.points, self.segments.tolist(), self.polygons, self.holes, seeds, is_hull)
+
+    @classmethod
+    def of_lists(cls, lists: tuple) -> "Domain":
+        """From what `_core` draws."""
+        points, segments, polygons, holes, seeds, is_hull = lists
+        polygon_holes: dict = {}
+        for polygon, seed in seeds:
+            polygon_holes.setdefault(polygon, []).append(seed)
+        return cls(points, segments, polygons, holes, "hull" if is_hull else "enclosed", polygon_holes)
+
+
+def lines_of(polygon: Any) -> list:
+    """A polygon as lines of corners: one line may stand for itself."""
+    polygon = list(polygon)
+    if not polygon or not hasattr(polygon[0], "__iter__"):
+        polygon = [polygon]
+    return [[int(corner) for corner in line] for line in polygon]
+
+
+def domain_of(domain: Any) -> Domain:
+    """A domain, the dictionary of one (vertices, segments, holes, as `triangle` has it), or a closed surface."""
+    if isinstance(domain, Domain):
+        return domain
+    if isinstance(domain, dict):
+        known = {"vertices": "points", "points": "points", "segments": "segments", "polygons": "polygons",
+                 "holes": "holes", "kind": "kind", "polygon_holes": "polygon_holes"}
+        unknown = set(domain) - set(known)
+        if unknown or not {"vertices", "points"} & set(domain):
+            raise ValueError(f"expected a domain with the keys {', '.join(sorted(known))}, found {sorted(domain)}")
+        return Domain(**{known[key]: value for key, value in domain.items()})
+    points, simplices, _, _, edges = parts_of(domain)
+    if simplices.shape[1] != 3:
+        raise ValueError(f"expected a surface of triangles as a domain, found cells of {simplices.shape[1]} vertices")
+    return Domain(points, edges, polygons=simplices.tolist())
+
+
+def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:
+    """The mesh without its third coordinate, if that is the same for all and the domain is one of the plane."""
+    points = mesh.points
+    if domain.dimension != 2 or mesh.dimension != 3 or isinstance(points.values, list) or not points.shape[0]:
+        return mesh
+    rows = points.values.reshape(points.shape)
+    if (rows[:, 2] != rows[0, 2]).any():
+        return mesh
+    return mesh._replace(points=numbers_of(rows[:, :2].copy(), "points"))
