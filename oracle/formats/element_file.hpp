@@ -25,6 +25,14 @@ enum class ElementShape {
   kCurved,      // of second order or more, of any dimension
 };
 
+// A type of elements as a format numbers it.
+struct ElementType {
+  Vertex code;
+  std::size_t vertices;  // 0: any number
+  ElementShape shape;
+  std::string_view name;  // "a triangle"
+};
+
 struct ElementFile {
   PointFile points = {};
   SimplexFile edges = {};

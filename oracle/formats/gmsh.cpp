@@ -13,44 +13,38 @@ namespace circumspect::formats {
 namespace {
 
 // Gmsh's types of elements: what has no shape here is curved.
-struct GmshType {
-  Vertex code;
-  std::size_t vertices;
-  ElementShape shape;
-  std::string_view name;
-};
 constexpr std::array kGmshTypes = {
-    GmshType{15, 1, ElementShape::kPoint, "a point"},
-    GmshType{1, 2, ElementShape::kPolyline, "an edge"},
-    GmshType{2, 3, ElementShape::kPolygon, "a triangle"},
-    GmshType{3, 4, ElementShape::kPolygon, "a quadrilateral"},
-    GmshType{4, 4, ElementShape::kTetrahedron, "a tetrahedron"},
-    GmshType{5, 8, ElementShape::kOtherSolid, "a hexahedron"},
-    GmshType{6, 6, ElementShape::kOtherSolid, "a prism"},
-    GmshType{7, 5, ElementShape::kOtherSolid, "a pyramid"},
-    GmshType{8, 3, ElementShape::kCurved, "an edge of second order"},
-    GmshType{9, 6, ElementShape::kCurved, "a triangle of second order"},
-    GmshType{10, 9, ElementShape::kCurved, "a quadrilateral of second order"},
-    GmshType{11, 10, ElementShape::kCurved, "a tetrahedron of second order"},
-    GmshType{12, 27, ElementShape::kCurved, "a hexahedron of second order"},
-    GmshType{13, 18, ElementShape::kCurved, "a prism of second order"},
-    GmshType{14, 14, ElementShape::kCurved, "a pyramid of second order"},
-    GmshType{16, 8, ElementShape::kCurved, "a quadrilateral of second order"},
-    GmshType{17, 20, ElementShape::kCurved, "a hexahedron of second order"},
-    GmshType{18, 15, ElementShape::kCurved, "a prism of second order"},
-    GmshType{19, 13, ElementShape::kCurved, "a pyramid of second order"},
-    GmshType{20, 9, ElementShape::kCurved, "a triangle of third order"},
-    GmshType{21, 10, ElementShape::kCurved, "a triangle of third order"},
-    GmshType{22, 12, ElementShape::kCurved, "a triangle of fourth order"},
-    GmshType{23, 15, ElementShape::kCurved, "a triangle of fourth order"},
-    GmshType{24, 15, ElementShape::kCurved, "a triangle of fifth order"},
-    GmshType{25, 21, ElementShape::kCurved, "a triangle of fifth order"},
-    GmshType{26, 4, ElementShape::kCurved, "an edge of third order"},
-    GmshType{27, 5, ElementShape::kCurved, "an edge of fourth order"},
-    GmshType{28, 6, ElementShape::kCurved, "an edge of fifth order"},
-    GmshType{29, 20, ElementShape::kCurved, "a tetrahedron of third order"},
-    GmshType{30, 35, ElementShape::kCurved, "a tetrahedron of fourth order"},
-    GmshType{31, 56, ElementShape::kCurved, "a tetrahedron of fifth order"},
+    ElementType{15, 1, ElementShape::kPoint, "a point"},
+    ElementType{1, 2, ElementShape::kPolyline, "an edge"},
+    ElementType{2, 3, ElementShape::kPolygon, "a triangle"},
+    ElementType{3, 4, ElementShape::kPolygon, "a quadrilateral"},
+    ElementType{4, 4, ElementShape::kTetrahedron, "a tetrahedron"},
+    ElementType{5, 8, ElementShape::kOtherSolid, "a hexahedron"},
+    ElementType{6, 6, ElementShape::kOtherSolid, "a prism"},
+    ElementType{7, 5, ElementShape::kOtherSolid, "a pyramid"},
+    ElementType{8, 3, ElementShape::kCurved, "an edge of second order"},
+    ElementType{9, 6, ElementShape::kCurved, "a triangle of second order"},
+    ElementType{10, 9, ElementShape::kCurved, "a quadrilateral of second order"},
+    ElementType{11, 10, ElementShape::kCurved, "a tetrahedron of second order"},
+    ElementType{12, 27, ElementShape::kCurved, "a hexahedron of second order"},
+    ElementType{13, 18, ElementShape::kCurved, "a prism of second order"},
+    ElementType{14, 14, ElementShape::kCurved, "a pyramid of second order"},
+    ElementType{16, 8, ElementShape::kCurved, "a quadrilateral of second order"},
+    ElementType{17, 20, ElementShape::kCurved, "a hexahedron of second order"},
+    ElementType{18, 15, ElementShape::kCurved, "a prism of second order"},
+    ElementType{19, 13, ElementShape::kCurved, "a pyramid of second order"},
+    ElementType{20, 9, ElementShape::kCurved, "a triangle of third order"},
+    ElementType{21, 10, ElementShape::kCurved, "a triangle of third order"},
+    ElementType{22, 12, ElementShape::kCurved, "a triangle of fourth order"},
+    ElementType{23, 15, ElementShape::kCurved, "a triangle of fourth order"},
+    ElementType{24, 15, ElementShape::kCurved, "a triangle of fifth order"},
+    ElementType{25, 21, ElementShape::kCurved, "a triangle of fifth order"},
+    ElementType{26, 4, ElementShape::kCurved, "an edge of third order"},
+    ElementType{27, 5, ElementShape::kCurved, "an edge of fourth order"},
+    ElementType{28, 6, ElementShape::kCurved, "an edge of fifth order"},
+    ElementType{29, 20, ElementShape::kCurved, "a tetrahedron of third order"},
+    ElementType{30, 35, ElementShape::kCurved, "a tetrahedron of fourth order"},
+    ElementType{31, 56, ElementShape::kCurved, "a tetrahedron of fifth order"},
 };
 
 class GmshReader {
@@ -71,8 +65,8 @@ class GmshReader {
   Status read_elements_2();
   Status read_elements_4();
   Status read_element_block(std::size_t& read);
-  Result<const GmshType*> read_type();
-  Status read_vertices(const GmshType& type, NumberType of_tags, Vertex label);
+  Result<const ElementType*> read_type();
+  Status read_vertices(const ElementType& type, NumberType of_tags, Vertex label);
   Status read_entities();
   Status read_entity(std::size_t dimension);
   // Goes to the numbers of a section: in binary they begin on the next line.
@@ -191,11 +185,11 @@ Status GmshReader::read_nodes_4() {
   return text_.fail(std::to_string(*count) + " nodes in all blocks", std::to_string(read));
 }
 
-Result<const GmshType*> GmshReader::read_type() {
+Result<const ElementType*> GmshReader::read_type() {
   const Result<Vertex> code = text_.integer(kInt32, "the type of an element");
   if (!code) return tl::unexpected(code.error());
   const auto* const type = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
-                                        [&](const GmshType& one) { return one.code == *code; });
+                                        [&](const ElementType& one) { return one.code == *code; });
   if (type != kGmshTypes.end()) return type;
   return text_.fail("a type of elements from 1 to 31", std::to_string(*code));
 }
@@ -236,7 +230,7 @@ Status GmshReader::read_entities() {
   return {};
 }
 
-Status GmshReader::read_vertices(const GmshType& type, NumberType of_tags, Vertex label) {
+Status GmshReader::read_vertices(const ElementType& type, NumberType of_tags, Vertex label) {
   const std::size_t line = text_.line();
   Simplex vertices;
   while (vertices.size() < type.vertices) {
@@ -260,7 +254,7 @@ Status GmshReader::read_elements_2() {
         return tl::unexpected(tag.error());
       }
     }
-    const Result<const GmshType*> type = read_type();
+    const Result<const ElementType*> type = read_type();
     if (!type) return tl::unexpected(type.error());
     Result<std::size_t> in_block = 1;
     if (text_.is_binary()) in_block = text_.count(kInt32, "the number of elements of a block");
@@ -294,7 +288,7 @@ Status GmshReader::read_element_block(std::size_t& read) {
   if (!entity) return tl::unexpected(entity.error());
   const auto group = groups_.find({*dimension, *entity});
   const Vertex label = group == groups_.end() ? 0 : group->second;
-  const Result<const GmshType*> type = read_type();
+  const Result<const ElementType*> type = read_type();
   if (!type) return tl::unexpected(type.error());
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());

@@ -11,30 +11,24 @@ namespace circumspect::formats {
 
 namespace {
 
-struct VtkType {
-  Vertex code;
-  std::size_t vertices;  // 0: any number
-  ElementShape shape;
-  std::string_view name;
-};
 constexpr std::array kVtkTypes = {
-    VtkType{1, 1, ElementShape::kPoint, "a vertex"},
-    VtkType{2, 0, ElementShape::kPoint, "a list of vertices"},
-    VtkType{3, 2, ElementShape::kPolyline, "an edge"},
-    VtkType{4, 0, ElementShape::kPolyline, "a polyline"},
-    VtkType{5, 3, ElementShape::kPolygon, "a triangle"},
-    VtkType{6, 0, ElementShape::kStrip, "a strip of triangles"},
-    VtkType{7, 0, ElementShape::kPolygon, "a polygon"},
-    VtkType{8, 4, ElementShape::kPixel, "a pixel"},
-    VtkType{9, 4, ElementShape::kPolygon, "a quadrilateral"},
-    VtkType{10, 4, ElementShape::kTetrahedron, "a tetrahedron"},
-    VtkType{11, 8, ElementShape::kOtherSolid, "a voxel"},
-    VtkType{12, 8, ElementShape::kOtherSolid, "a hexahedron"},
-    VtkType{13, 6, ElementShape::kOtherSolid, "a prism"},
-    VtkType{14, 5, ElementShape::kOtherSolid, "a pyramid"},
-    VtkType{15, 10, ElementShape::kOtherSolid, "a pentagonal prism"},
-    VtkType{16, 12, ElementShape::kOtherSolid, "a hexagonal prism"},
-    VtkType{42, 0, ElementShape::kOtherSolid, "a polyhedron"},
+    ElementType{1, 1, ElementShape::kPoint, "a vertex"},
+    ElementType{2, 0, ElementShape::kPoint, "a list of vertices"},
+    ElementType{3, 2, ElementShape::kPolyline, "an edge"},
+    ElementType{4, 0, ElementShape::kPolyline, "a polyline"},
+    ElementType{5, 3, ElementShape::kPolygon, "a triangle"},
+    ElementType{6, 0, ElementShape::kStrip, "a strip of triangles"},
+    ElementType{7, 0, ElementShape::kPolygon, "a polygon"},
+    ElementType{8, 4, ElementShape::kPixel, "a pixel"},
+    ElementType{9, 4, ElementShape::kPolygon, "a quadrilateral"},
+    ElementType{10, 4, ElementShape::kTetrahedron, "a tetrahedron"},
+    ElementType{11, 8, ElementShape::kOtherSolid, "a voxel"},
+    ElementType{12, 8, ElementShape::kOtherSolid, "a hexahedron"},
+    ElementType{13, 6, ElementShape::kOtherSolid, "a prism"},
+    ElementType{14, 5, ElementShape::kOtherSolid, "a pyramid"},
+    ElementType{15, 10, ElementShape::kOtherSolid, "a pentagonal prism"},
+    ElementType{16, 12, ElementShape::kOtherSolid, "a hexagonal prism"},
+    ElementType{42, 0, ElementShape::kOtherSolid, "a polyhedron"},
 };
 constexpr Vertex kFirstCurved = 21;  // and those behind it, but for the polyhedron
 constexpr Vertex kLastCurved = 81;
@@ -44,7 +38,7 @@ constexpr Vertex kLastCurved = 81;
 std::optional<std::string> add_vtk_cell(ElementFile& file, Vertex type, Simplex vertices,
                                         std::size_t line) {
   const auto* const found = std::find_if(kVtkTypes.begin(), kVtkTypes.end(),
-                                         [&](const VtkType& one) { return one.code == type; });
+                                         [&](const ElementType& one) { return one.code == type; });
   if (found == kVtkTypes.end()) {
     if (type < kFirstCurved || type > kLastCurved) return "a type of cells that VTK knows";
     return add_element(file, ElementShape::kCurved, std::move(vertices),
