@@ -83,7 +83,8 @@ NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh,
   if (answer.vertices.empty() && !answer.cells.empty()) {
     return {"No distance below about " + reach + " will do. That is a third of what is between " +
             cell_name(answer.cells[0], domain) + " and " + cell_name(answer.cells[1], domain) +
-            " of the domain, which do not meet, and no larger distance tells them apart. " + advice};
+            " of the domain, which do not meet, and no larger distance tells them apart. " +
+            advice};
   }
   if (answer.cells.empty()) return {"Some distances do not tell cells of the domain apart."};
   std::string text = "At a distance of about " + reach + " ";
@@ -189,8 +190,8 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   }
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
-  const Verdict inner = judge_domain(with_steiner_points(claim), mesh, image->domain, options,
-                                     known, &*image->regions);
+  const Verdict inner =
+      judge_domain(with_steiner_points(claim), mesh, image->domain, options, known);
   add_all(inner, *image, answer, domain, verdict);
   return verdict;
 }
@@ -243,7 +244,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
   }
   const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
   const Cells cells(walled ? *walled : domain.complex, markers);
-  const Regions regions(cells.complex());
+  const Regions regions = walled ? Regions(*walled) : domain.regions();
   const CellsOfDomain all{domain, cells, regions, domain.complex.polygons.size()};
   if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
     return tl::unexpected(
