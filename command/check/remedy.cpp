@@ -99,13 +99,13 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
   }
   return fmt::format(
       "the mesh is a triangulation of the domain, but not a constrained Delaunay one. If the "
-      "program does not promise that, add --claim {}: it holds",
+      "program does not promise one, add --claim {}, which holds",
       name(has_steiner_points ? Claim::kSteinerTriangulation : Claim::kPlcTriangulation));
 }
 
 std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
                                   const check::Options& options) {
-  const auto& [claim, mesh, domain, within, has_merged] = judged;
+  const auto& [claim, mesh, domain, within, has_merged, face_markers] = judged;
   if (!may_be_rounded(verdict)) return std::nullopt;
   const bool may_be_joined = !has_merged && breaks(verdict, Rule::kSegmentMissing) &&
                              domain.domain.complex.ambient_dimension() == 3;
@@ -116,13 +116,13 @@ std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
   const bool is_large = mesh.simplices.size() > kMostSimplicesTriedMoved;
   if (is_large && joined) {
     return fmt::format(
-        "between polygons of one plane the domain has {}: --merge-coplanar tells whether they are "
-        "all that is wrong",
+        "the domain has {} between polygons of one plane, which the program that made the mesh may "
+        "have joined: --merge-coplanar tells whether that is all that is wrong",
         report::counted(segments(domain) - segments(*joined), "segment"));
   }
   if (is_large && !within) {
-    return "coordinates may have been rounded: --within 1e-9x tells whether that is all that is "
-           "wrong";
+    return "the coordinates may have been rounded: --within 1e-9x tells whether that is all that "
+           "is wrong";
   }
   if (is_large) return std::nullopt;
   const Distance distance = within.value_or(Distance{Rational(1, kRoundedParts), true});
@@ -132,12 +132,14 @@ std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
     if (merged && is_mended(*merged)) return merging_note(verdict, *merged);
   }
   if (!within) {
-    const auto moved = judged_within(distance, claim, mesh, domain.domain, options);
+    const auto moved = judged_within(distance, claim, mesh, domain.domain, options, nullptr,
+                                     {face_markers, domain.file.polygon_markers});
     const bool has_moved = moved && moved->within && moved->within->squared_reach > 0;
     if (has_moved && (moved->holds() || !joined)) return rounding_note(verdict, *moved);
   }
   if (joined) {
-    const auto both = judged_within(distance, claim, mesh, joined->domain, options);
+    const auto both = judged_within(distance, claim, mesh, joined->domain, options, nullptr,
+                                    {face_markers, joined->file.polygon_markers});
     if (both && is_mended(*both)) return merging_note(verdict, *both);
   }
   if (!may_be_joined) return std::nullopt;

@@ -36,6 +36,7 @@ struct Judged {
   const LoadedDomain& domain;
   const std::optional<Distance>& within;  // --within
   bool has_merged;                        // --merge-coplanar
+  const std::map<Simplex, Vertex>& face_markers;  // of the mesh
 };
 
 // What may be all that keeps the claim from holding: that polygons of one plane are one to the program, that

@@ -94,44 +94,41 @@ std::string all_breaches(const Verdict& verdict) {
   return left;
 }
 
+// What may be the cause, and the verdict with options that allow for it.
+std::string note(std::string_view cause, const Verdict& exact, const Verdict& other,
+                 const std::string& options) {
+  const std::string missing = missing_cells(exact);
+  if (other.holds()) {
+    return fmt::format("{} ({}): with {} the claim holds", cause, missing, options);
+  }
+  return fmt::format("{} ({}), but that is not all: with {} the mesh still breaks {}", cause,
+                     missing, options, all_breaches(other));
+}
+
 }  // namespace
 
 std::string rounding_note(const Verdict& exact, const Verdict& moved) {
-  const std::string missing = missing_cells(exact);
-  const std::string distance = report::square_root_rounded_up(moved.within->squared_reach);
-  if (moved.holds()) {
-    return fmt::format(
-        "rounded coordinates may be all that is wrong ({}): with --within {} it holds", missing,
-        distance);
-  }
-  return fmt::format(
-      "coordinates may have been rounded ({}), but that is not all: with --within {} what is left "
-      "is {}",
-      missing, distance, all_breaches(moved));
+  return note("the coordinates may have been rounded", exact, moved,
+              "--within " + report::square_root_rounded_up(moved.within->squared_reach));
 }
 
 std::string merging_note(const Verdict& exact, const Verdict& merged) {
   const bool has_moved = merged.within && merged.within->squared_reach > 0;
   const std::string options =
-      has_moved ? fmt::format("--merge-coplanar --within {}",
-                              report::square_root_rounded_up(merged.within->squared_reach))
+      has_moved ? "--merge-coplanar --within " +
+                      report::square_root_rounded_up(merged.within->squared_reach)
                 : "--merge-coplanar";
-  return fmt::format("that polygons of one plane are several may be {} ({}): with {} {}",
-                     merged.holds() ? "all that is wrong" : "a part of what is wrong",
-                     missing_cells(exact), options,
-                     merged.holds() ? "it holds" : "what is left is " + all_breaches(merged));
+  return note("the program that made the mesh may have joined polygons of one plane", exact, merged,
+              options);
 }
 
 std::string bending_note(const Verdict& exact, const Verdict& bent,
                          const Rational& squared_height) {
   const Rational squared =
       bent.within ? std::max(bent.within->squared_reach, squared_height) : squared_height;
-  return fmt::format(
-      "that polygons of nearly one plane are several may be {} ({}): with --merge-coplanar 0.1deg "
-      "--within {} {}",
-      bent.holds() ? "all that is wrong" : "a part of what is wrong", missing_cells(exact),
-      report::square_root_rounded_up(squared),
-      bent.holds() ? "it holds" : "what is left is " + all_breaches(bent));
+  return note("the program that made the mesh may have joined polygons of nearly one plane", exact,
+              bent,
+              "--merge-coplanar 0.1deg --within " + report::square_root_rounded_up(squared));
 }
 
 }  // namespace circumspect::cli

@@ -77,24 +77,24 @@ TEST_CASE("surfaces as programs write them have the verdicts of their table") {
 TEST_CASE("where edges between coplanar polygons are all that is missing, a note says so") {
   const Run cube = check_written("cube.ele", "cube-in-triangles.off", {});
   CHECK(has(cube.out,
-            "note: that polygons of one plane are several may be all that is wrong "
-            "(domain.segment-missing 6): with --merge-coplanar it holds\n"));
+            "note: the program that made the mesh may have joined polygons of one plane "
+            "(domain.segment-missing 6): with --merge-coplanar the claim holds\n"));
   const Run within = check_written("cube.ele", "cube-in-triangles.off", {"--within", "1e-12x"});
   CHECK(within.exit_code == 1);
-  CHECK(has(within.out, "with --merge-coplanar it holds\n"));
+  CHECK(has(within.out, "with --merge-coplanar the claim holds\n"));
   const Run slanted =
       check_written("slanted-cube.ele", "slanted-cube.off", {"--claim", "steiner-triangulation"});
   CHECK(has(slanted.out, "with --merge-coplanar 0.1deg --within "));
   // What is joined is asked for already, or is not all.
   CHECK(!has(check_written("cube.ele", "cube-with-seam.poly", {"--merge-coplanar"}).out,
-             "may be all that is wrong"));
-  CHECK(!has(check_written("cube.ele", "cube-with-seam.poly", {}).out, "may be all that is wrong"));
+             "the claim holds"));
+  CHECK(!has(check_written("cube.ele", "cube-with-seam.poly", {}).out, "the claim holds"));
 }
 
 TEST_CASE("a mesh whose only fault is that it is not Delaunay is said to be a triangulation") {
   const std::string note =
       "note: the mesh is a triangulation of the domain, but not a constrained Delaunay one. If the "
-      "program does not promise that, add --claim plc-triangulation: it holds\n";
+      "program does not promise one, add --claim plc-triangulation, which holds\n";
   CHECK(has(check_written("bipyramid.ele", "bipyramid.off", {}).out, note));
   CHECK(!has(check_written("bipyramid.ele", "bipyramid.off", {"--claim", "cdt"}).out, note));
   CHECK(!has(check_written("cube.ele", "cube-in-triangles.off", {}).out, note));

@@ -22,7 +22,7 @@ DomainFault fault_of(std::vector<Breach> breaches, std::size_t max_breaches,
       fmt::format("{}: expected a piecewise linear complex, found {}",
                   breach_place(breaches.front(), file), breach_line(breaches.front(), file));
   if (breaches.front().kind == BreachKind::kDuplicateVertex) {
-    message += "; --duplicates merge treats them as one";
+    message += "; to take equal points for one, add --duplicates merge to the command";
   }
   if (truncated) {
     message += fmt::format(
@@ -134,6 +134,7 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
     seeds->insert(seeds->end(), chosen->hole_seeds.begin(), chosen->hole_seeds.end());
   }
   valid.kind = loaded.file.input.kind = chosen->kind;
+  loaded.domain.known_regions = std::move(chosen->regions);
   loaded.filled = filled_text(said, chosen->kind, valid.ambient_dimension());
   loaded.bound_nothing = std::move(chosen->bound_nothing);
   return said.merged_slope ? with_coplanar_joined(std::move(loaded)) : std::move(loaded);
@@ -162,6 +163,7 @@ LoadedDomain with_coplanar_joined(LoadedDomain loaded) {
   }
   loaded.domain.polygon_names = names_of_joined(loaded.domain, joined.members);
   loaded.domain.complex = std::move(joined.complex);
+  loaded.domain.known_regions.reset();
   loaded.file.input = std::move(joined.input);
   loaded.file.polygon_lines = std::move(lines);
   loaded.file.polygon_markers = markers_of_joined(loaded.file.polygon_markers, joined.members);
@@ -186,6 +188,7 @@ BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rationa
                         report::counted(joined.refused, "set of polygons", "sets of polygons"));
   }
   Domain domain = loaded.domain;
+  domain.known_regions.reset();
   domain.complex = std::move(joined.complex);
   domain.polygon_names = names_of_joined(loaded.domain, joined.members);
   return {std::move(domain), joined.removed_segments, joined.squared_height, std::move(note),

@@ -284,10 +284,10 @@ tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
   }
   if (!seeds) return tl::unexpected(seeds.error());
   chosen.hole_seeds = std::move(*seeds);
-  const Regions filled =
+  chosen.regions =
       chosen.hole_seeds.empty() ? regions : regions_if_enclosed(domain, chosen.hole_seeds);
-  note_seeds(filled, domain, chosen.notes);
-  note_dangling(filled, domain, asked.fill == Fill::kEnclosed, chosen);
+  note_seeds(*chosen.regions, domain, chosen.notes);
+  note_dangling(*chosen.regions, domain, asked.fill == Fill::kEnclosed, chosen);
   if (regions.size() == 1) {
     chosen.notes.emplace_back("nothing is enclosed: there is nothing to fill");
   }

@@ -25,6 +25,7 @@ struct ChosenKind {
   std::vector<std::string> notes = {};
   std::vector<Point> hole_seeds = {};           // further ones, in what is enclosed and not filled
   std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
+  std::optional<Regions> regions = {};  // of the domain, of this kind, where they were found
 };
 
 // `asked`: what the user says of what is filled, if anything. Otherwise a domain is enclosed if it

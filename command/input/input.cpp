@@ -90,8 +90,8 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {
   const Vertex first_index = loaded.mesh.first_index;
   return fmt::format(
-      "{}: expected distinct points, found points {} and {} equal{}; --duplicates merge treats "
-      "them as one",
+      "{}: expected distinct points, found points {} and {} equal{}; to take equal points for one, "
+      "add --duplicates merge to the command",
       loaded.points_name, repeated.front().kept + first_index, repeated.front().again + first_index,
       repeated.size() > 1 ? fmt::format(" and {} more duplicate{}", repeated.size() - 1,
                                         repeated.size() == 2 ? "" : "s")

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/kernel/piecewise_linear/regions.hpp"
-
 namespace circumspect::cli {
 void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {
   output.begin("finding the regions of " + loaded.name);
-  const Regions regions(loaded.domain.complex);
+  const Regions regions = loaded.domain.regions();
   for (std::size_t region = 0; region < regions.size(); ++region) {
     if (region == Regions::kUnbounded) continue;
     if (regions.where(region) == Where::kInside) ++facts.polyhedra;

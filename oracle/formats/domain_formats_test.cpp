@@ -86,9 +86,21 @@ TEST_CASE("poly in space: facets of several polygons, with holes, slits and lone
   CHECK(file->input.polygons[1].hole_seeds ==
         std::vector<Point>{{Rational(1, 4), Rational(1, 8), Rational(1, 3)}});
   CHECK(file->polygon_lines == std::vector<std::size_t>{7, 9});
+  CHECK(file->polygon_markers == std::vector<Vertex>{5, -1});
   CHECK(file->input.segments == std::vector<Line>{{2, 3}});
   CHECK(file->segment_lines == std::vector<std::size_t>{14});
   CHECK(file->input.hole_seeds.size() == 1);
+}
+
+TEST_CASE("poly in space: what has the area of a polygon keeps its marker where points are merged") {
+  const auto file = poly(
+      "5 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 0 0\n5 0 0 1\n"
+      "3 1\n1 0 4\n3 2 3 4\n1 0 5\n3 1 2 3\n1 0 6\n3 1 4 5\n0\n");
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->polygon_markers == std::vector<Vertex>{4, 5, 6});
+  const DomainFile merged = with_duplicates_merged(*file);
+  CHECK(merged.input.polygons.size() == 2);
+  CHECK(merged.polygon_markers == std::vector<Vertex>{5, 6});
 }
 
 TEST_CASE("poly: corners that repeat the one before, and facets of segments alone") {
@@ -138,10 +150,11 @@ TEST_CASE("poly in space: what is refused, and a list of holes that is not there
 }
 
 TEST_CASE("smesh: facets of one polygon each, with markers; points from 0 or elsewhere") {
-  const auto file = smesh(kFour + "3 1\n3 1 2 3 9\n3 1 2\n 4 0\n2 3 4\n0\n0\n");
+  const auto file = smesh(kFour + "4 1\n3 1 2 3 9\n3 1 2\n 4 0\n2 3 4\n3 2 3 4 7\n0\n0\n");
   REQUIRE_MESSAGE(file, error_of(file));
-  CHECK(file->input.polygons.size() == 2);
-  CHECK(file->polygon_lines == std::vector<std::size_t>{7, 8});
+  CHECK(file->input.polygons.size() == 3);
+  CHECK(file->polygon_lines == std::vector<std::size_t>{7, 8, 11});
+  CHECK(file->polygon_markers == std::vector<Vertex>{9, 0, 7});
   CHECK(file->input.segments == std::vector<Line>{{2, 3}});
   CHECK(error_of(smesh(kFour + "1 0\n3 1 2 3 9\n0\n")) ==
         "f:7: expected the end of the line after 3 corners and 0 markers, found \"9\"");

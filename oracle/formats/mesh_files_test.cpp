@@ -185,9 +185,12 @@ TEST_CASE("triangles and edges beside an .ele are read where they are wanted and
   MeshRequest request{folder.write("x.ele", "1 4\n1 1 2 3 4\n")};
   request.with_faces = true;
   CHECK(read_mesh(request)->mesh.faces.empty());
-  folder.write("x.face", "2 1\n1 1 2 3 0 5 -1\n2 1 2 9 0 -1 5\n");
+  folder.write("x.face", "2 1\n1 2 1 3 8 5 -1\n2 1 2 9 0 -1 5\n");
   folder.write("x.edge", "1\n1 4 1\n");
-  CHECK(read_mesh(request)->mesh.faces == std::vector<Simplex>{{0, 1, 2}, {0, 1, 8}, {3, 0}});
+  CHECK(read_mesh(request)->mesh.faces == std::vector<Simplex>{{1, 0, 2}, {0, 1, 8}, {3, 0}});
+  for (const auto& read : {read_mesh(request), read_mesh_line_by_line(request)}) {
+    CHECK(read->face_markers == std::map<Simplex, Vertex>{{{0, 1, 2}, 8}});
+  }
   folder.write("x.edge", "1\n1 4\n");
   CHECK(!read_mesh(request));
   request.with_faces = false;

@@ -284,14 +284,16 @@ TEST_CASE("qhull: what is refused") {
         "f:3: expected the end of the file after the last facet, found \"0\"");
 }
 
-TEST_CASE("face and edge: markers and what TetGen appends are read over") {
+TEST_CASE("face and edge: markers are labels, and what TetGen appends is read over") {
   const auto faces =
-      read_face(named("# TetGen -nn\n2  1\n 1  1 2 3  1  1 -1\n 2  2 1 4  1  0 1\n"), 3);
+      read_face(named("# TetGen -nn\n2  1\n 1  1 2 3  -7  1 -1\n 2  2 1 4  0  0 1\n"), 3);
   REQUIRE(faces);
   CHECK(faces->simplices == std::vector<Simplex>{{1, 2, 3}, {2, 1, 4}});
   CHECK(faces->lines == std::vector<std::size_t>{3, 4});
+  CHECK(faces->labels == std::vector<Vertex>{-7, 0});
   const auto edges = read_face(named("2\n0 1 2\n1 2 3\n"), 2);
   REQUIRE(edges);
+  CHECK(edges->labels.empty());
   CHECK(edges->simplices == std::vector<Simplex>{{1, 2}, {2, 3}});
   CHECK(text_written(*edges, write_face) == "2 0\n0 1 2\n1 2 3\n");
   CHECK(error_of(read_face(named("1 0\n1 1 2\n"), 3)) ==
@@ -303,6 +305,16 @@ TEST_CASE("face and edge: markers and what TetGen appends are read over") {
   CHECK(error_of(read_face(named("1 2\n"), 2)) == "f:1: expected 0 or 1 markers, found \"2\"");
   CHECK(error_of(read_face(named("2\n1 1 2\n"), 2)) ==
         "f:2: expected edge 2 of 2, found the end of the file");
+}
+
+TEST_CASE("face: triangles with a marker other than 0, by their vertices from 0, ascending") {
+  const auto faces = read_face(named("3 1\n1 5 4 3 -7\n2 3 4 6 0\n3 6 3 5 9\n"), 3);
+  const auto edges = read_face(named("1 1\n1 3 4 7\n"), 2);
+  const auto unmarked = read_face(named("1 0\n1 3 4 5 7\n"), 3);
+  REQUIRE((faces && edges && unmarked));
+  std::map<Simplex, Vertex> markers;
+  for (const auto& file : {*edges, *unmarked, *faces}) add_markers(file, 3, markers);
+  CHECK(markers == std::map<Simplex, Vertex>{{{0, 1, 2}, -7}, {{0, 2, 3}, 9}});
 }
 
 // ---- Point lists ----

@@ -1,11 +1,13 @@
 // What a user hands in beside a mesh: the domain that the mesh is meant to fill.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "oracle/model/exact_mesh.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect {
 
@@ -16,7 +18,10 @@ struct Domain {
   std::vector<Vertex> labels = {};              // of its vertices; empty: the index itself
   Vertex first_index = 0;                       // the user's index of the first vertex
   std::vector<std::string> polygon_names = {};  // "3 (line 17)"; empty: counted from 1
+  // Of the complex, if they have been found already: whoever changes the complex takes them away.
+  std::optional<Regions> known_regions = {};
 
+  Regions regions() const { return known_regions ? *known_regions : Regions(complex); }
   // The user's own index of a vertex.
   Vertex label(Vertex v) const {
     return labels.empty() ? index_of_place(v, first_index) : labels[static_cast<std::size_t>(v)];

@@ -20,8 +20,7 @@ bool is_about_balls(Claim claim) {
 }
 
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
-                     const Options& options, const fast::SimplexFacts* known,
-                     const Regions* regions) {
+                     const Options& options, const fast::SimplexFacts* known) {
   assert(is_about_a_domain(claim) && !mesh.points.is_weighted());
   Verdict verdict(claim, mesh, options.max_violations);
   const bool steiner = allows_steiner_points(claim);
@@ -30,7 +29,7 @@ Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
       if (is_constrained(claim)) judge_constrained_delaunay_by_lemma(in, pieces, verdict);
       if (claim == Claim::kConformingDelaunay) judge_delaunay_by_lemma(in, pieces, verdict);
     };
-    judge_plc_triangulation_by_lemma(mesh, domain, options, known, regions, steiner, then, verdict);
+    judge_plc_triangulation_by_lemma(mesh, domain, options, known, steiner, then, verdict);
   } else {
     const auto then = [&](const PiecewiseLinearComplex& augmented) {
       if (is_constrained(claim)) {

@@ -6,7 +6,6 @@
 #include "oracle/model/domain.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
 
@@ -21,12 +20,10 @@ namespace circumspect::check {
 // proves that they suffice.
 // `known`: what is known of the mesh's simplices, if anything; the verdict is the same with and
 // without. oracle/judge/judge.hpp finds it out.
-// `regions`: those of the domain's complex, if they are known already.
 // Requires: a claim about a domain; a valid domain (see validity.hpp) in the plane or in space; a
 // mesh without weights that has no points, or points of the domain's dimension.
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
-                     const Options& options = {}, const fast::SimplexFacts* known = nullptr,
-                     const Regions* regions = nullptr);
+                     const Options& options = {}, const fast::SimplexFacts* known = nullptr);
 
 // Does the claim say anything of balls?
 bool is_about_balls(Claim claim);

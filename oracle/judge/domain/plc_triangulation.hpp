@@ -18,11 +18,11 @@ using OfTriangulation =
     std::function<void(const MeshedDomain& in, const std::vector<WallPiece>& pieces)>;
 
 // Conditions 0–7 of docs/theory/domains.md, near-linear; without those that are known to hold, if
-// `known` is anything. `known_regions`: of the domain, if they are known.
+// `known` is anything.
 void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domain,
                                       const Options& options, const fast::SimplexFacts* known,
-                                      const Regions* known_regions, bool steiner_points_allowed,
-                                      const OfTriangulation& then, Verdict& verdict);
+                                      bool steiner_points_allowed, const OfTriangulation& then,
+                                      Verdict& verdict);
 
 // Word for word: every two simplices meet in a common face or not at all; the edges in each segment,
 // the triangles in each polygon and the d-simplices inside measure as much as these do. Cubic.

@@ -65,8 +65,8 @@ void judge_against_empty_domain(const ExactMesh& mesh, Verdict& verdict) {
 
 void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domain,
                                       const Options& options, const fast::SimplexFacts* known,
-                                      const Regions* known_regions, bool steiner_points_allowed,
-                                      const OfTriangulation& then, Verdict& verdict) {
+                                      bool steiner_points_allowed, const OfTriangulation& then,
+                                      Verdict& verdict) {
   const PiecewiseLinearComplex& complex = domain.complex;
   const std::size_t dimension = complex.ambient_dimension();
   if (complex.points.empty()) return judge_against_empty_domain(mesh, verdict);
@@ -88,7 +88,7 @@ void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domai
   verdict.steiner_points = count_steiner_points(places);
   if (known != nullptr) uses = uses_of_interest(mesh, complex, places, *known);
   const SegmentChains chains(mesh, complex, places);
-  const Regions regions = known_regions != nullptr ? *known_regions : Regions(complex);
+  const Regions regions = domain.regions();
   judge_cells({mesh, complex, regions, uses, known, places, chains, search}, then, verdict);
 }
 

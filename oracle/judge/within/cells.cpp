@@ -6,7 +6,16 @@
 namespace circumspect::check {
 
 Cells::Cells(const PiecewiseLinearComplex& complex, Markers markers)
-    : complex_(complex), markers_(std::move(markers)) {
+    : complex_(complex), markers_(std::move(markers)), stars_(complex.points.size()) {
+  for (std::size_t s = 0; s < complex.segments.size(); ++s) {
+    for (const Vertex v : complex.segments[s])
+      stars_[static_cast<std::size_t>(v)].push_back({1, s});
+  }
+  for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+    for (const Vertex v : complex.polygons[p].vertices) {
+      stars_[static_cast<std::size_t>(v)].push_back({2, p});
+    }
+  }
   for (const Polygon& polygon : complex.polygons) {
     std::vector<std::size_t>& places = segments_of_.emplace_back();
     for (const Simplex& segment : polygon.segments) {

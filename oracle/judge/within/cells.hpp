@@ -36,6 +36,24 @@ class Cells {
   // slits among them.
   std::vector<Cell> closure(Cell cell) const;
   bool is_in_closure(Cell face, Cell cell) const;
+  // Is it so of all proper faces?
+  template <class Holds>
+  bool holds_of_faces(Cell cell, const Holds& holds) const {
+    if (cell.dimension == 0) return true;
+    const std::vector<Vertex>& vertices = cell.dimension == 1
+                                              ? complex_.segments[cell.place]
+                                              : complex_.polygons[cell.place].vertices;
+    for (const Vertex v : vertices) {
+      if (!holds(Cell{0, static_cast<std::size_t>(v)})) return false;
+    }
+    if (cell.dimension == 1) return true;
+    for (const std::size_t s : segments_of_[cell.place]) {
+      if (!holds(Cell{1, s})) return false;
+    }
+    return true;
+  }
+  // The segments and polygons that have the vertex, ascending.
+  const std::vector<Cell>& star(std::size_t vertex) const { return stars_[vertex]; }
   // By the places of its segments, ascending.
   const std::vector<std::size_t>& segments_of(std::size_t polygon) const {
     return segments_of_[polygon];
@@ -53,6 +71,7 @@ class Cells {
   const PiecewiseLinearComplex& complex_;
   Markers markers_;
   std::vector<std::vector<std::size_t>> segments_of_;
+  std::vector<std::vector<Cell>> stars_;
 };
 
 }  // namespace circumspect::check

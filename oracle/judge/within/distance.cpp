@@ -177,19 +177,28 @@ Box box_about(std::span<const RoundedPoint> points, double distance) {
   Box box;
   box.low.fill(kInfinity);
   box.high.fill(-kInfinity);
+  double error = 0;
   for (const RoundedPoint& point : points) {
     const auto& [x, y, z] = point.at;
     const std::array<double, 9> values = {x, y, z, x + y, x - y, x + z, x - z, y + z, y - z};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      // A sum of two doubles is off by at most half a unit in the last place: one step outward makes up for it.
-      const double low = i < 3 ? values[i] : std::nextafter(values[i], -kInfinity);
-      const double high = i < 3 ? values[i] : std::nextafter(values[i], kInfinity);
-      const double step = (i < 3 ? 1 : 2) * (distance + point.error);
-      box.low[i] =
-          std::min(box.low[i], step == 0 ? low : std::nextafter(low - 1.001 * step, -kInfinity));
-      box.high[i] =
-          std::max(box.high[i], step == 0 ? high : std::nextafter(high + 1.001 * step, kInfinity));
+      box.low[i] = std::min(box.low[i], values[i]);
+      box.high[i] = std::max(box.high[i], values[i]);
     }
+    error = std::max(error, point.error);
+  }
+  for (std::size_t i = 0; i < box.low.size(); ++i) {
+    // A sum of two doubles is off by at most half a unit in the last place: one step outward makes up for it.
+    const double low = i < 3 ? box.low[i] : std::nextafter(box.low[i], -kInfinity);
+    const double high = i < 3 ? box.high[i] : std::nextafter(box.high[i], kInfinity);
+    const double step = (i < 3 ? 1 : 2) * (distance + error);
+    const bool is_known = std::isfinite(step);
+    box.low[i] = step == 0  ? low
+                 : is_known ? std::nextafter(low - 1.001 * step, -kInfinity)
+                            : -kInfinity;
+    box.high[i] = step == 0  ? high
+                  : is_known ? std::nextafter(high + 1.001 * step, kInfinity)
+                             : kInfinity;
   }
   return box;
 }

@@ -44,12 +44,16 @@ TEST_CASE("the faces of a convex hull by going around it and by looking at all p
     // Few coordinates: many points of one plane; then many: few.
     const unsigned long most = round % 2 == 0 ? 3 : 1000;
     const bool has_decimals = round % 5 == 0;
+    // So far from the origin that doubles are farther from the points than these from each other.
+    Rational far = 0;
+    if (round % 8 >= 6) far = Rational(30'000'000'000'000'001L, 3L);
     std::set<Point> points;
     for (std::size_t i = 0; i < 5 + random() % 12; ++i) {
       Point point;
       for (std::size_t axis = 0; axis < dimension; ++axis) {
         point.emplace_back(static_cast<long>(random() % most));
         if (has_decimals) point.back() /= 10;
+        point.back() += far;
       }
       points.insert(point);
     }

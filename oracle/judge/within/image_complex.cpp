@@ -1,9 +1,11 @@
 #include "oracle/judge/within/image_complex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "oracle/judge/within/distance.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
@@ -106,49 +108,61 @@ class Building {
     return links;
   }
 
+  // A vertex, an edge or a triangle in an image.
+  struct Piece {
+    std::array<Vertex, 3> vertices;
+    std::size_t size;
+
+    std::span<const Vertex> span() const { return std::span(vertices).first(size); }
+  };
+
+  // Calls visit(piece, is_moved) for all pieces of images. An image is moved if a vertex of it is.
+  template <class Visit>
+  void for_each_piece(const Visit& visit) const {
+    const auto is_moved = [&](const auto& vertices) {
+      return std::any_of(vertices.begin(), vertices.end(),
+                         [&](Vertex v) { return moved_[static_cast<std::size_t>(v)]; });
+    };
+    for (const Vertex v : in_mesh_) visit(Piece{{v}, 1}, moved_[static_cast<std::size_t>(v)]);
+    for (const auto& path : images_.paths) {
+      const bool any = is_moved(path);
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        visit(Piece{{path[i], path[i + 1]}, 2}, any);
+      }
+    }
+    for (const Patch& patch : images_.patches) {
+      const bool any = std::any_of(patch.triangles.begin(), patch.triangles.end(), is_moved);
+      for (const Simplex& triangle : patch.triangles) {
+        visit(Piece{{triangle[0], triangle[1], triangle[2]}, 3}, any);
+      }
+    }
+  }
+
   // The images are faces of the mesh, which is a complex only if they are one. Images of which no vertex is moved
   // are what the cells are, which is valid. So only those have to be looked at that are moved, and what
   // is beside them.
   std::optional<Violation> intersection_of_images() const {
-    std::vector<Simplex> pieces;
-    std::vector<bool> is_moved;
-    const auto moved = [&](const Simplex& vertices) {
-      return std::any_of(vertices.begin(), vertices.end(),
-                         [&](Vertex v) { return moved_[static_cast<std::size_t>(v)]; });
-    };
-    const auto add = [&](const std::vector<Simplex>& added) {
-      const bool any = std::any_of(added.begin(), added.end(), moved);
-      pieces.insert(pieces.end(), added.begin(), added.end());
-      is_moved.resize(pieces.size(), any);
-    };
-    for (const Vertex v : in_mesh_) add({{v}});
-    for (const auto& path : images_.paths) {
-      std::vector<Simplex> links;
-      for (std::size_t i = 0; i + 1 < path.size(); ++i) links.push_back({path[i], path[i + 1]});
-      add(links);
-    }
-    for (const Patch& patch : images_.patches) add(patch.triangles);
-    if (std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end()) return std::nullopt;
-    return intersection(beside_moved(pieces, is_moved));
-  }
-
-  std::vector<Simplex> beside_moved(const std::vector<Simplex>& pieces,
-                                    const std::vector<bool>& is_moved) const {
     std::vector<RoundedPoint> points(mesh_.points.size());
     for (const Vertex v : in_mesh_) points[static_cast<std::size_t>(v)] = rounded(mesh_.points[v]);
-    std::vector<Box> boxes, boxes_of_moved;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      std::vector<RoundedPoint> corners;
-      for (const Vertex v : pieces[i]) corners.push_back(points[static_cast<std::size_t>(v)]);
-      boxes.push_back(box_about(corners, 0));
-      if (is_moved[i]) boxes_of_moved.push_back(boxes.back());
-    }
+    const auto box_of = [&](const Piece& piece) {
+      std::array<RoundedPoint, 3> corners;
+      for (std::size_t i = 0; i < piece.size; ++i) {
+        corners[i] = points[static_cast<std::size_t>(piece.vertices[i])];
+      }
+      return box_about(std::span(corners).first(piece.size), 0);
+    };
+    std::vector<Box> boxes_of_moved;
+    for_each_piece([&](const Piece& piece, bool is_moved) {
+      if (is_moved) boxes_of_moved.push_back(box_of(piece));
+    });
+    if (boxes_of_moved.empty()) return std::nullopt;
     const BoxIndex index(boxes_of_moved);
     std::vector<Simplex> found;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (is_moved[i] || !index.meeting(boxes[i]).empty()) found.push_back(pieces[i]);
-    }
-    return found;
+    for_each_piece([&](const Piece& piece, bool is_moved) {
+      if (!is_moved && index.meeting(box_of(piece)).empty()) return;
+      found.emplace_back(piece.span().begin(), piece.span().end());
+    });
+    return intersection(found);
   }
 
   // Do some faces of images intersect otherwise than in common faces?
@@ -292,7 +306,7 @@ class Building {
       holes.push_back(region);
       complex.hole_seeds.push_back(seed_before(regions, labels[region]->side, complex.points));
     }
-    built.regions = regions.with_holes(holes);
+    built.domain.known_regions = regions.with_holes(holes);
     return std::nullopt;
   }
 

@@ -11,13 +11,11 @@ namespace circumspect::check {
 
 struct ImageComplex {
   // A valid complex whose points are points of the mesh. Its hole seeds say what is not inside; they follow
-  // from the sides of the polygons of the domain.
+  // from the sides of the polygons of the domain. Its regions are known, unless sides differ.
   Domain domain;
   std::vector<Vertex> in_mesh;  // the point of the mesh that each of its vertices is
   std::vector<std::size_t>
       polygons;  // the polygon of the domain that each of its polygons is part of
-  // Of the complex, its holes among them; none where sides differ.
-  std::optional<Regions> regions = {};
   // The polygons of the domain that have no inside beside them and no flat image: their triangles are not
   // held against each other.
   std::size_t not_flat_and_dangling = 0;

@@ -66,7 +66,7 @@ ImageOr<Vertex> Images::found_vertex(std::size_t v, const Rational& squared_reac
     const Reaches::ToVertex& nearest = reaches_.near(cell).front();
     witness.nearest = NearestVertex{nearest.vertex, nearest.squared()};
   }
-  return tl::unexpected(NoImage{{Rule::kDomainVertexMissing, witness}});
+  return no_image(Rule::kDomainVertexMissing, std::move(witness));
 }
 
 const std::vector<Images::Place>& Images::places_along(std::size_t segment) const {
@@ -93,7 +93,7 @@ ImageOr<std::vector<Vertex>> Images::found_path(std::size_t segment,
   const Vertex last = *vertex(static_cast<std::size_t>(ends[1]), squared_reach);
   const auto missing = [&](Vertex a, Vertex b) {
     const Witness witness{.face = sorted({a, b}), .domain_cell = ends};
-    return tl::unexpected(NoImage{{Rule::kSegmentMissing, witness}});
+    return no_image(Rule::kSegmentMissing, witness);
   };
   // The ends are within reach of cells that are more than three times as far apart: they are in order.
   const bool has_others = reaches_.near({1, segment}).size() > 2;
@@ -130,19 +130,18 @@ bool Images::has_image(Cell cell, const Rational& squared_reach) const {
 }
 
 std::optional<NoImage> Images::fault(Cell cell, const Rational& squared_reach) const {
-  for (const Cell face : cells_.closure(cell)) {
-    if (face != cell && !has_image(face, squared_reach)) return std::nullopt;
-  }
+  const auto holds = [&](Cell face) { return has_image(face, squared_reach); };
+  if (!cells_.holds_of_faces(cell, holds)) return std::nullopt;
   if (cell.dimension == 0) {
     const auto& found = vertex(cell.place, squared_reach);
-    return found ? std::nullopt : std::optional(found.error());
+    return found ? std::nullopt : std::optional(*found.error());
   }
   if (cell.dimension == 1) {
     const auto& found = path(cell.place, squared_reach);
-    return found ? std::nullopt : std::optional(found.error());
+    return found ? std::nullopt : std::optional(*found.error());
   }
   const auto& found = patch(cell.place, squared_reach);
-  return found ? std::nullopt : std::optional(found.error());
+  return found ? std::nullopt : std::optional(*found.error());
 }
 
 std::optional<Rational> Images::next_change(Cell cell, const Rational& squared_reach) const {
@@ -157,7 +156,7 @@ std::optional<Rational> Images::next_change(Cell cell, const Rational& squared_r
         break;
       }
       // Within reach already: another cell of lower dimension may come to carry it.
-      for (const ToCell& to : reaches_.of(near.vertex)) consider(to.squared);
+      for (const ToCell& to : reaches_.of(near.vertex)) consider(to.squared());
     }
   }
   return next;

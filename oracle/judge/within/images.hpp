@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,8 +30,12 @@ struct NoImage {
   Violation violation;
   bool is_open = false;
 };
+// Most cells have images, so what says that there is none is kept elsewhere.
 template <class Image>
-using ImageOr = tl::expected<Image, NoImage>;
+using ImageOr = tl::expected<Image, std::shared_ptr<NoImage>>;
+inline tl::unexpected<std::shared_ptr<NoImage>> no_image(Rule rule, Witness witness) {
+  return tl::unexpected(std::make_shared<NoImage>(NoImage{{rule, std::move(witness)}}));
+}
 
 class Images {
  public:

@@ -71,19 +71,20 @@ std::string cell_name(Cell cell, const CellsOfDomain& all) {
 NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh,
                      const CellsOfDomain& domain) {
   const std::string reach = square_root_to_decimal(answer.squared_reach);
+  const std::string no_smaller = ", and no smaller distance will do. ";
+  const std::string advice = "Name a smaller distance to see what is missing.";
   if (answer.kind == ReachAnswer::Kind::kOpen) {
-    return {
-        "Which triangles of the mesh are the image of " + cell_name(answer.cells.front(), domain) +
-        " of the domain is not forced, where vertices are carried at a distance of about " + reach +
-        ": flat simplices lie between several choices, and none of the two that the definition "
-        "allows is an image."};
+    return {"At a distance of about " + reach + " the image of " +
+            cell_name(answer.cells.front(), domain) +
+            " of the domain is not forced: flat simplices lie between several sets of triangles, "
+            "and none of those that were tried will do. A .face file may say by its markers which "
+            "triangles are meant."};
   }
   if (answer.vertices.empty() && !answer.cells.empty()) {
-    return {
-        "No distance below about " + reach + " will do, and from there on " +
-        cell_name(answer.cells[0], domain) + " and " + cell_name(answer.cells[1], domain) +
-        " of the domain, which do not meet, are at most three distances apart and cannot be told "
-        "apart: name a smaller distance to see what is missing."};
+    return {"No distance below about " + reach + " will do. That is a third of what is between " +
+            cell_name(answer.cells[0], domain) + " and " + cell_name(answer.cells[1], domain) +
+            " of the domain, which do not meet, and no larger distance tells them apart. " +
+            advice};
   }
   if (answer.cells.empty()) return {"Some distances do not tell cells of the domain apart."};
   std::string text = "At a distance of about " + reach + " ";
@@ -91,15 +92,12 @@ NotJudged not_judged(const ReachAnswer& answer, const ExactMesh& mesh,
     return {text + "vertices " + std::to_string(mesh.label(answer.vertices[0])) + " and " +
             std::to_string(mesh.label(answer.vertices[1])) +
             " of the mesh both are within reach of " + cell_name(answer.cells[0], domain) +
-            " of the domain, and no smaller distance will do: name a smaller one to see what is "
-            "missing."};
+            " of the domain" + no_smaller + advice};
   }
-  return {
-      text + "vertex " + std::to_string(mesh.label(answer.vertices[0])) +
-      " of the mesh is within reach of " + cell_name(answer.cells[0], domain) + " and of " +
-      cell_name(answer.cells[1], domain) +
-      " of the domain but of nothing that these have in common, and no smaller distance will do: "
-      "name a smaller one to see what is missing."};
+  return {text + "vertex " + std::to_string(mesh.label(answer.vertices[0])) +
+          " of the mesh is within reach of " + cell_name(answer.cells[0], domain) + " and of " +
+          cell_name(answer.cells[1], domain) +
+          " of the domain, but of nothing that these have in common" + no_smaller + advice};
 }
 
 // A witness against the image, in the words of the domain.
@@ -186,15 +184,14 @@ tl::expected<Verdict, NotJudged> judge_images(Claim claim, const ExactMesh& mesh
   }
   if (image->sides_differ) {
     return tl::unexpected(
-        NotJudged{"The images of the cells part space otherwise than the cells do: a region has "
-                  "walls around it "
-                  "with the inside of the domain on that side, and others that have not.",
+        NotJudged{"The images of the cells divide space in another way than the cells do: of one "
+                  "region some walls say that it is inside the domain, and others that it is not.",
                   false});
   }
   verdict.within->not_compared = image->not_flat_and_dangling;
   add_steiner_points(mesh, used, answer, verdict);
-  const Verdict inner = judge_domain(with_steiner_points(claim), mesh, image->domain, options,
-                                     known, &*image->regions);
+  const Verdict inner =
+      judge_domain(with_steiner_points(claim), mesh, image->domain, options, known);
   add_all(inner, *image, answer, domain, verdict);
   return verdict;
 }
@@ -225,15 +222,16 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
   }
   if (is_bent_hull) {
     return tl::unexpected(
-        NotJudged{"The claim does not hold exactly, and of a convex hull with joined polygons that "
-                  "are not in one plane no other distance is judged: leave out --merge-coplanar.",
+        NotJudged{"The claim does not hold exactly. A convex hull is not judged at any other "
+                  "distance where polygons are joined by angle: leave out the angle of "
+                  "--merge-coplanar.",
                   false});
   }
   const bool by_definition = options.by == By::kDefinition;
   if (is_hull && by_definition && domain.complex.points.size() > kMostPointsByDefinition) {
     return tl::unexpected(
         NotJudged{"By definition every plane through three vertices is tried for a face of the "
-                  "convex hull, and here there are too many: judge by lemma.",
+                  "convex hull, and here there are too many of them: judge by lemma.",
                   false});
   }
   std::optional<PiecewiseLinearComplex> walled;
@@ -246,13 +244,12 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
   }
   const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
   const Cells cells(walled ? *walled : domain.complex, markers);
-  const Regions regions(cells.complex());
+  const Regions regions = walled ? Regions(*walled) : domain.regions();
   const CellsOfDomain all{domain, cells, regions, domain.complex.polygons.size()};
   if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
     return tl::unexpected(
         NotJudged{"By definition every set of triangles near a polygon is tried, and here there "
-                  "are too many: "
-                  "judge by lemma.",
+                  "are too many of them: judge by lemma.",
                   false});
   }
   const ReachAnswer answer =

@@ -91,7 +91,7 @@ class PatchSearch {
     // Every other series of choices, one after another.
     for (std::size_t tries = 1; next_choices(); ++tries) {
       if (tries == kMostTries) {
-        first.error().is_open = true;
+        first.error()->is_open = true;
         return first;
       }
       if (auto other = flooded(must_have)) return other;
@@ -135,8 +135,8 @@ class PatchSearch {
         }
       }
     }
-    if (auto lacking = lacks(must_have)) return tl::unexpected(std::move(*lacking));
-    if (auto folded = folds()) return tl::unexpected(std::move(*folded));
+    if (auto lacking = lacks(must_have)) return not_tiled(std::move(*lacking));
+    if (auto folded = folds()) return not_tiled(std::move(*folded));
     Patch patch;
     for (std::size_t i = 0; i < reached_.size(); ++i) {
       patch.triangles.push_back(candidates_[reached_[i]]);
@@ -176,7 +176,11 @@ class PatchSearch {
                               points_[second] - from));
   }
 
-  std::optional<NoImage> lacks(const std::vector<Vertex>& must_have) const {
+  static tl::unexpected<std::shared_ptr<NoImage>> not_tiled(Witness witness) {
+    return no_image(Rule::kPolygonNotTiled, std::move(witness));
+  }
+
+  std::optional<Witness> lacks(const std::vector<Vertex>& must_have) const {
     std::vector<Vertex> had;
     for (const std::size_t t : reached_) {
       had.insert(had.end(), candidates_[t].begin(), candidates_[t].end());
@@ -185,13 +189,13 @@ class PatchSearch {
     std::sort(had.begin(), had.end());
     for (const Vertex v : must_have) {
       if (std::binary_search(had.begin(), had.end(), v)) continue;
-      return NoImage{{Rule::kPolygonNotTiled, {.vertices = {v}, .polygon = number_}}};
+      return Witness{.vertices = {v}, .polygon = number_};
     }
     return std::nullopt;
   }
 
   // Does the patch cover a point of the plane twice?
-  std::optional<NoImage> folds() const {
+  std::optional<Witness> folds() const {
     std::vector<Box> boxes;
     for (const std::size_t t : reached_) {
       std::array<RoundedPoint, 3> corners;
@@ -200,11 +204,10 @@ class PatchSearch {
       }
       boxes.push_back(box_about(corners, reach_));
     }
-    const auto overlap = [&](std::size_t i, std::size_t j) -> std::optional<NoImage> {
+    const auto overlap = [&](std::size_t i, std::size_t j) -> std::optional<Witness> {
       const Simplex &a = candidates_[reached_[i]], &b = candidates_[reached_[j]];
       if (parts(a, b) || parts(b, a)) return std::nullopt;
-      return NoImage{
-          {Rule::kPolygonNotTiled, {.simplices = {sorted(a), sorted(b)}, .polygon = number_}}};
+      return Witness{.simplices = {sorted(a), sorted(b)}, .polygon = number_};
     };
     // All vertices are within reach of the plane. So triangles that project on each other are at most two
     // reaches apart.
@@ -239,10 +242,11 @@ class PatchSearch {
     return false;
   }
 
-  tl::unexpected<NoImage> fault(const Edge& edge, const Simplex& triangle = {}) const {
+  tl::unexpected<std::shared_ptr<NoImage>> fault(const Edge& edge,
+                                                 const Simplex& triangle = {}) const {
     Witness witness{.face = sorted({edge.first, edge.second}), .polygon = number_};
     if (!triangle.empty()) witness.simplices = {sorted(triangle)};
-    return tl::unexpected(NoImage{{Rule::kPolygonNotTiled, witness}});
+    return not_tiled(std::move(witness));
   }
 
   const PointSet& points_;

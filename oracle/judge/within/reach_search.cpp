@@ -23,13 +23,8 @@ class ReachSearch {
         reaches_(mesh, used, cells, pieces, limit_, threads),
         faces_(mesh, cells, reaches_),
         images_(mesh, cells, regions, reaches_, faces_),
-        has_none_(all_.size(), false) {
-    // Nothing less will do: each vertex of the domain carries one of the mesh.
-    for (std::size_t v = 0; v < cells.complex().points.size(); ++v) {
-      const auto& near = reaches_.near({0, v});
-      if (!near.empty()) squared_ = std::max(squared_, near.front().squared());
-    }
-  }
+        has_none_(all_.size(), false),
+        squared_(reaches_.squared_least()) {}
 
   ReachAnswer answer() {
     while (!answer_) step();
@@ -107,8 +102,8 @@ class ReachSearch {
       if (!carrier.second) continue;
       std::optional<Rational> next;
       for (const ToCell& to : reaches_.of(v)) {
-        if (to.squared <= squared_ || to.cell.dimension >= carrier.cell->dimension) continue;
-        if (!next || to.squared < *next) next = to.squared;
+        if (to.squared() <= squared_ || to.cell.dimension >= carrier.cell->dimension) continue;
+        if (!next || to.squared() < *next) next = to.squared();
       }
       if (!next) {
         answer_ = {.kind = Kind::kAmbiguous,
@@ -152,7 +147,7 @@ class ReachSearch {
       const auto& near = reaches_.of(v);
       const auto own = std::find_if(near.begin(), near.end(),
                                     [&](const ToCell& to) { return carrier.is(to.cell); });
-      answer_->moved.push_back(own != near.end() && sign(own->squared) > 0);
+      answer_->moved.push_back(own != near.end() && sign(own->squared()) > 0);
     }
   }
 
@@ -168,7 +163,7 @@ class ReachSearch {
   std::vector<bool> has_none_;  // of each cell: at no reach up to the limit
   std::vector<Cell> open_;
   std::vector<Violation> breaches_;
-  Rational squared_ = 0;
+  Rational squared_;
   std::optional<ReachAnswer> answer_;
 };
 

@@ -1,6 +1,8 @@
 #include "oracle/judge/within/reaches.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/within/distance.hpp"
@@ -35,11 +37,17 @@ class DomainPieces::Pieces {
   const Simplex& simplex(std::size_t piece) const { return simplex_[piece]; }
   std::vector<std::size_t> meeting(const Box& box) const { return index_->meeting(box); }
 
-  static std::vector<RoundedPoint> rounded_corners(const Simplex& simplex,
-                                                   const std::vector<RoundedPoint>& points) {
-    std::vector<RoundedPoint> corners;
-    corners.reserve(simplex.size());
-    for (const Vertex v : simplex) corners.push_back(points[static_cast<std::size_t>(v)]);
+  // Of a simplex of three corners at most.
+  struct Corners {
+    std::array<RoundedPoint, 3> points;
+    std::size_t size;
+    operator std::span<const RoundedPoint>() const { return std::span(points).first(size); }
+  };
+  static Corners rounded_corners(const Simplex& simplex, const std::vector<RoundedPoint>& points) {
+    Corners corners{{}, simplex.size()};
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      corners.points[i] = points[static_cast<std::size_t>(simplex[i])];
+    }
     return corners;
   }
 
@@ -56,36 +64,64 @@ DomainPieces::DomainPieces(const Cells& cells)
 }
 DomainPieces::~DomainPieces() = default;
 
-std::vector<ToCell> DomainPieces::near(const Point& point, const Rational& squared_limit) const {
+struct DomainPieces::Around {
+  Around(const Point& of, const Rational& squared)
+      : point(of),
+        squared_limit(squared),
+        limit(upper_square_root(squared)),
+        at({rounded(of)}),
+        box(box_about(at, limit)) {}
+
+  const Point& point;
+  const Rational& squared_limit;
+  double limit;
+  std::array<RoundedPoint, 1> at;
+  Box box;
+};
+
+void DomainPieces::add_near(int dimension, const Around& around, std::vector<ToCell>& found) const {
   const PointSet& points = cells_.complex().points;
-  const double limit = upper_square_root(squared_limit);
-  const std::array<RoundedPoint, 1> at = {rounded(point)};
-  const Box box = box_about(at, limit);
-  std::vector<ToCell> found;
-  std::optional<Vertex> equal;  // the vertex of the domain that the point is
-  for (const Pieces& pieces : of_dimension_) {
-    for (const std::size_t piece : pieces.meeting(box)) {
-      const Simplex& simplex = pieces.simplex(piece);
-      if (simplex.size() == 1 && points[simplex[0]] == point) equal = simplex[0];
-      Rational squared = 0;
-      if (!equal || !contains(simplex, *equal)) {
-        if (certainly_apart(at, Pieces::rounded_corners(simplex, points_), limit)) continue;
-        squared = squared_distance_to(coordinates(points, simplex), point);
-        if (squared > squared_limit) continue;
-      }
-      // The pieces of a cell follow each other.
-      if (!found.empty() && found.back().cell == pieces.cell(piece)) {
-        found.back().squared = std::min(found.back().squared, squared);
-      } else {
-        found.push_back({pieces.cell(piece), std::move(squared)});
-      }
+  const Pieces& pieces = of_dimension_[static_cast<std::size_t>(dimension)];
+  const std::size_t before = found.size();
+  for (const std::size_t piece : pieces.meeting(around.box)) {
+    const Simplex& simplex = pieces.simplex(piece);
+    const auto corners = Pieces::rounded_corners(simplex, points_);
+    if (certainly_apart(around.at, corners, around.limit)) continue;
+    Rational squared = squared_distance_to(coordinates(points, simplex), around.point);
+    if (squared > around.squared_limit) continue;
+    // The pieces of a cell follow each other.
+    if (found.size() > before && found.back().cell == pieces.cell(piece)) {
+      if (found.back().squared() <= squared) continue;
+      found.pop_back();
     }
+    found.push_back({pieces.cell(piece), std::make_shared<const Rational>(std::move(squared))});
   }
-  std::sort(found.begin(), found.end(), [](const ToCell& a, const ToCell& b) {
-    if (a.cell.dimension != b.cell.dimension) return a.cell.dimension < b.cell.dimension;
-    return a.squared != b.squared ? a.squared < b.squared : a.cell < b.cell;
-  });
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(),
+            [](const ToCell& a, const ToCell& b) {
+              const Rational &of_a = a.squared(), &of_b = b.squared();
+              return of_a != of_b ? of_a < of_b : a.cell < b.cell;
+            });
+}
+
+std::vector<ToCell> DomainPieces::vertices_near(const Point& point,
+                                                const Rational& squared_limit) const {
+  std::vector<ToCell> found;
+  add_near(0, Around(point, squared_limit), found);
   return found;
+}
+
+void DomainPieces::add_cells_near(const Point& point, const Rational& squared_limit,
+                                  const Rational& squared_least, std::vector<ToCell>& found) const {
+  if (!found.empty() && found.front().squared() <= squared_least) {
+    // Whatever else is near has the vertex, or it would be near the vertex without meeting it.
+    const ToCell vertex = found.front();
+    const std::vector<Cell>& star = cells_.star(vertex.cell.place);
+    found.reserve(found.size() + star.size());
+    for (const Cell cell : star) found.push_back({cell, vertex.distance});
+    return;
+  }
+  const Around around(point, squared_limit);
+  for (const int dimension : {1, 2}) add_near(dimension, around, found);
 }
 
 std::optional<ApartCells> DomainPieces::least_apart(const Rational& squared_limit,
@@ -134,15 +170,34 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
   near_[0].resize(complex.points.size());
   near_[1].resize(complex.segments.size());
   near_[2].resize(complex.polygons.size());
-  const auto in_chunk = [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
-      if (used[v]) of_[v] = pieces.near(mesh.points[static_cast<Vertex>(v)], squared_limit);
-    }
+  const auto for_each_used = [&](const auto& visit) {
+    const auto in_chunk = [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        if (used[v]) visit(mesh.points[static_cast<Vertex>(v)], of_[v]);
+      }
+    };
+    fast::in_chunks(of_.size(), kChunk, threads, in_chunk);
   };
-  fast::in_chunks(of_.size(), kChunk, threads, in_chunk);
+  for_each_used([&](const Point& point, std::vector<ToCell>& found) {
+    found = pieces.vertices_near(point, squared_limit);
+  });
+  std::vector<const Rational*> nearest(complex.points.size(), nullptr);
+  for (const std::vector<ToCell>& found : of_) {
+    for (const ToCell& to : found) {
+      const Rational*& least = nearest[to.cell.place];
+      if (least == nullptr || to.squared() < *least) least = &to.squared();
+    }
+  }
+  for (const Rational* const squared : nearest) {
+    if (squared != nullptr) squared_least_ = std::max(squared_least_, *squared);
+  }
+  for_each_used([&](const Point& point, std::vector<ToCell>& found) {
+    pieces.add_cells_near(point, squared_limit, squared_least_, found);
+  });
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     for (const ToCell& to : of(v)) {
-      near_[static_cast<std::size_t>(to.cell.dimension)][to.cell.place].push_back({&to.squared, v});
+      near_[static_cast<std::size_t>(to.cell.dimension)][to.cell.place].push_back(
+          {&to.squared(), v});
     }
   }
   for (auto& of_dimension : near_) {
@@ -157,7 +212,7 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
 Carrier Reaches::carrier(Vertex v, const Rational& squared_reach) const {
   Carrier carrier;
   for (const ToCell& to : of(v)) {
-    if (to.squared > squared_reach) continue;
+    if (to.squared() > squared_reach) continue;
     if (!carrier.cell) {
       carrier.cell = to.cell;
     } else {

@@ -1,6 +1,7 @@
 // How far the vertices of a mesh are from the cells of a domain, and which cell carries each.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,9 +22,13 @@ struct Carrier {
   bool is_one() const { return cell && !second; }
 };
 
+// Distances of a cell that has a vertex of the domain within the least reach (see Reaches) need not be exact: no reach
+// that is asked about is smaller. Then it is that of the vertex, which is no less.
 struct ToCell {
   Cell cell;
-  Rational squared;
+  std::shared_ptr<const Rational> distance;  // its square; cells at a vertex share it
+
+  const Rational& squared() const { return *distance; }
 };
 
 // Two cells that do not meet, and how far they are apart.
@@ -40,14 +45,21 @@ class DomainPieces {
   explicit DomainPieces(const Cells& cells);
   ~DomainPieces();
 
-  // The cells up to a limit from a point, those of lower dimension first, each dimension from near to far.
-  std::vector<ToCell> near(const Point& point, const Rational& squared_limit) const;
+  // The vertices up to a limit from a point, from near to far.
+  std::vector<ToCell> vertices_near(const Point& point, const Rational& squared_limit) const;
+  // Adds to these the other cells, those of lower dimension first, each dimension from near to far.
+  // Requires: cells that do not meet are more than two limits apart.
+  void add_cells_near(const Point& point, const Rational& squared_limit,
+                      const Rational& squared_least, std::vector<ToCell>& found) const;
   // The two cells that do not meet and are least apart, if any are at most so far apart. One is a vertex,
   // or both are segments: two cells of higher dimension are nowhere nearer to each other than such faces of them.
   std::optional<ApartCells> least_apart(const Rational& squared_limit, unsigned threads) const;
 
  private:
   class Pieces;
+  struct Around;  // a point, and what is about it up to a limit
+  void add_near(int dimension, const Around& around, std::vector<ToCell>& found) const;
+
   const Cells& cells_;
   std::vector<RoundedPoint> points_;
   std::vector<Pieces> of_dimension_;
@@ -68,7 +80,10 @@ class Reaches {
     const Rational& squared() const { return *distance; }
   };
 
-  // See DomainPieces::near.
+  // The square of the least reach that can do: each vertex of the domain carries one of the mesh. Of smaller ones nothing
+  // may be asked.
+  const Rational& squared_least() const { return squared_least_; }
+  // The cells up to the limit from a vertex: see DomainPieces::add_cells_near.
   const std::vector<ToCell>& of(Vertex v) const { return of_[static_cast<std::size_t>(v)]; }
   // The vertices near a cell, from near to far.
   const std::vector<ToVertex>& near(Cell cell) const {
@@ -80,6 +95,7 @@ class Reaches {
  private:
   std::vector<std::vector<ToCell>> of_;
   std::vector<std::vector<ToVertex>> near_[3];
+  Rational squared_least_ = 0;
 };
 
 }  // namespace circumspect::check

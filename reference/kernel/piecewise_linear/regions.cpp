@@ -153,12 +153,14 @@ class Joining {
       return orientation(points_.configuration(), axes_, simplex);
     };
     // Half a turn at most from the first wall, or more? Two walls that meet in the ridge alone are
-    // in one hyperplane only if they are half a turn apart.
+    // in one hyperplane only if they are half a turn apart. Of two walls either is next to the other.
     const Vertex first = apex(uses.front());
+    const bool is_ordered = uses.size() <= 2;
     std::vector<std::pair<int, FacetUse>> order;
     for (const FacetUse& use : uses) {
-      const int side = &use == &uses.front() ? 0 : turn(first, apex(use));
-      order.emplace_back(&use == &uses.front() ? 0 : side > 0 ? 1 : side == 0 ? 2 : 3, use);
+      const bool is_first = &use == &uses.front();
+      const int side = is_first || is_ordered ? 0 : turn(first, apex(use));
+      order.emplace_back(is_first ? 0 : side > 0 ? 1 : side == 0 ? 2 : 3, use);
     }
     std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
       if (a.first != b.first) return a.first < b.first;

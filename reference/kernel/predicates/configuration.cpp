@@ -8,12 +8,12 @@ namespace circumspect {
 namespace {
 
 // The order of the canonical perturbation: lexicographic by coordinates.
-std::vector<std::size_t> lexicographic_ranks(const std::vector<Point>& points) {
-  std::vector<std::size_t> order(points.size());
+template <class IsBefore>
+std::vector<std::size_t> ranks_by(std::size_t points, const IsBefore& is_before) {
+  std::vector<std::size_t> order(points);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
-  std::vector<std::size_t> ranks(points.size());
+  std::stable_sort(order.begin(), order.end(), is_before);
+  std::vector<std::size_t> ranks(points);
   for (std::size_t place = 0; place < order.size(); ++place) ranks[order[place]] = place;
   return ranks;
 }
@@ -26,12 +26,23 @@ Integer scaled(const Rational& value, const Integer& scale) {
 }  // namespace
 
 Configuration::Configuration(const std::vector<Point>& points, const std::vector<Rational>& weights)
-    : ambient_dimension_(points.empty() ? 0 : points.front().size()),
-      hull_(affine_hull(points)),
-      ranks_(lexicographic_ranks(points)) {
+    : ambient_dimension_(points.empty() ? 0 : points.front().size()), hull_(affine_hull(points)) {
   assert(weights.empty() || weights.size() == points.size());
   choose_denominators(points, weights);
   scale_to_integers(points, weights);
+  if (!has_common_denominator_) {
+    ranks_ = ranks_by(points.size(),
+                      [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+    return;
+  }
+  // Over one denominator numerators are in the order of the coordinates.
+  const auto d = static_cast<std::ptrdiff_t>(ambient_dimension_);
+  const auto at = [&](std::size_t v) {
+    return numerators_.begin() + static_cast<std::ptrdiff_t>(v) * d;
+  };
+  ranks_ = ranks_by(points.size(), [&](std::size_t a, std::size_t b) {
+    return std::lexicographical_compare(at(a), at(a) + d, at(b), at(b) + d);
+  });
 }
 
 void Configuration::choose_denominators(const std::vector<Point>& points,
