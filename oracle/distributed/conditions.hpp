@@ -25,6 +25,29 @@ namespace circumspect::distributed {
 // The names of several simplices, or of their facets.
 using FacetNames = std::vector<FacetName>;
 
+template <class Item>
+void append(std::vector<Item>& list, const std::vector<Item>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+// Groups of names of all ranks at the first one. They travel in one list, each behind its size.
+inline std::vector<FacetNames> groups_at_first(Ranks& ranks, const std::vector<FacetNames>& own) {
+  FacetNames list;
+  for (const FacetNames& group : own) {
+    list.push_back({-1, static_cast<std::uint32_t>(group.size())});
+    append(list, group);
+  }
+  list = ranks.at_first(std::move(list));
+  std::vector<FacetNames> groups;
+  for (auto next = list.begin(); next != list.end();) {
+    const auto end = next + 1 + static_cast<std::ptrdiff_t>(next->facet);
+    groups.emplace_back(next + 1, end);
+    next = end;
+  }
+  return groups;
+}
+
+// The same for any order of them.
 template <std::size_t kSize>
 std::uint64_t hash_of(const std::array<std::int64_t, kSize>& indices) {
   std::uint64_t hash = 0;
@@ -65,7 +88,8 @@ class FacetMeeting {
   template <class FacetOf>
   FacetFindings run(std::size_t count, const FacetOf& facet_of) {
     meet<Reply>(
-        ranks_, count, [&](std::size_t i) { return item(facet_of(i)); },
+        ranks_, count, [&](std::size_t i) { return hash_of(vertices_of(facet_of(i))); },
+        [&](std::size_t i) { return item(facet_of(i)); },
         [&](const std::vector<Item>& items, std::span<const std::uint32_t> group,
             Post<Reply>& post) { visit(items, group, post); },
         [&](const Reply& reply) { take(reply); });
@@ -90,6 +114,16 @@ class FacetMeeting {
     FacetName other;      // across it; no rank: nothing
     Site apex;            // of the other
   };
+
+  // In any order.
+  std::array<std::int64_t, kDimension> vertices_of(std::uint32_t facet) const {
+    const auto row = mesh_.view().row(facet / kVertices);
+    std::array<std::int64_t, kDimension> vertices;
+    for (std::size_t k = 0; k < kDimension; ++k) {
+      vertices[k] = mesh_.global(row[fast::kFacetPlaces<kVertices>[facet % kVertices][k]]);
+    }
+    return vertices;
+  }
 
   Item item(std::uint32_t facet) const {
     const std::size_t s = facet / kVertices, place = facet % kVertices;
@@ -222,6 +256,24 @@ std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
          for (const std::uint32_t i : group) ridge.facets.push_back(items[i].facet);
        });
   return faulty;
+}
+
+// ---- Sample point ----
+
+// Own boundary facets that do not have the sample point strictly on their inner sides.
+template <std::size_t kDimension>
+FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
+                  const std::vector<std::uint32_t>& boundary,
+                  const fast::SamplePoint<kDimension>& sample,
+                  const fast::Orientations& orientations, fast::Stages& stages) {
+  FacetNames names;
+  for (const std::uint32_t facet : boundary) {
+    const std::size_t s = facet / (kDimension + 1), place = facet % (kDimension + 1);
+    const int side =
+        fast::orientation_with(mesh.sites(s), place, sample, stages) * orientations.of(s);
+    if (side <= 0) names.push_back({static_cast<std::int32_t>(ranks.rank()), facet});
+  }
+  return names;
 }
 
 // ---- Simplices and points listed twice ----

@@ -7,20 +7,9 @@
 #include <memory>
 #include <type_traits>
 
+#include "oracle/model/exact_mesh.hpp"
+
 namespace circumspect::distributed {
-
-Slice slice_of(std::uint64_t count, std::size_t rank, std::size_t ranks) {
-  const auto cut = [&](std::size_t i) {
-    return count / ranks * i + std::min<std::uint64_t>(i, count % ranks);
-  };
-  return {cut(rank), cut(rank + 1)};
-}
-
-std::size_t rank_that_owns(std::uint64_t count, std::uint64_t item, std::size_t ranks) {
-  const std::uint64_t longer = count % ranks, size = count / ranks;  // so many slices have one more
-  const std::uint64_t before = longer * (size + 1);
-  return item < before ? item / (size + 1) : longer + (item - before) / size;
-}
 
 namespace {
 
@@ -82,7 +71,7 @@ LocalMesh<kDimension>::LocalMesh(Ranks& ranks, Dealt dealt, bool weighted)
     : dealt_(std::move(dealt)),
       weighted_(weighted),
       ranks_(ranks.size()),
-      slice_(slice_of(dealt_.points, ranks.rank(), ranks.size())),
+      slice_(PartOf{ranks.rank(), ranks.size()}.slice(dealt_.points)),
       used_(slice_.size(), false) {
   number_points(dealt_.lists);
   dealt_.lists = {};
@@ -100,13 +89,14 @@ void LocalMesh<kDimension>::number_points(const IndexLists& lists) {
         return static_cast<std::uint64_t>(v) < dealt_.points;
       };
       const auto values = rows.values();
-      for (const std::int64_t v : values) {
+      for (const std::int64_t listed : values) {
+        const std::int64_t v = place_of_index(listed, dealt_.first_index);
         if (names_point(v)) numbers.mark(static_cast<std::uint64_t>(v));
       }
       global_of_ = numbers.numbered();
       simplices_.resize(values.size());
       for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::int64_t v = values[i];
+        const std::int64_t v = place_of_index(values[i], dealt_.first_index);
         const bool known = names_point(v);
         simplices_[i] = known ? numbers.of(static_cast<std::uint64_t>(v)) : -1;
         if (!known) unknown_.emplace_back(i, v);
@@ -136,7 +126,7 @@ void LocalMesh<kDimension>::fetch_points(Ranks& ranks) {
   std::vector<std::size_t> next(ranks.size()), last(ranks.size());
   std::uint64_t most = 0;
   for (std::size_t owner = 0; owner < ranks.size(); ++owner) {
-    const auto [begin, end] = slice_of(dealt_.points, owner, ranks.size());
+    const auto [begin, end] = PartOf{owner, ranks.size()}.slice(dealt_.points);
     const auto place_of = [&](std::uint64_t v) {
       return static_cast<std::size_t>(std::lower_bound(global_of_.begin(), global_of_.end(), v) -
                                       global_of_.begin());
@@ -152,8 +142,7 @@ void LocalMesh<kDimension>::fetch_points(Ranks& ranks) {
     take(v, numbers.data());
   }
   next[ranks.rank()] = last[ranks.rank()];
-  constexpr std::size_t kAtATime = std::size_t{1} << 19, kLeast = 1024;
-  const std::size_t some = std::max(kLeast, kAtATime / ranks.size());
+  const std::size_t some = std::max<std::size_t>(1, 4 * ranks.few() / ranks.size());
   const std::size_t width = kDimension + (weighted_ ? 1 : 0);
   for (std::uint64_t rounds = ranks.most((most + some - 1) / some); rounds > 0; --rounds) {
     std::vector<std::vector<std::uint64_t>> asked(ranks.size());

@@ -13,29 +13,19 @@
 
 namespace circumspect::distributed {
 
-// ---- Slices ----
-// The part of a list that one rank reads, and owns: a slice, as long as those of the others but for one item.
+// ---- Dealt ----
 
-struct Slice {
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
-
-  std::uint64_t size() const { return end - begin; }
-};
-Slice slice_of(std::uint64_t count, std::size_t rank, std::size_t ranks);
-std::size_t rank_that_owns(std::uint64_t count, std::uint64_t item, std::size_t ranks);
-
-// What a rank is dealt. Points are in slices; of simplices a rank may have any.
+// What a rank is dealt. Points are in slices (PartOf); of simplices a rank may have any.
 struct Dealt {
   std::uint64_t points = 0;     // of the whole mesh
   std::uint64_t simplices = 0;  // of the whole mesh
   std::size_t dimension = 0;
   Rows<double> coordinates = {};  // of its slice of points; finite, without −0
   Rows<double> weights = {};      // of its slice, or none
-  IndexLists lists = {};          // its simplices, by indices of the whole mesh from 0; in rows
+  IndexLists lists = {};          // its simplices, by the user's indices of points; in rows
   std::uint64_t first_simplex = 0;
   std::vector<std::uint64_t> places = {};  // in the whole list; empty: they follow each other
-  std::int64_t first_index = 0;            // the user's index of the first point
+  Vertex first_index = 0;                  // the user's index of the first point
 };
 
 // ---- Local mesh ----
@@ -99,7 +89,7 @@ class LocalMesh {
   NumberedPoint<kDimension> owned_point(std::size_t i) const;
   std::vector<std::size_t> unused() const;
   std::size_t owner_of(std::uint64_t point) const {
-    return rank_that_owns(dealt_.points, point, ranks_);
+    return PartOf::with(point, dealt_.points, ranks_);
   }
 
   const Dealt& dealt() const { return dealt_; }

@@ -4,7 +4,7 @@
 
 namespace circumspect::distributed {
 
-Ranks::Ranks(MPI_Comm communicator) : communicator_(communicator) {
+Ranks::Ranks(MPI_Comm communicator, std::size_t few) : communicator_(communicator), few_(few) {
   int number = 0;
   MPI_Comm_rank(communicator_, &number);
   rank_ = static_cast<std::size_t>(number);

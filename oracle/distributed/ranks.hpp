@@ -30,16 +30,18 @@ struct Phase {
 };
 
 // ---- Ranks ----
-// Every member but rank(), size() and is_first() is called by all ranks together, in the same order.
+// Every member but rank(), size(), is_first() and few() is called by all ranks together, in the same order.
 
 class Ranks {
  public:
-  // Requires: MPI is initialized, and `communicator` outlives this object.
-  explicit Ranks(MPI_Comm communicator);
+  // Fewer items than `few` are never worth sending some at a time. Requires: MPI is initialized, and `communicator`
+  // outlives this object; few > 0.
+  explicit Ranks(MPI_Comm communicator, std::size_t few = std::size_t{1} << 15);
 
   std::size_t rank() const { return rank_; }
   std::size_t size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
+  std::size_t few() const { return few_; }
 
   bool any(bool own) const { return most(own ? 1 : 0) > 0; }
   std::uint64_t sum(std::uint64_t own) const { return reduced(own, MPI_SUM); }
@@ -57,6 +59,13 @@ class Ranks {
     MPI_Bcast(&value, sizeof(Value), MPI_BYTE, static_cast<int>(root), communicator_);
     if (rank_ == root) count(sizeof(Value) * (size_ - 1), size_ - 1);
     return value;
+  }
+
+  std::string of_rank(std::size_t root, std::string text) {
+    text.resize(of_rank(root, text.size()));
+    MPI_Bcast(text.data(), static_cast<int>(text.size()), MPI_BYTE, static_cast<int>(root),
+              communicator_);
+    return text;
   }
 
   // One value of each rank, in their order, at all.
@@ -123,6 +132,7 @@ class Ranks {
   MPI_Comm communicator_;
   std::size_t rank_ = 0;
   std::size_t size_ = 1;
+  std::size_t few_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Phase now_;
   std::vector<Phase> phases_;
@@ -160,33 +170,36 @@ template <class Reply>
 using Post = std::vector<std::vector<Reply>>;
 
 // Brings the same things of all ranks together, each at the rank that its hash names: item(i) makes number i of
-// the `count` own ones. There visit(items, group, post) sees each group of the same and posts replies, and
-// take(reply) gets them where they are posted to. Some hashes at a time, so that no more than some thirtieth of the
-// items are on their way. Item has std::uint64_t hash() and bool same(other).
-template <class Reply, class MakeItem, class Visit, class Take>
-void meet(Ranks& ranks, std::size_t count, const MakeItem& item, const Visit& visit,
-          const Take& take) {
+// the `count` own ones, and hash(i) is its hash. There visit(items, group, post) sees each group of the same and
+// posts replies, and take(reply) gets them where they are posted to. Some hashes at a time, so that no more than
+// about a sixteenth of the items are on their way. Item has std::uint64_t hash() and bool same(other).
+template <class Reply, class HashOf, class MakeItem, class Visit, class Take>
+void meet(Ranks& ranks, std::size_t count, const HashOf& hash, const MakeItem& item,
+          const Visit& visit, const Take& take) {
   using Item = std::decay_t<decltype(item(std::size_t{0}))>;
-  constexpr std::size_t kMostRounds = 32, kFew = std::size_t{1} << 15;
-  const auto rounds =
-      static_cast<std::size_t>(std::min<std::uint64_t>(kMostRounds, ranks.most(count) / kFew + 1));
+  constexpr std::size_t kMostRounds = 16;
+  const auto rounds = static_cast<std::size_t>(
+      std::min<std::uint64_t>(kMostRounds, ranks.most(count) / ranks.few() + 1));
   // Bits of the hash that for_each_group does not look at first.
-  const auto round_of = [&](std::uint64_t hash) { return (hash & 0xffff) * rounds >> 16; };
-  const auto home_of = [&](std::uint64_t hash) {
-    return (hash >> 16 & 0xffffff) * ranks.size() >> 24;
+  const auto home_of = [&](std::uint64_t one) {
+    return (one >> 16 & 0xffffff) * ranks.size() >> 24;
   };
   std::vector<std::uint32_t> order;  // own items, by rounds
   std::vector<std::size_t> begins(rounds + 1, 0);
+  begins.back() = count;
   if (rounds > 1) {
-    for (std::size_t i = 0; i < count; ++i) ++begins[round_of(item(i).hash()) + 1];
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    order.resize(count);
-    std::vector<std::size_t> next = begins;
+    std::vector<std::uint8_t> round_of(count);
+    std::vector<std::size_t> next(rounds + 1, 0);
     for (std::size_t i = 0; i < count; ++i) {
-      order[next[round_of(item(i).hash())]++] = static_cast<std::uint32_t>(i);
+      round_of[i] = static_cast<std::uint8_t>((hash(i) & 0xffff) * rounds >> 16);
+      ++next[round_of[i] + 1];
     }
-  } else {
-    begins.back() = count;
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    begins = next;
+    order.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      order[next[round_of[i]]++] = static_cast<std::uint32_t>(i);
+    }
   }
   for (std::size_t round = 0; round < rounds; ++round) {
     std::vector<std::vector<Item>> out(ranks.size());
@@ -212,7 +225,7 @@ struct NoReply {};
 template <class MakeItem, class Visit>
 void meet(Ranks& ranks, std::size_t count, const MakeItem& item, const Visit& visit) {
   meet<NoReply>(
-      ranks, count, item,
+      ranks, count, [&](std::size_t i) { return item(i).hash(); }, item,
       [&](const auto& items, std::span<const std::uint32_t> group, Post<NoReply>&) {
         visit(items, group);
       },

@@ -101,7 +101,7 @@ template <std::size_t kDimension>
 SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMesh<kDimension>& mesh,
                                                     const fast::Orientations& orientations,
                                                     fast::Stages& stages) {
-  constexpr std::size_t kVertices = kDimension + 1, kAtATime = std::size_t{1} << 17;
+  constexpr std::size_t kVertices = kDimension + 1;
   // A simplex that contains a point, and what it says of it.
   struct Containing {
     std::uint64_t index;  // of the point
@@ -112,7 +112,7 @@ SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMes
   };
   SubmergedFindings<kDimension> found;
   const std::vector<std::size_t> unused = mesh.unused();
-  const std::size_t some = std::max<std::size_t>(1, kAtATime / ranks.size());
+  const std::size_t some = std::max<std::size_t>(1, 4 * ranks.few() / ranks.size());
   const std::uint64_t rounds = ranks.most((unused.size() + some - 1) / some);
   for (std::size_t round = 0; round < rounds; ++round) {
     const std::size_t first = std::min(unused.size(), round * some);
