@@ -127,7 +127,7 @@ test-builds: build-release
 
 # The browser may still be on its way; the sanitizers' build links the release's archives of what handles
 # values alone.
-SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium
+SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON
 SETTINGS_sanitize := -DCIRCUMSPECT_SANITIZE_ALL=OFF -DCIRCUMSPECT_VALUES_FROM=$(CURDIR)/build/release
 build-sanitize: build-release
 build-release build-sanitize: build-%:

@@ -63,6 +63,11 @@ if(CIRCUMSPECT_BUILD_COMMAND)
   circumspect_find_package(CLI11 CLI11::CLI11)
 endif()
 
+if(CIRCUMSPECT_BUILD_MPI)
+  set(MPI_CXX_SKIP_MPICXX ON)  # the functions of C alone
+  find_package(MPI REQUIRED COMPONENTS CXX)
+endif()
+
 if(CIRCUMSPECT_BUILD_TESTS OR CIRCUMSPECT_BUILD_PYTHON)
   # Debian's Python has the Debian packages; another one that stands before it in PATH has not.
   if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)

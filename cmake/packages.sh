@@ -30,6 +30,8 @@ doctest-dev           runs the tests
 librapidcheck-dev     tries properties on random arguments
 libtet1.5-dev         TetGen as a function, put to the test
 libqhull-dev          Qhull as a function, put to the test
+libopenmpi-dev        compiles circumspect-mpi
+openmpi-bin           starts its ranks
 topcom                a second opinion on the number of triangulations, in tests only
 pkg-config            tests the installed circumspect.pc
 clang-format-14       checks the layout of the sources

@@ -98,8 +98,9 @@ class Page:
 
     def printed(self, command, where):
         path = os.path.dirname(self.programs["circumspect"]) + os.pathsep + os.environ["PATH"]
+        as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}  # for mpirun
         return subprocess.run(command, cwd=where, text=True, stdout=subprocess.PIPE, check=False,
-                              stderr=subprocess.STDOUT, env={**os.environ, "PATH": path},
+                              stderr=subprocess.STDOUT, env={**os.environ, **as_root, "PATH": path},
                               timeout=300).stdout
 
 

@@ -15,9 +15,12 @@
 namespace circumspect::formats {
 namespace {
 
+// Of an array, and which of its rows are read.
 struct Shape {
   std::size_t rows = 0;
   std::size_t columns = 0;
+  std::size_t first = 0;  // from this row on
+  std::size_t count = 0;  // so many
 };
 
 // What is wanted of an array, for messages.
@@ -46,12 +49,15 @@ tl::unexpected<FormatError> wrong_type(const std::string& name, const Wanted& wa
 
 // Rows and columns, if all that the header says of them fits together and to the size of the file.
 Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const std::string& name,
-                       const Wanted& wanted, std::size_t bytes_each) {
+                       const Wanted& wanted, std::size_t bytes_each, PartOf part) {
   if (header.shape.size() != 2) {
     return fail(name, "an array of shape " + std::string(wanted.shape),
                 "shape " + header.shape_in_words());
   }
-  const Shape shape{header.shape[0], header.shape[1]};
+  Shape shape{header.shape[0], header.shape[1]};
+  const Slice slice = part.slice(shape.rows);
+  shape.first = slice.begin;
+  shape.count = slice.size();
   std::size_t bytes = 0;
   const bool overflows = __builtin_mul_overflow(shape.rows, shape.columns, &bytes) ||
                          __builtin_mul_overflow(bytes, bytes_each, &bytes);
@@ -65,11 +71,12 @@ Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const 
   return shape;
 }
 
-// Takes the bytes as numbers, as they lie there. Requires: they are as many as `to` holds.
+// Takes the bytes as numbers, as they lie there, from number `first` of the array on.
 template <class Value>
 Status read_values(const RandomAccess& file, const NpyHeader& header, const std::string& name,
-                   std::span<Value> to) {
-  if (!file.read(header.end, to.size_bytes(), reinterpret_cast<char*>(to.data()))) {
+                   std::size_t first, std::span<Value> to) {
+  const std::size_t offset = header.end + first * sizeof(Value);
+  if (!file.read(offset, to.size_bytes(), reinterpret_cast<char*>(to.data()))) {
     return fail(name, std::to_string(to.size_bytes()) + " bytes of data", "fewer");
   }
   const auto order = header.type.front() == '>' ? std::endian::big : std::endian::little;
@@ -85,38 +92,41 @@ Status read_values(const RandomAccess& file, const NpyHeader& header, const std:
 template <class Value, class Stored = Value>
 Result<Rows<Value>> read_rows(const NpyHeader& header, const RandomAccess& file,
                               const std::string& name, const Shape& shape) {
-  Rows<Value> rows(shape.rows, shape.columns);
+  Rows<Value> rows(shape.count, shape.columns);
   if constexpr (std::is_same_v<Value, Stored>) {
     if (!header.fortran_order) {
-      if (Status read = read_values(file, header, name, rows.values()); !read) {
+      const std::size_t first = shape.first * shape.columns;
+      if (Status read = read_values(file, header, name, first, rows.values()); !read) {
         return tl::unexpected(read.error());
       }
       return rows;
     }
   }
-  std::vector<Stored> stored(rows.values().size());
-  if (Status read = read_values(file, header, name, std::span(stored)); !read) {
-    return tl::unexpected(read.error());
-  }
   // In Fortran order the columns stand one after the other.
-  const std::size_t next_row = header.fortran_order ? 1 : shape.columns;
-  const std::size_t next_column = header.fortran_order ? shape.rows : 1;
-  for (std::size_t i = 0; i < shape.rows; ++i) {
-    for (std::size_t j = 0; j < shape.columns; ++j) {
-      rows.row(i)[j] = static_cast<Value>(stored[i * next_row + j * next_column]);
+  const std::size_t runs = header.fortran_order ? shape.columns : 1;
+  std::vector<Stored> stored(rows.values().size() / std::max<std::size_t>(runs, 1));
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t first =
+        header.fortran_order ? run * shape.rows + shape.first : shape.first * shape.columns;
+    if (Status read = read_values(file, header, name, first, std::span(stored)); !read) {
+      return tl::unexpected(read.error());
+    }
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      const std::size_t to = header.fortran_order ? i * shape.columns + run : i;
+      rows.values()[to] = static_cast<Value>(stored[i]);
     }
   }
   return rows;
 }
 
 // All finite, and −0 made 0.
-Status check_coordinates(Rows<double>& points, const std::string& name) {
+Status check_coordinates(Rows<double>& points, std::size_t first_row, const std::string& name) {
   const std::span<double> values = points.values();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) {
       return fail(name, "finite coordinates",
                   std::string(std::isnan(values[i]) ? "NaN" : "an infinity") + " in row " +
-                      std::to_string(i / points.columns()) + ", column " +
+                      std::to_string(first_row + i / points.columns()) + ", column " +
                       std::to_string(i % points.columns()) + ", counted from 0");
     }
     values[i] += 0.0;
@@ -126,8 +136,8 @@ Status check_coordinates(Rows<double>& points, const std::string& name) {
 
 template <class Index, class Stored = Index>
 Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess& file,
-                                    const std::string& name) {
-  const Result<Shape> shape = shape_of(header, file, name, kSimplices, sizeof(Stored));
+                                    const std::string& name, PartOf part) {
+  const Result<Shape> shape = shape_of(header, file, name, kSimplices, sizeof(Stored), part);
   if (!shape) return tl::unexpected(shape.error());
   if (shape->columns == 0) {
     return fail(name, "simplices of at least 1 vertex", "shape " + header.shape_in_words());
@@ -146,8 +156,8 @@ Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess&
 
 template <class Stored>
 Result<Rows<double>> read_points(const NpyHeader& header, const RandomAccess& file,
-                                 const std::string& name) {
-  const Result<Shape> shape = shape_of(header, file, name, kPoints, sizeof(Stored));
+                                 const std::string& name, PartOf part) {
+  const Result<Shape> shape = shape_of(header, file, name, kPoints, sizeof(Stored), part);
   if (!shape) return tl::unexpected(shape.error());
   if (shape->columns < 1 || shape->columns > kLargestDimension) {
     return fail(name, "points of dimension 1 to " + std::to_string(kLargestDimension),
@@ -155,7 +165,7 @@ Result<Rows<double>> read_points(const NpyHeader& header, const RandomAccess& fi
   }
   Result<Rows<double>> points = read_rows<double, Stored>(header, file, name, *shape);
   if (!points) return points;
-  if (Status finite = check_coordinates(*points, name); !finite) {
+  if (Status finite = check_coordinates(*points, shape->first, name); !finite) {
     return tl::unexpected(finite.error());
   }
   return points;
@@ -307,28 +317,30 @@ Result<Source> array_of_npz(const Source& archive, std::string_view name) {
   return Source{path, std::move(*bytes)};
 }
 
-Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name) {
+Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name,
+                                             PartOf part) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   const std::string_view kind = kind_of(*header);
   // Every float is a double.
-  if (kind == "f8") return read_points<double>(*header, file, name);
-  if (kind == "f4") return read_points<float>(*header, file, name);
+  if (kind == "f8") return read_points<double>(*header, file, name, part);
+  if (kind == "f4") return read_points<float>(*header, file, name, part);
   return wrong_type(name, kPoints, header->type);
 }
 
-Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name) {
+Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
+                                                PartOf part) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   const std::string_view kind = kind_of(*header);
-  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name);
-  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name);
-  if (kind == "u8") return read_simplices<std::int64_t, std::uint64_t>(*header, file, name);
-  if (kind == "u4") return read_simplices<std::int64_t, std::uint32_t>(*header, file, name);
-  if (kind == "i2") return read_simplices<std::int32_t, std::int16_t>(*header, file, name);
-  if (kind == "u2") return read_simplices<std::int32_t, std::uint16_t>(*header, file, name);
-  if (kind == "i1") return read_simplices<std::int32_t, std::int8_t>(*header, file, name);
-  if (kind == "u1") return read_simplices<std::int32_t, std::uint8_t>(*header, file, name);
+  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name, part);
+  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name, part);
+  if (kind == "u8") return read_simplices<std::int64_t, std::uint64_t>(*header, file, name, part);
+  if (kind == "u4") return read_simplices<std::int64_t, std::uint32_t>(*header, file, name, part);
+  if (kind == "i2") return read_simplices<std::int32_t, std::int16_t>(*header, file, name, part);
+  if (kind == "u2") return read_simplices<std::int32_t, std::uint16_t>(*header, file, name, part);
+  if (kind == "i1") return read_simplices<std::int32_t, std::int8_t>(*header, file, name, part);
+  if (kind == "u1") return read_simplices<std::int32_t, std::uint8_t>(*header, file, name, part);
   return wrong_type(name, kSimplices, header->type);
 }
 

@@ -48,11 +48,13 @@ using NpySimplices = std::variant<Rows<std::int32_t>, Rows<std::int64_t>>;
 
 // Points of dimension 1 to kLargestDimension, finite, 0 for −0. Errors: another type
 // or shape, each with what to do about it; more or fewer numbers than the shape says; NaN and
-// infinities. `name` stands for the file in errors.
-Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name);
+// infinities. `name` stands for the file in errors. Only the rows of the part are read and looked at.
+Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name,
+                                             PartOf part = {});
 
 // Simplices of at least one vertex; a vertex may name no point. Errors: the same.
-Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name);
+Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
+                                                PartOf part = {});
 
 // The same as exact numbers and as lists, as the other formats have them.
 Result<PointFile> read_npy_points(const Source& source);

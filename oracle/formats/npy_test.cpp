@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -46,6 +48,35 @@ TEST_CASE("npy: points of doubles, exactly") {
   REQUIRE_MESSAGE(none.has_value(), error_of(none));
   CHECK(none->dimension == 3);
   CHECK(none->points.empty());
+}
+
+TEST_CASE("npy: parts of the rows are the whole, and a fault is named where it stands") {
+  std::vector<double> values(14);
+  std::iota(values.begin(), values.end(), 1.0);
+  for (const std::string fortran : {"False", "True"}) {
+    const std::string bytes = npy<double>("<f8", "(7, 2)", values, fortran);
+    const RandomAccess file{std::string_view(bytes)};
+    const auto whole = read_rows_of_npy_points(file, "f");
+    REQUIRE(whole);
+    for (const std::size_t parts : {1u, 2u, 3u, 9u}) {
+      std::vector<double> together;
+      for (std::size_t part = 0; part < parts; ++part) {
+        const auto rows = read_rows_of_npy_points(file, "f", {part, parts});
+        REQUIRE(rows);
+        CHECK(rows->columns() == 2);
+        together.insert(together.end(), std::as_const(*rows).values().begin(),
+                        std::as_const(*rows).values().end());
+      }
+      const auto all = std::as_const(*whole).values();
+      CHECK(together == std::vector<double>(all.begin(), all.end()));
+    }
+  }
+  values[11] = std::numeric_limits<double>::infinity();
+  const std::string bytes = npy<double>("<f8", "(7, 2)", values);
+  const RandomAccess file{std::string_view(bytes)};
+  CHECK(read_rows_of_npy_points(file, "f", {0, 2}));
+  CHECK(error_of(read_rows_of_npy_points(file, "f", {1, 2})) ==
+        "f: expected finite coordinates, found an infinity in row 5, column 1, counted from 0");
 }
 
 TEST_CASE("npy: simplices of 32 and of 64 bits") {

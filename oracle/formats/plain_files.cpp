@@ -1,9 +1,11 @@
 #include "oracle/formats/plain_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 #include <new>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -176,8 +178,6 @@ bool for_each_block(const RandomAccess& file, const PlainRows& rows, unsigned th
 
 namespace {
 
-using Indices = PlainIndices<std::int32_t>;
-
 struct PlainNodeHeader {
   std::size_t points = 0;
   std::size_t dimension = 0;
@@ -196,12 +196,18 @@ std::optional<PlainNodeHeader> node_header(const PlainHeader& header) {
   return node;
 }
 
-// `value` less `first`; false if 32 bits do not hold it.
-bool count_from(Vertex first, std::int64_t value, std::int32_t& difference) {
-  std::int64_t wide = 0;
-  if (__builtin_sub_overflow(value, std::int64_t{first}, &wide)) return false;
-  difference = static_cast<std::int32_t>(wide);
-  return wide == difference;
+// `value` less `first`; false if the difference has no room.
+template <class Index>
+bool count_from(Vertex first, std::int64_t value, Index& difference) {
+  return !__builtin_sub_overflow(value, std::int64_t{first}, &difference);
+}
+
+// Without the blocks that have rows, but none of the slice.
+PlainRows blocks_with(PlainRows rows, Slice slice) {
+  std::erase_if(rows.blocks, [slice](const PlainBlock& block) {
+    return block.first < block.last && (block.last <= slice.begin || block.first >= slice.end);
+  });
+  return rows;
 }
 
 // The columns of .ele and .neigh: indices, and numbers that say nothing of a mesh.
@@ -218,42 +224,59 @@ std::optional<PlainPoints> node(const RandomAccess& file, const PlainReading& re
   const std::optional<PlainRows> rows =
       plan_rows(file, header->end, node->points, node->columns(), reading.block_size);
   if (!rows) return std::nullopt;
+  const Slice slice = reading.part.slice(node->points);
   PlainPoints points;
-  points.coordinates = Rows<double>(node->points, node->dimension);
-  if (node->attributes > 0) points.weights = Rows<double>(node->points, 1);
+  points.coordinates = Rows<double>(slice.size(), node->dimension);
+  if (node->attributes > 0) points.weights = Rows<double>(slice.size(), 1);
   points.first_index = rows->first_index;
-  const auto read_row = [&points, &node](PlainTokens& tokens, std::size_t row) {
-    for (double& coordinate : points.coordinates.row(row)) {
+  points.in_file = node->points;
+  const auto read_row = [&points, &node, slice](PlainTokens& tokens, std::size_t row) {
+    std::array<double, kLargestDimension> others;  // of a row that is not wanted
+    std::span<double> coordinates(others.data(), node->dimension);
+    double ignored = 0;
+    double* weight = &ignored;
+    if (slice.has(row)) {
+      coordinates = points.coordinates.row(row - slice.begin);
+      if (node->attributes > 0) weight = &points.weights.row(row - slice.begin)[0];
+    }
+    for (double& coordinate : coordinates) {
       if (!tokens.number(coordinate)) return false;
     }
     for (std::size_t i = 0; i < node->attributes; ++i) {
-      double ignored = 0;
-      if (!tokens.number(i == 0 ? points.weights.row(row)[0] : ignored)) return false;
+      if (!tokens.number(i == 0 ? *weight : ignored)) return false;
     }
     std::int64_t marker = 0;
     return node->markers == 0 || tokens.integer(marker);
   };
-  if (!read_plain_rows(file, *rows, reading.threads, read_row)) return std::nullopt;
+  if (!read_plain_rows(file, blocks_with(*rows, slice), reading.threads, read_row)) {
+    return std::nullopt;
+  }
   return points;
 }
 
 // `to_flat(value, first_row, index)`: the index from 0 for what the file says, where the first row has
 // the index `first_row`; false if there is none.
-template <class ToFlat>
-std::optional<Indices> indices(const RandomAccess& file, const PlainHeader& header,
-                               IndexColumns columns, const PlainReading& reading,
-                               const ToFlat& to_flat) {
+template <class Index, class ToFlat>
+std::optional<PlainIndices<Index>> indices(const RandomAccess& file, const PlainHeader& header,
+                                           IndexColumns columns, const PlainReading& reading,
+                                           const ToFlat& to_flat) {
   if (columns.indices < 1 || columns.indices > kMostPlainColumns) return std::nullopt;
   if (columns.attributes > kMostPlainColumns) return std::nullopt;
   const std::optional<PlainRows> rows =
       plan_rows(file, header.end, header.numbers[0], 1 + columns.indices + columns.attributes,
                 reading.block_size);
   if (!rows) return std::nullopt;
-  Indices result{Rows<std::int32_t>(header.numbers[0], columns.indices), rows->first_index};
+  const Slice slice = reading.part.slice(header.numbers[0]);
+  PlainIndices<Index> result{Rows<Index>(slice.size(), columns.indices), rows->first_index,
+                             header.numbers[0]};
   const auto read_row = [&](PlainTokens& tokens, std::size_t row) {
-    for (std::int32_t& index : result.rows.row(row)) {
+    Index* next = nullptr;
+    if (slice.has(row)) next = result.rows.row(row - slice.begin).data();
+    for (std::size_t i = 0; i < columns.indices; ++i) {
       std::int64_t value = 0;
+      Index index = 0;
       if (!tokens.integer(value) || !to_flat(value, rows->first_index, index)) return false;
+      if (next != nullptr) next[i] = index;
     }
     for (std::size_t i = 0; i < columns.attributes; ++i) {
       double ignored = 0;
@@ -261,28 +284,33 @@ std::optional<Indices> indices(const RandomAccess& file, const PlainHeader& head
     }
     return true;
   };
-  if (!read_plain_rows(file, *rows, reading.threads, read_row)) return std::nullopt;
+  if (!read_plain_rows(file, blocks_with(*rows, slice), reading.threads, read_row)) {
+    return std::nullopt;
+  }
   return result;
 }
 
-std::optional<Indices> ele(const RandomAccess& file, Vertex first_point,
-                           const PlainReading& reading) {
+template <class Index>
+std::optional<PlainIndices<Index>> ele(const RandomAccess& file, Vertex first_point,
+                                       const PlainReading& reading) {
   const std::optional<PlainHeader> header = read_plain_header(file);
   if (!header || header->size < 2 || header->size > 3) return std::nullopt;
-  return indices(file, *header, {header->numbers[1], header->numbers[2]}, reading,
-                 [first_point](std::int64_t value, Vertex, std::int32_t& vertex) {
-                   return count_from(first_point, value, vertex);
-                 });
+  return indices<Index>(file, *header, {header->numbers[1], header->numbers[2]}, reading,
+                        [first_point](std::int64_t value, Vertex, Index& vertex) {
+                          return count_from(first_point, value, vertex);
+                        });
 }
 
-std::optional<Indices> neigh(const RandomAccess& file, const PlainReading& reading) {
+std::optional<PlainIndices<std::int32_t>> neigh(const RandomAccess& file,
+                                                const PlainReading& reading) {
   const std::optional<PlainHeader> header = read_plain_header(file);
   if (!header || header->size != 2) return std::nullopt;
-  return indices(file, *header, {header->numbers[1], 0}, reading,
-                 [](std::int64_t value, Vertex first, std::int32_t& simplex) {
-                   if (value == -1) first = 0;
-                   return count_from(first, value, simplex) && (simplex >= 0 || value == -1);
-                 });
+  return indices<std::int32_t>(file, *header, {header->numbers[1], 0}, reading,
+                               [](std::int64_t value, Vertex first, std::int32_t& simplex) {
+                                 if (value == -1) first = 0;
+                                 return count_from(first, value, simplex) &&
+                                        (simplex >= 0 || value == -1);
+                               });
 }
 
 // Memory that there is not is no answer either: the slow reader says so.
@@ -301,12 +329,20 @@ std::optional<PlainPoints> read_plain_node(const RandomAccess& file, const Plain
   return or_nothing([&] { return node(file, reading); });
 }
 
-std::optional<Indices> read_plain_ele(const RandomAccess& file, Vertex first_point,
-                                      const PlainReading& reading) {
-  return or_nothing([&] { return ele(file, first_point, reading); });
+std::optional<PlainIndices<std::int32_t>> read_plain_ele(const RandomAccess& file,
+                                                         Vertex first_point,
+                                                         const PlainReading& reading) {
+  return or_nothing([&] { return ele<std::int32_t>(file, first_point, reading); });
 }
 
-std::optional<Indices> read_plain_neigh(const RandomAccess& file, const PlainReading& reading) {
+std::optional<PlainIndices<std::int64_t>> read_plain_wide_ele(const RandomAccess& file,
+                                                              Vertex first_point,
+                                                              const PlainReading& reading) {
+  return or_nothing([&] { return ele<std::int64_t>(file, first_point, reading); });
+}
+
+std::optional<PlainIndices<std::int32_t>> read_plain_neigh(const RandomAccess& file,
+                                                           const PlainReading& reading) {
   return or_nothing([&] { return neigh(file, reading); });
 }
 

@@ -195,19 +195,22 @@ bool read_plain_rows(const RandomAccess& file, const PlainRows& rows, unsigned t
 struct PlainReading {
   unsigned threads = 0;  // 0: as many as the machine has; the answer is the same for any number
   std::size_t block_size = kPlainBlock;
+  PartOf part = {};  // of the rows: no others are read, nor looked at
 };
 
 struct PlainPoints {
   Rows<double> coordinates = {};  // n × d, finite, without −0
   Rows<double> weights = {};      // n × 1, the first attributes; 0 × 0 if there are none
-  Vertex first_index = 0;         // the user's index of the first point
+  Vertex first_index = 0;         // the user's index of the first point of the file
+  std::size_t in_file = 0;        // how many points the file has
 };
 
 // Rows of indices: the vertices of simplices, or their neighbours.
 template <class Index>
 struct PlainIndices {
-  Rows<Index> rows = {};   // m × (d + 1), counted from 0
-  Vertex first_index = 0;  // the user's index of the first simplex
+  Rows<Index> rows = {};    // m × (d + 1), counted from 0
+  Vertex first_index = 0;   // the user's index of the first simplex of the file
+  std::size_t in_file = 0;  // how many rows the file has
 };
 
 // As read_node.
@@ -219,6 +222,10 @@ std::optional<PlainPoints> read_plain_node(const RandomAccess& file,
 std::optional<PlainIndices<std::int32_t>> read_plain_ele(const RandomAccess& file,
                                                          Vertex first_point,
                                                          const PlainReading& reading = {});
+// The same in 64 bits.
+std::optional<PlainIndices<std::int64_t>> read_plain_wide_ele(const RandomAccess& file,
+                                                              Vertex first_point,
+                                                              const PlainReading& reading = {});
 
 // As read_neigh, each simplex less the index of the first; −1 stays −1, and none is below.
 std::optional<PlainIndices<std::int32_t>> read_plain_neigh(const RandomAccess& file,

@@ -65,6 +65,40 @@ TEST_CASE("plain ele: vertices counted from that of the first point") {
   CHECK(answer_to_ele("1 1\n1 9223372036854775807\n", -1) == Answer::kNone);
 }
 
+TEST_CASE("plain files: parts of the rows are the whole, however the file is cut") {
+  std::string node = "50 2 1 0\n", ele = "50 3 0\n";
+  for (int i = 1; i <= 50; ++i) {
+    const std::string row =
+        std::to_string(i) + " " + std::to_string(7 * i) + " " + std::to_string(i);
+    node += row + " 3\n";
+    ele += row + " 2\n";
+  }
+  const auto all_points = read_plain_node(in_memory(node));
+  const auto all_simplices = read_plain_wide_ele(in_memory(ele), 1);
+  REQUIRE(all_points);
+  REQUIRE(all_simplices);
+  for (const std::size_t parts : {1u, 2u, 7u, 60u}) {
+    std::size_t row = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const PlainReading reading{.threads = 1, .block_size = 64, .part = {part, parts}};
+      const auto points = read_plain_node(in_memory(node), reading);
+      const auto simplices = read_plain_wide_ele(in_memory(ele), 1, reading);
+      REQUIRE(points);
+      REQUIRE(simplices);
+      CHECK(points->in_file == 50);
+      CHECK(points->first_index == 1);
+      CHECK(simplices->in_file == 50);
+      REQUIRE(points->coordinates.rows() == simplices->rows.rows());
+      for (std::size_t i = 0; i < points->coordinates.rows(); ++i, ++row) {
+        CHECK(points->coordinates.row(i)[0] == all_points->coordinates.row(row)[0]);
+        CHECK(points->weights.row(i)[0] == 3);
+        CHECK(simplices->rows.row(i)[0] == all_simplices->rows.row(row)[0]);
+      }
+    }
+    CHECK(row == 50);
+  }
+}
+
 TEST_CASE("plain neigh: simplices counted from 0, -1 stays, none is below") {
   const auto neighbors = read_plain_neigh(in_memory(kTetgenNeigh));
   REQUIRE(neighbors);

@@ -202,7 +202,7 @@ class Retold {
         wrong_(wrong),
         first_index_(first_index),
         options_(options),
-        part_(whole, simplices(), all_are_vertices() ? faults.unused : std::vector<std::size_t>()),
+        part_(whole, simplices(), further_points()),
         mesh_(part_.mesh(claim == Claim::kWeightedDelaunay && !whole.weights.empty())),
         verdict_(claim, options.max_violations) {}
 
@@ -245,7 +245,17 @@ class Retold {
       if (link.across) all.push_back(*link.across);
     }
     take_pairs(faults_.not_local);
+    for (const auto& [point, simplex] : faults_.submerged) {
+      if (simplex) all.push_back(*simplex);
+    }
     return all;
+  }
+
+  std::vector<std::size_t> further_points() const {
+    std::vector<std::size_t> points;
+    if (all_are_vertices()) points = faults_.unused;
+    for (const auto& [point, simplex] : faults_.submerged) points.push_back(point);
+    return points;
   }
 
   // As facet_uses() has them.
@@ -274,6 +284,12 @@ class Retold {
     add_wrong_neighbors();
     Ambiguity ambiguity;  // of no interest where a claim does not hold
     judge_facets_locally_delaunay(mesh_, uses_of(both(faults_.not_local)), verdict_, ambiguity);
+    for (const auto& [point, simplex] : faults_.submerged) {
+      std::optional<std::size_t> place;
+      if (simplex) place = part_.place_of_simplex(*simplex);
+      judge_submerged_point(mesh_, part_.place_of(static_cast<Vertex>(point)), place, verdict_,
+                            ambiguity);
+    }
   }
 
   void judge_boundary() {

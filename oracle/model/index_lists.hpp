@@ -1,6 +1,7 @@
 // Numbers and lists of indices in one piece of memory: what large meshes are read into.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +67,37 @@ class Rows {
   std::size_t columns_ = 0;
   std::unique_ptr<Value[]> own_;
   const Value* values_ = nullptr;
+};
+
+// ---- Slices ----
+
+// A part of a list.
+struct Slice {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+
+  std::uint64_t size() const { return end - begin; }
+  bool has(std::uint64_t item) const { return begin <= item && item < end; }
+};
+
+// One of several parts of any list, as long as the others but for one item. Together they are the list, in order.
+struct PartOf {
+  std::size_t part = 0;
+  std::size_t parts = 1;
+
+  // Requires: part <= parts.
+  Slice slice(std::uint64_t count) const {
+    const auto cut = [&](std::size_t i) {
+      return count / parts * i + std::min<std::uint64_t>(i, count % parts);
+    };
+    return {cut(part), cut(part + 1)};
+  }
+  // The part that has the item. Requires: there are more items.
+  static std::size_t with(std::uint64_t item, std::uint64_t count, std::size_t parts) {
+    const std::uint64_t longer = count % parts, size = count / parts;  // so many have one more
+    const std::uint64_t before = longer * (size + 1);
+    return item < before ? item / (size + 1) : longer + (item - before) / size;
+  }
 };
 
 // ---- Index lists ----

@@ -19,6 +19,30 @@
 
 namespace circumspect::fast {
 
+// ---- Hinge ----
+
+// Two boundary facets at a ridge: do they make no reflex angle, and are not folded? Each is the simplex that has
+// it as a row: the vertices of the ridge, in one order for both, that of the facet off it, that off the facet.
+// Requires: no row is flat.
+template <std::size_t kDimension>
+bool makes_no_reflex_angle(const SiteRow<kDimension>& a, const SiteRow<kDimension>& b,
+                           Stages& stages) {
+  constexpr std::size_t kFar = kDimension - 1, kApex = kDimension;
+  // On which side of the facet of a row is the far vertex of the other? 1: on that of its simplex.
+  const auto side = [&stages](const SiteRow<kDimension>& row, const SiteRow<kDimension>& other) {
+    return orientation_with<kDimension>(row, kApex, other[kFar], stages) *
+           orientation<kDimension>(row, stages);
+  };
+  const int side_of_b = side(a, b);
+  if (side_of_b < 0 || side(b, a) < 0) return false;
+  if (side_of_b > 0) return true;
+  // In one hyperplane. That through the ridge and the vertex off it has the far vertices on either side.
+  return orientation<kDimension>(a, stages) !=
+         orientation_with<kDimension>(a, kFar, b[kFar], stages);
+}
+
+// ---- Boundary ----
+
 template <std::size_t kDimension, typename Index, typename Link>
 class Boundary {
  public:

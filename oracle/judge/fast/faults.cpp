@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "oracle/judge/fast/boundary.hpp"
 #include "oracle/judge/fast/facet_across.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
@@ -241,12 +242,6 @@ class FaultFinder {
 
   // ── The boundary ───────────────────────────────────────────────────────────────────────────────
 
-  // On which side of the facet is the site? 1: on that of its simplex.
-  int side_of(FacetId facet, const Site<kDimension>& site, Stages& stages) const {
-    return orientation_with<kDimension>(sites_of(facet.simplex()), facet.place(), site, stages) *
-           orientations_[facet.simplex()];
-  }
-
   struct RidgeUse {
     std::array<Index, kDimension - 1> ridge;  // ascending
     FacetId facet;
@@ -275,22 +270,15 @@ class FaultFinder {
     return uses;
   }
 
-  // Two boundary facets at a ridge: do they make no reflex angle, and are not folded?
-  bool is_convex(const RidgeUse& a, const RidgeUse& b, Stages& stages) const {
-    const Site<kDimension> far_of_a = mesh_.template site<false>(a.far),
-                           far_of_b = mesh_.template site<false>(b.far);
-    const int side = side_of(a.facet, far_of_b, stages);
-    if (side < 0 || side_of(b.facet, far_of_a, stages) < 0) return false;
-    if (side > 0) return true;
-    // In one hyperplane. That through the ridge and the vertex off it has the far vertices on either side.
+  // As makes_no_reflex_angle() wants it: the ridge, the vertex of the facet off it, that of the simplex off the facet.
+  SiteRow<kDimension> hinge_of(const RidgeUse& use) const {
     SiteRow<kDimension> row;
     for (std::size_t i = 0; i + 1 < kDimension; ++i) {
-      row[i] = mesh_.template site<false>(a.ridge[i]);
+      row[i] = mesh_.template site<false>(use.ridge[i]);
     }
-    row[kDimension - 1] = mesh_.template site<false>(mesh_.row(a.facet.simplex())[a.facet.place()]);
-    row[kDimension] = far_of_a;
-    return orientation<kDimension>(row, stages) !=
-           orientation_with<kDimension>(row, kDimension, far_of_b, stages);
+    row[kDimension - 1] = mesh_.template site<false>(use.far);
+    row[kDimension] = mesh_.template site<false>(mesh_.row(use.facet.simplex())[use.facet.place()]);
+    return row;
   }
 
   void judge_boundary() {
@@ -313,8 +301,10 @@ class FaultFinder {
     const auto faulty = list_of<std::size_t>(
         starts.size() - 1, [&](std::size_t group, std::vector<std::size_t>& found, Stages& stages) {
           const std::size_t first = starts[group], count = starts[group + 1] - first;
-          if (count != 2 || !is_convex(uses[first], uses[first + 1], stages))
+          if (count != 2 || !makes_no_reflex_angle<kDimension>(hinge_of(uses[first]),
+                                                               hinge_of(uses[first + 1]), stages)) {
             found.push_back(group);
+          }
         });
     for (const std::size_t group : faulty) {
       FaultyRidge& ridge = faults_.ridges.emplace_back();

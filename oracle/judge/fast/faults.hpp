@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -56,6 +58,10 @@ struct Faults {
 
   // Facets that are not locally Delaunay.
   std::vector<FacetPair> not_local = {};
+
+  // Weighted points that are no vertices and at fault, ascending, each with the first simplex that contains it, if
+  // one does. faults() does not look for them.
+  std::vector<std::pair<std::size_t, std::optional<std::size_t>>> submerged = {};
 
   // If facets match: what is across each of them.
   OwnedLinks links = {};

@@ -166,7 +166,7 @@ Swept sweep(const SweepTask<kDimension, Index, Link>& task, std::size_t first, s
 // What a sweep is to look at (SweepTask says more of each).
 template <std::size_t kDimension>
 struct SweepQuestions {
-  const SamplePoint<kDimension>* sample = nullptr;
+  const SamplePoint<kDimension>* sample = nullptr;  // its simplex may be in another part of a mesh
   bool balls = false;
   bool weighted = false;
   bool ties = false;
@@ -190,8 +190,8 @@ class WholeSweep {
   // at least one simplex; finite coordinates, and weights if they count.
   Swept run(const SweepQuestions<kDimension>& questions) {
     Stages stages;
-    const auto first =
-        orientation_of(questions.sample != nullptr ? questions.sample->simplex : 0, stages);
+    const bool has_sample = questions.sample != nullptr && questions.sample->simplex < mesh_.size();
+    const auto first = orientation_of(has_sample ? questions.sample->simplex : 0, stages);
     if (!first) return {.undecided = first.error()};
     orientations_ = Orientations(*first);
     lattice_ = lattice_of_all(mesh_.coordinates,

@@ -1,6 +1,8 @@
 #include "oracle/judge/points/delaunay.hpp"
 
+#include <map>
 #include <optional>
+#include <set>
 
 #include "oracle/judge/points/simplices.hpp"
 #include "reference/kernel/complex/point_set.hpp"
@@ -151,7 +153,59 @@ class Located {
   std::vector<int> own_;             // the orientation of each simplex
 };
 
+// Of all simplices that contain a point, the first in the list: a point on a face is in several, and which of them
+// is shown is not to depend on how it was found.
+class FirstSimplices {
+ public:
+  explicit FirstSimplices(const Located& located) : located_(located) {}
+
+  // `any` is one of them.
+  std::size_t first_with(std::size_t any, std::size_t point) {
+    std::set<std::size_t>
+        carrier;  // the vertices of the face that has the point in its relative interior
+    for (std::size_t place = 0; place < located_.row_size(); ++place) {
+      if (located_.side(any, place, point) != 0) carrier.insert(located_.vertex(any, place));
+    }
+    if (carrier.size() == located_.row_size()) return any;
+    const auto [known, is_new] = first_.emplace(carrier, any);
+    if (is_new) known->second = first_around(carrier, any);
+    return known->second;
+  }
+
+ private:
+  // Goes around the face through the facets that have it.
+  std::size_t first_around(const std::set<std::size_t>& face, std::size_t any) const {
+    std::set<std::size_t> seen = {any};
+    std::vector<std::size_t> pending = {any};
+    while (!pending.empty()) {
+      const std::size_t s = pending.back();
+      pending.pop_back();
+      for (std::size_t place = 0; place < located_.row_size(); ++place) {
+        if (face.contains(located_.vertex(s, place))) continue;
+        const std::size_t across = located_.across(s, place);
+        if (across != kNoSimplex && seen.insert(across).second) pending.push_back(across);
+      }
+    }
+    return *seen.begin();
+  }
+
+  const Located& located_;
+  std::map<std::set<std::size_t>, std::size_t> first_;  // by the face: it is looked for once
+};
+
 }  // namespace
+
+void judge_submerged_point(const ExactMesh& mesh, Vertex q, std::optional<std::size_t> place,
+                           Verdict& verdict, Ambiguity& ambiguity) {
+  if (!place) {
+    verdict.add(Rule::kUnusedPoint, {.vertices = {q}, .point = mesh.points[q]});
+    return;
+  }
+  const Simplex& simplex = mesh.simplices[*place];
+  const int side = in_ball(mesh.points.configuration(), simplex, q);
+  ambiguity.see(mesh.points, simplex, q, side);
+  if (side > 0) add_in_ball(mesh, Rule::kPointBelowPlane, simplex, std::nullopt, q, verdict);
+}
 
 std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity) {
@@ -161,16 +215,11 @@ std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<Fa
   PointSearch search(located);
   const std::vector<std::size_t> places(unused.begin(), unused.end());
   const std::vector<std::size_t> simplices = search.simplices_with(places);
+  FirstSimplices first(located);
   for (std::size_t i = 0; i < unused.size(); ++i) {
-    const Vertex q = unused[i];
-    if (simplices[i] == kNoSimplex) {
-      verdict.add(Rule::kUnusedPoint, {.vertices = {q}, .point = mesh.points[q]});
-      continue;
-    }
-    const Simplex& simplex = mesh.simplices[simplices[i]];
-    const int side = in_ball(mesh.points.configuration(), simplex, q);
-    ambiguity.see(mesh.points, simplex, q, side);
-    if (side > 0) add_in_ball(mesh, Rule::kPointBelowPlane, simplex, std::nullopt, q, verdict);
+    std::optional<std::size_t> simplex;
+    if (simplices[i] != kNoSimplex) simplex = first.first_with(simplices[i], places[i]);
+    judge_submerged_point(mesh, unused[i], simplex, verdict, ambiguity);
   }
   return search.work();
 }

@@ -278,6 +278,21 @@ TEST_CASE("weighted: a walk to the points left out, in a fan around a centre") {
   CHECK(verdict.violations()[0].witness.vertices == std::vector<Vertex>{8});
 }
 
+TEST_CASE("weighted: of several simplices that contain a point, the first in the list is shown") {
+  // Both points lie on the edge of both triangles.
+  const PointSet points({{0, 0}, {4, 0}, {0, 4}, {4, 4}, {2, 2}, {1, 3}}, {0, 0, 0, 0, 9, 9});
+  std::vector<Simplex> square = {{0, 1, 2}, {3, 2, 1}};
+  for (int turn = 0; turn < 2; ++turn) {
+    const Verdict verdict = weighted_delaunay({points, square});
+    REQUIRE(verdict.violations().size() == 2);
+    for (const Violation& violation : verdict.violations()) {
+      CHECK(violation.rule == Rule::kPointBelowPlane);
+      CHECK(violation.witness.simplices == std::vector<Simplex>{square[0]});
+    }
+    std::swap(square[0], square[1]);
+  }
+}
+
 // The orientations that it takes to find n submerged points in a fan of n triangles.
 std::uint64_t work_in_fan(int n) {
   std::vector<Point> points;

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Measures circumspect-mpi against circumspect check, and prints the table of docs/distributed.md:
+
+    /usr/bin/python3 bench/ranks.py build/release/bin [POINTS [RANKS...]]
+
+A mesh of random points that SciPy makes, as arrays without neighbours: along a curve, and shuffled. Times are the
+least of some rounds, by the clock; where more ranks run than there are processors they wait for each other. A million
+points take SciPy a minute or two.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+import scipy.spatial
+
+ROUNDS = 5
+MPIRUN = ["mpirun", "--quiet", "--allow-run-as-root", "--oversubscribe", "-n"]
+
+
+def along_curve(points):
+    """The order of points in the unit cube along Morton's curve."""
+    cells = (points * 1024).astype(np.uint64)
+    key = np.zeros(len(points), np.uint64)
+    for bit in range(10):
+        for axis in range(3):
+            key |= (cells[:, axis] >> np.uint64(bit) & np.uint64(1)) << np.uint64(3 * bit + axis)
+    return np.argsort(key, kind="stable")
+
+
+def meshes(count, folder):
+    """Writes the mesh in both orders: (name, file of points, file of simplices, number of simplices)."""
+    random = np.random.default_rng(1)
+    points = random.random((count, 3))
+    points = points[along_curve(points)]
+    simplices = scipy.spatial.Delaunay(points).simplices.astype(np.int64)
+    simplices = simplices[along_curve(points[simplices].mean(axis=1))]
+    number = random.permutation(count)
+    shuffled = np.empty_like(points)
+    shuffled[number] = points
+    for name, vertices, cells in [("along a curve", points, simplices),
+                                  ("shuffled", shuffled, number[simplices][random.permutation(len(simplices))])]:
+        files = [folder / f"{name.replace(' ', '-')}.{kind}.npy" for kind in ("points", "simplices")]
+        np.save(files[0], vertices)
+        np.save(files[1], cells)
+        yield name, files[0], files[1], len(simplices)
+
+
+def least_time(command):
+    """The least time of some runs by the clock, and what the last one wrote to standard error."""
+    times = []
+    for _ in range(ROUNDS):
+        start = time.monotonic()
+        ended = subprocess.run(command, capture_output=True, text=True, check=True)
+        times.append(time.monotonic() - start)
+    return min(times), ended.stderr
+
+
+def rows_of(statistics):
+    """The rows of --statistics as (rank, phase, seconds, bytes, messages, memory)."""
+    for line in statistics.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == 6 and cells[0].isdigit():
+            yield int(cells[0]), cells[1], float(cells[2]), *map(int, cells[3:])
+
+
+def main(arguments):
+    build = pathlib.Path(arguments[0])
+    count = int(arguments[1]) if len(arguments) > 1 else 1000000
+    all_ranks = [int(word) for word in arguments[2:]] or [1, 2, 4]
+    print("| order | tetrahedra | | seconds | of `check` | bytes sent, a tetrahedron | messages | "
+          "memory of a rank, bytes a tetrahedron of its part |")
+    print("| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: |")
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        for name, points, simplices, size in meshes(count, folder):
+            files = [str(simplices), "--points", str(points)]
+            check, _ = least_time([str(build / "circumspect"), "check", "--threads", "2", *files])
+            print(f"| {name} | {size} | `check --threads 2` | {check:.2f} | 1 | | | |", flush=True)
+            for ranks in all_ranks:
+                program = str(build / "circumspect-mpi")
+                seconds, said = least_time([*MPIRUN, str(ranks), program, *files, "--statistics"])
+                rows = list(rows_of(said))
+                sent, messages = sum(row[3] for row in rows), sum(row[4] for row in rows)
+                memory = max(row[5] for row in rows)
+                print(f"| {name} | {size} | {ranks} rank{'s' if ranks > 1 else ''} | {seconds:.2f} | "
+                      f"{seconds / check:.2f} | {sent / size:.1f} | {messages} | {memory * ranks / size:.0f} |", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,188 @@
+// circumspect-mpi: the check of meshes of points, on as many ranks as mpirun starts.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include "command/options/one_of.hpp"
+#include "command/options/whole_number.hpp"
+#include "command/output/output.hpp"
+#include "oracle/distributed/judge.hpp"
+#include "oracle/distributed/slices.hpp"
+#include "oracle/model/printable.hpp"
+#include "oracle/report/text.hpp"
+#include "oracle/report/wording.hpp"
+#include "reference/kernel/exact/number.hpp"
+
+namespace {
+
+using circumspect::Claim;
+using circumspect::cli::ExitCode;
+using circumspect::distributed::Judged;
+using circumspect::distributed::Phase;
+using circumspect::distributed::Ranks;
+
+struct MpiOptions {
+  circumspect::distributed::Files files;
+  Claim claim = Claim::kDelaunay;
+  circumspect::check::Options check;
+  bool statistics = false;
+};
+
+void add_options(CLI::App& app, MpiOptions& options) {
+  app.name("circumspect-mpi");
+  app.set_version_flag("--version", "circumspect-mpi " CIRCUMSPECT_VERSION);
+  app.footer(
+      "Example:\n"
+      "  mpirun -n 4 circumspect-mpi mesh.npy --points points.npy\n\n"
+      "Exit codes and what is said: as of circumspect check, for any number of ranks.");
+  app.add_option("mesh", options.files.mesh,
+                 "The mesh: .ele (points in the .node beside it), or .npy (with --points)")
+      ->required();
+  app.add_option("--points", options.files.points, "The file with the points: .npy or .node")
+      ->option_text("FILE");
+  const std::map<std::string, Claim> claims = {{"triangulation", Claim::kTriangulation},
+                                               {"delaunay", Claim::kDelaunay},
+                                               {"weighted-delaunay", Claim::kWeightedDelaunay}};
+  app.add_option("--claim", options.claim,
+                 "The claim to judge (default: delaunay). Weights are the first attribute of a "
+                 ".node file")
+      ->transform(circumspect::cli::one_of(claims))
+      ->option_text("triangulation|delaunay|weighted-delaunay");
+  app.add_option("--max-errors", options.check.max_violations,
+                 "Report at most N witnesses (default: 20; 0: all)")
+      ->check(circumspect::cli::whole_number())
+      ->option_text("N");
+  app.add_option("--threads", options.check.threads, "Threads of each rank (default: 1)")
+      ->check(circumspect::cli::whole_number(1, 1024))
+      ->option_text("N");
+  app.add_flag("--statistics", options.statistics,
+               "Also print, to standard error, what each phase cost each rank");
+}
+
+void print(std::FILE* to, const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), to);
+  std::fflush(to);
+}
+ExitCode say(ExitCode code, const std::string& message) {
+  print(stderr, "circumspect-mpi: " + circumspect::on_one_line(message) + "\n");
+  return code;
+}
+
+// What is said of points that are equal.
+std::string equal_points_fault(const std::string& points_name, circumspect::Vertex first_index,
+                               const circumspect::distributed::EqualPoints& equal) {
+  const auto own = [&](std::uint64_t v) { return static_cast<std::int64_t>(v) + first_index; };
+  std::string more;
+  if (equal.count > 1) {
+    more = " and " + circumspect::report::counted(equal.count - 1, "more duplicate");
+  }
+  return fmt::format(
+      "{}: expected distinct points, found points {} and {} equal{}; circumspect check "
+      "--duplicates merge treats them as one",
+      points_name, own(equal.kept), own(equal.again), more);
+}
+
+// A row for each phase of each rank.
+void print_statistics(Ranks& ranks) {
+  const std::vector<int> counts = ranks.of_each(static_cast<int>(ranks.phases().size()));
+  const std::vector<Phase> phases = ranks.at_first(ranks.phases());
+  if (!ranks.is_first()) return;
+  std::string text =
+      "| rank | phase | seconds | bytes sent | messages | memory, bytes |\n"
+      "| ---: | --- | ---: | ---: | ---: | ---: |\n";
+  std::size_t i = 0;
+  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
+    for (int phase = 0; phase < counts[rank]; ++phase, ++i) {
+      const Phase& one = phases[i];
+      text += fmt::format("| {} | {} | {:.3f} | {} | {} | {} |\n", rank, one.name.data(),
+                          one.seconds, one.bytes_sent, one.messages, one.memory);
+    }
+  }
+  print(stderr, text);
+}
+
+ExitCode judge(Ranks& ranks, MpiOptions& options) {
+  options.files.weighted = options.claim == Claim::kWeightedDelaunay;
+  auto read = read_slices(ranks, options.files);
+  if (!read) {
+    return ranks.is_first() ? say(ExitCode::kInputFault, read.error()) : ExitCode::kInputFault;
+  }
+  const circumspect::Vertex first_index = read->dealt.first_index;
+  const Judged judged = judge(ranks, options.claim, std::move(read->dealt), options.check);
+  ExitCode code = judged.holds ? ExitCode::kHolds : ExitCode::kFails;
+  if (judged.equal.count > 0) {
+    code = ExitCode::kInputFault;
+    if (ranks.is_first()) {
+      say(code, equal_points_fault(read->points_name, first_index, judged.equal));
+    }
+  } else if (ranks.is_first()) {
+    print(stdout,
+          circumspect::on_lines(
+              circumspect::report::explanation(*judged.verdict, judged.named) +
+              circumspect::report::verdict_line(*judged.verdict, judged.named, options.files.mesh) +
+              "\n"));
+    if (std::ferror(stdout) != 0) {
+      code = say(ExitCode::kInternalError, "could not write to standard output");
+    }
+  }
+  if (options.statistics) print_statistics(ranks);
+  return ranks.of_rank(0, code);
+}
+
+ExitCode run(int argc, char** argv) {
+  Ranks ranks(MPI_COMM_WORLD);
+  CLI::App app{
+      "Judges a mesh of points of which each rank reads and keeps a part, as circumspect check "
+      "does: exactly, with the same witnesses."};
+  MpiOptions options;
+  options.check.threads = 1;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool is_fault = error.get_exit_code() != 0;  // no --help, no --version
+    if (ranks.is_first()) {
+      if (!is_fault) {
+        app.exit(error);
+      } else {
+        say(ExitCode::kUsage, error.what());
+        print(stderr, "Run with --help for more information.\n");
+      }
+    }
+    return is_fault ? ExitCode::kUsage : ExitCode::kHolds;
+  }
+  return judge(ranks, options);
+}
+
+[[noreturn]] void end_without_memory() {
+  MPI_Abort(MPI_COMM_WORLD, static_cast<int>(say(ExitCode::kInternalError, "out of memory")));
+  std::abort();
+}
+
+}  // namespace
+
+// What one rank cannot go on with ends all of them, with one line: they would wait for it.
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  circumspect::end_where_numbers_exhaust_memory(end_without_memory);
+  auto code = ExitCode::kInternalError;
+  try {
+    code = run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  } catch (const std::exception& error) {
+    const std::string text = std::string("internal error, please report it: ") + error.what();
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(say(code, text)));
+  }
+  MPI_Finalize();
+  return static_cast<int>(code);
+}

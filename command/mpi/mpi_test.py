@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""circumspect-mpi says what circumspect check says, byte for byte, for any number of ranks and any file that it reads.
+
+    mpi_test.py CIRCUMSPECT_MPI CIRCUMSPECT CORPUS [--all]
+
+With --all every .ele file of the corpus is judged, on one, two, three and five ranks; without, some on three.
+"""
+import os
+import pathlib
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+
+MPIRUN = ["mpirun", "--quiet", "--allow-run-as-root", "--oversubscribe", "-n"]
+SOME = ["peers/tetgen/hunted-tetgen-covered-twice-3d.1.ele", "peers/tetgen/random-3d-500.1.ele"]
+
+
+class Failed(Exception):
+    """What was found where something else was expected."""
+
+
+def expect(what, found, expected):
+    if found != expected:
+        raise Failed(f"{what}: expected {expected!r}, found {found!r}")
+
+
+class Commands:
+    def __init__(self, mpi, check):
+        self.mpi, self.check = mpi, check
+
+    def on_ranks(self, ranks, *words, program=None):
+        command = [*MPIRUN, str(ranks), *(program or [self.mpi]), *map(str, words)]
+        return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+
+    def by_one(self, *words):
+        return subprocess.run([self.check, "check", *map(str, words)], capture_output=True, text=True, timeout=600,
+                              check=False)
+
+    def same(self, ranks, *words):
+        """The same standard output and exit code; of an error also the same line. Returns the exit code."""
+        one, all_ranks = self.by_one(*words), self.on_ranks(ranks, *words)
+        what = f"{ranks} ranks, {' '.join(map(str, words))}"
+        expect(what, (all_ranks.returncode, all_ranks.stdout), (one.returncode, one.stdout))
+        if one.returncode == 3:
+            line = one.stderr.replace("circumspect: ", "circumspect-mpi: ", 1)
+            expect(what, line in all_ranks.stderr, True)
+        return one.returncode
+
+
+def npy(path, kind, columns, rows, fortran=False):
+    """Writes rows of numbers as numpy.save does; `kind` is NumPy's name of the type, such as '<f8'."""
+    code = kind[0].replace("|", "<") + {"f8": "d", "f4": "f", "i8": "q", "i4": "i", "u8": "Q", "i2": "h"}[kind[1:]]
+    head = repr({"descr": kind, "fortran_order": fortran, "shape": (len(rows), columns)})
+    head += " " * (63 - (10 + len(head)) % 64) + "\n"
+    values = [row[j] for j in range(columns) for row in rows] if fortran else [x for row in rows for x in row]
+    path.write_bytes(b"\x93NUMPY\x01\0" + struct.pack("<H", len(head)) + head.encode() +
+                     b"".join(struct.pack(code, x) for x in values))
+    return path
+
+
+def rows_of(path, number):
+    """The rows of a .node or .ele file without their indices, which are from 0."""
+    lines = [line.split() for line in path.read_text().splitlines() if line.strip() and line[0] != "#"]
+    width = {".node": 3, ".ele": 4}[path.suffix]
+    return [tuple(map(number, line[1:1 + width])) for line in lines[1:]]
+
+
+def arrays(commands, corpus, folder):
+    """Arrays of every type and order, right and wrong."""
+    mesh = corpus / "peers/tetgen/random-3d-500.1.ele"
+    points, listed = rows_of(mesh.with_suffix(".node"), float), rows_of(mesh, int)
+    simplices = [tuple(v - 1 for v in row) for row in listed]  # the file counts from 1
+    p, s = folder / "p.npy", folder / "s.npy"
+    for kind_of_p, kind_of_s, fortran in [("<f8", "<i8", False), (">f8", "<i4", True), ("<f8", ">i2", True)]:
+        npy(p, kind_of_p, 3, points, fortran)
+        npy(s, kind_of_s, 4, simplices, fortran)
+        expect("arrays", commands.same(3, s, "--points", p), 0)
+    expect("a claim", commands.same(2, s, "--points", p, "--claim", "triangulation"), 0)
+    npy(s, "<i4", 4, listed)
+    expect("points of text", commands.same(3, s, "--points", mesh.with_suffix(".node")), 0)
+    npy(s, "<i8", 4, simplices[:700] + [(1, 2, 3, 500), (-7, 2, 3, 2 ** 62)] + simplices[700:])
+    expect("indices of no points", commands.same(3, s, "--points", p), 1)
+    npy(s, "<i8", 4, simplices[:-1])
+    expect("one missing", commands.same(3, s, "--points", p, "--max-errors", "1"), 1)
+    npy(s, "<i8", 4, simplices)
+    npy(p, "<f8", 3, points[:-1] + [points[3]])
+    equal = commands.on_ranks(3, s, "--points", p)
+    expect("equal points", (equal.returncode, "found points 3 and 499 equal" in equal.stderr), (3, True))
+    npy(p, "<f8", 3, points[:400] + [(0.5, float("nan"), 0)] + points[401:])
+    expect("not a number", commands.same(3, s, "--points", p), 3)
+    npy(p, "<f8", 3, points)
+    s.write_bytes(npy(s, "<i8", 4, simplices).read_bytes()[:-4000])
+    expect("a file cut off", commands.same(3, s, "--points", p), 3)
+    expect("no file", commands.same(2, folder / "none.npy", "--points", p), 3)
+
+
+def one_dies(commands, mesh):
+    """If a rank is killed, the others end."""
+    script = 'if [ "$OMPI_COMM_WORLD_RANK" = 1 ]; then kill -9 $$; fi; exec "$@"'
+    ended = commands.on_ranks(3, mesh, program=["sh", "-c", script, "sh", commands.mpi])
+    expect("one of three is killed", (ended.returncode != 0, ended.stdout), (True, ""))
+
+
+def statistics(commands, mesh):
+    said = commands.on_ranks(3, mesh, "--statistics").stderr
+    for rank in range(3):
+        expect("statistics", f"| {rank} | facets between ranks |" in said, True)
+
+
+def whole_corpus(commands, corpus):
+    draw = random.Random(1)
+    for mesh in sorted(corpus.rglob("*.ele")):
+        if not mesh.with_suffix(".node").exists():
+            continue
+        claim = draw.choice(["triangulation", "delaunay"])
+        one = commands.by_one(mesh, "--claim", claim)
+        for ranks in (1, 2, 3, 5):
+            ended = commands.on_ranks(ranks, mesh, "--claim", claim)
+            if ended.returncode == 3 and one.returncode != 3:
+                # What is left to circumspect check is said to be.
+                expect(str(mesh), "circumspect check" in ended.stderr or "vertices" in ended.stderr, True)
+                break
+            expect(f"{ranks} ranks, {mesh}", (ended.returncode, ended.stdout), (one.returncode, one.stdout))
+
+
+def main(words):
+    commands, corpus = Commands(os.path.abspath(words[0]), os.path.abspath(words[1])), pathlib.Path(words[2])
+    with tempfile.TemporaryDirectory() as folder:
+        if "--all" in words:
+            whole_corpus(commands, corpus)
+            return 0
+        for mesh in SOME:
+            commands.same(3, corpus / mesh)
+        arrays(commands, corpus, pathlib.Path(folder))
+        one_dies(commands, corpus / SOME[1])
+        statistics(commands, corpus / SOME[1])
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except Failed as failure:
+        print(failure)
+        sys.exit(1)

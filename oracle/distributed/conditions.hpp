@@ -1,0 +1,365 @@
+// The conditions of docs/theory/points.md for simplices that several ranks have. docs/theory/distributed.md
+// restates them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "oracle/distributed/local_mesh.hpp"
+#include "oracle/distributed/ranks.hpp"
+#include "oracle/judge/fast/boundary.hpp"
+#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
+#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/sample_point.hpp"
+#include "oracle/judge/fast/sweep.hpp"
+
+namespace circumspect::distributed {
+
+// The names of several simplices, or of their facets.
+using FacetNames = std::vector<FacetName>;
+
+template <class Item>
+void append(std::vector<Item>& list, const std::vector<Item>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+// Groups of names of all ranks at the first one. They travel in one list, each behind its size.
+inline std::vector<FacetNames> groups_at_first(Ranks& ranks, const std::vector<FacetNames>& own) {
+  FacetNames list;
+  for (const FacetNames& group : own) {
+    list.push_back({-1, static_cast<std::uint32_t>(group.size())});
+    append(list, group);
+  }
+  list = ranks.at_first(std::move(list));
+  std::vector<FacetNames> groups;
+  for (auto next = list.begin(); next != list.end();) {
+    const auto end = next + 1 + static_cast<std::ptrdiff_t>(next->facet);
+    groups.emplace_back(next + 1, end);
+    next = end;
+  }
+  return groups;
+}
+
+// The same for any order of them.
+template <std::size_t kSize>
+std::uint64_t hash_of(const std::array<std::int64_t, kSize>& indices) {
+  std::uint64_t hash = 0;
+  for (const std::int64_t v : indices) hash += fast::mixed_vertex(static_cast<std::uint64_t>(v));
+  return fast::mixed_vertex(hash);
+}
+
+// ---- Facets ----
+
+// What is across the facets of the own simplices, and what is wrong with it.
+struct FacetFindings {
+  std::vector<FacetNames> overused = {};     // of three and more simplices
+  std::vector<FacetNames> same_side = {};    // of two, on the same side
+  std::vector<FacetNames> not_local = {};    // of two, not locally Delaunay
+  std::vector<std::uint32_t> boundary = {};  // own ones that no other simplex has
+  bool unique = true;                        // as in fast::Swept
+  bool canonical = true;
+  fast::Stages stages = {};
+
+  bool match() const { return overused.empty() && same_side.empty(); }
+};
+
+// What is asked of balls.
+struct BallQuestions {
+  bool asked = false;
+  fast::Lattice lattice = {};  // one that the points of all ranks lie on
+};
+
+template <std::size_t kDimension>
+class FacetMeeting {
+ public:
+  // Requires: all simplices are sound, and these are their orientations.
+  FacetMeeting(Ranks& ranks, const LocalMesh<kDimension>& mesh,
+               const fast::Orientations& orientations, const BallQuestions& balls)
+      : ranks_(ranks), mesh_(mesh), orientations_(orientations), balls_(balls) {}
+
+  // Facet i of the `count` own ones that are to meet is facet_of(i). Called by all ranks.
+  template <class FacetOf>
+  FacetFindings run(std::size_t count, const FacetOf& facet_of) {
+    meet<Reply>(
+        ranks_, count, [&](std::size_t i) { return hash_of(vertices_of(facet_of(i))); },
+        [&](std::size_t i) { return item(facet_of(i)); },
+        [&](const std::vector<Item>& items, std::span<const std::uint32_t> group,
+            Post<Reply>& post) { visit(items, group, post); },
+        [&](const Reply& reply) { take(reply); });
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+  using Site = fast::Site<kDimension>;
+
+  struct Item {
+    std::array<std::int64_t, kDimension> vertices;  // ascending
+    Site apex;
+    FacetName name;
+    std::int32_t side;  // the orientation of the apex, then the vertices
+
+    std::uint64_t hash() const { return hash_of(vertices); }
+    bool same(const Item& other) const { return vertices == other.vertices; }
+  };
+  struct Reply {
+    std::uint32_t facet;  // of whom it is posted to
+    FacetName other;      // across it; no rank: nothing
+    Site apex;            // of the other
+  };
+
+  // In any order.
+  std::array<std::int64_t, kDimension> vertices_of(std::uint32_t facet) const {
+    const auto row = mesh_.view().row(facet / kVertices);
+    std::array<std::int64_t, kDimension> vertices;
+    for (std::size_t k = 0; k < kDimension; ++k) {
+      vertices[k] = mesh_.global(row[fast::kFacetPlaces<kVertices>[facet % kVertices][k]]);
+    }
+    return vertices;
+  }
+
+  Item item(std::uint32_t facet) const {
+    const std::size_t s = facet / kVertices, place = facet % kVertices;
+    const auto row = mesh_.view().row(s);
+    std::array<std::int32_t, kDimension> others;
+    int side = orientations_.of(s);
+    for (std::size_t k = 0; k < kDimension; ++k) {
+      others[k] = row[fast::kFacetPlaces<kVertices>[place][k]];
+      for (std::size_t j = k; j > 0 && others[j - 1] > others[j]; --j) {
+        std::swap(others[j - 1], others[j]);
+        side = -side;
+      }
+    }
+    Item item{{}, mesh_.site(row[place]), {static_cast<std::int32_t>(ranks_.rank()), facet}, side};
+    for (std::size_t k = 0; k < kDimension; ++k) item.vertices[k] = mesh_.global(others[k]);
+    return item;
+  }
+
+  void visit(const std::vector<Item>& items, std::span<const std::uint32_t> group,
+             Post<Reply>& post) {
+    const auto reply = [&](const Item& to, FacetName other, const Site& apex) {
+      post[static_cast<std::size_t>(to.name.rank)].push_back({to.name.facet, other, apex});
+    };
+    const Item& a = items[group.front()];
+    if (group.size() == 1) return reply(a, {}, {});
+    const Item& b = items[group.back()];
+    if (group.size() > 2) {
+      FacetNames& names = found_.overused.emplace_back();
+      for (const std::uint32_t i : group) names.push_back(items[i].name);
+    } else if (a.side == b.side) {
+      found_.same_side.push_back({a.name, b.name});
+    } else if (balls_.asked) {
+      // Either side may ask: half of the ranks' work for each.
+      const bool first = (a.hash() >> 40 & 1) != 0;
+      reply(first ? a : b, first ? b.name : a.name, first ? b.apex : a.apex);
+    }
+  }
+
+  void take(const Reply& reply) {
+    if (reply.other.rank < 0) {
+      found_.boundary.push_back(reply.facet);
+    } else if (mesh_.is_weighted()) {
+      look_at_ball<true>(reply);
+    } else {
+      look_at_ball<false>(reply);
+    }
+  }
+
+  // As the sweep looks at facets within one mesh.
+  template <bool kWeighted>
+  void look_at_ball(const Reply& reply) {
+    const std::size_t s = reply.facet / kVertices, place = reply.facet % kVertices;
+    const fast::SiteRow<kDimension> row = mesh_.sites(s);
+    const int own = orientations_.of(s);
+    const int side = fast::ball_of<kDimension, kWeighted>(row, balls_.lattice)
+                         .contains(reply.apex, found_.stages) *
+                     own;
+    if (side < 0) return;
+    if (side > 0) {
+      found_.not_local.push_back(
+          {{static_cast<std::int32_t>(ranks_.rank()), reply.facet}, reply.other});
+      return;
+    }
+    found_.unique = false;
+    if (!found_.canonical) return;
+    found_.canonical = fast::perturbed_sign_of_zero<kDimension>(row, own, reply.apex, found_.stages,
+                                                                balls_.lattice, place) < 0;
+  }
+
+  Ranks& ranks_;
+  const LocalMesh<kDimension>& mesh_;
+  const fast::Orientations& orientations_;
+  const BallQuestions& balls_;
+  FacetFindings found_;
+};
+
+// ---- Ridges ----
+
+// As fast::FaultyRidge.
+template <std::size_t kDimension>
+struct FaultyRidgeName {
+  std::array<std::int64_t, kDimension - 1> vertices = {};
+  FacetNames facets = {};
+};
+
+// Condition 2, of the boundary facets of all ranks: the ridges of those whose hash names this rank that are not
+// in order. Called by all ranks.
+template <std::size_t kDimension>
+std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
+                                                       const LocalMesh<kDimension>& mesh,
+                                                       const std::vector<std::uint32_t>& boundary,
+                                                       fast::Stages& stages) {
+  constexpr std::size_t kVertices = kDimension + 1;
+  struct Item {
+    std::array<std::int64_t, kDimension - 1> ridge;  // ascending
+    FacetName facet;
+    fast::SiteRow<kDimension> hinge;  // as fast::makes_no_reflex_angle wants it
+
+    std::uint64_t hash() const { return hash_of(ridge); }
+    bool same(const Item& other) const { return ridge == other.ridge; }
+  };
+  const auto item = [&](std::size_t i) {
+    const std::uint32_t facet = boundary[i / kDimension];
+    const std::size_t s = facet / kVertices, place = facet % kVertices;
+    std::array<std::size_t, kVertices> places = {};  // of the ridge, of the far vertex, of the apex
+    std::size_t size = 0;
+    places[kDimension - 1] = fast::kFacetPlaces<kVertices>[place][i % kDimension];
+    places[kDimension] = place;
+    for (std::size_t k = 0; k < kVertices; ++k) {
+      if (k != place && k != places[kDimension - 1]) places[size++] = k;
+    }
+    const auto row = mesh.view().row(s);
+    std::sort(places.begin(), places.begin() + (kDimension - 1),
+              [&](std::size_t a, std::size_t b) { return row[a] < row[b]; });
+    Item one{{}, {static_cast<std::int32_t>(ranks.rank()), facet}, {}};
+    for (std::size_t k = 0; k + 1 < kDimension; ++k) one.ridge[k] = mesh.global(row[places[k]]);
+    const fast::SiteRow<kDimension> sites = mesh.sites(s);
+    for (std::size_t k = 0; k < kVertices; ++k) one.hinge[k] = sites[places[k]];
+    return one;
+  };
+  std::vector<FaultyRidgeName<kDimension>> faulty;
+  meet(ranks, boundary.size() * kDimension, item,
+       [&](const std::vector<Item>& items, std::span<const std::uint32_t> group) {
+         if (group.size() == 2 && fast::makes_no_reflex_angle<kDimension>(
+                                      items[group[0]].hinge, items[group[1]].hinge, stages)) {
+           return;
+         }
+         auto& ridge = faulty.emplace_back();
+         ridge.vertices = items[group[0]].ridge;
+         for (const std::uint32_t i : group) ridge.facets.push_back(items[i].facet);
+       });
+  return faulty;
+}
+
+// ---- Sample point ----
+
+// Own boundary facets that do not have the sample point strictly on their inner sides.
+template <std::size_t kDimension>
+FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
+                  const std::vector<std::uint32_t>& boundary,
+                  const fast::SamplePoint<kDimension>& sample,
+                  const fast::Orientations& orientations, fast::Stages& stages) {
+  FacetNames names;
+  for (const std::uint32_t facet : boundary) {
+    const std::size_t s = facet / (kDimension + 1), place = facet % (kDimension + 1);
+    const int side =
+        fast::orientation_with(mesh.sites(s), place, sample, stages) * orientations.of(s);
+    if (side <= 0) names.push_back({static_cast<std::int32_t>(ranks.rank()), facet});
+  }
+  return names;
+}
+
+// ---- Simplices and points listed twice ----
+
+// Simplices that have the same vertices as another, be they points or not, group by group. Called by all ranks.
+template <std::size_t kDimension>
+std::vector<FacetNames> equal_simplices(Ranks& ranks, const LocalMesh<kDimension>& mesh) {
+  constexpr std::size_t kVertices = kDimension + 1;
+  struct Item {
+    std::array<std::int64_t, kVertices> vertices;  // ascending
+    FacetName name;
+
+    std::uint64_t hash() const { return hash_of(vertices); }
+    bool same(const Item& other) const { return vertices == other.vertices; }
+  };
+  const auto item = [&](std::size_t s) {
+    Item one{{},
+             {static_cast<std::int32_t>(ranks.rank()), static_cast<std::uint32_t>(s * kVertices)}};
+    for (std::size_t i = 0; i < kVertices; ++i) one.vertices[i] = mesh.vertex(s, i);
+    std::sort(one.vertices.begin(), one.vertices.end());
+    return one;
+  };
+  std::vector<FacetNames> equal;
+  meet(ranks, mesh.size(), item,
+       [&](const std::vector<Item>& items, std::span<const std::uint32_t> group) {
+         if (group.size() == 1) return;
+         FacetNames& names = equal.emplace_back();
+         for (const std::uint32_t i : group) names.push_back(items[i].name);
+       });
+  return equal;
+}
+
+// Points that are equal to an earlier one: how many, and the first of them with the one that it repeats.
+struct EqualPoints {
+  std::uint64_t count = 0;
+  std::uint64_t kept = 0;
+  std::uint64_t again = 0;
+};
+
+// Called by all ranks, and the answer is the same for all.
+template <std::size_t kDimension>
+EqualPoints equal_points(Ranks& ranks, const LocalMesh<kDimension>& mesh) {
+  struct Item {
+    std::array<double, kDimension> at;
+    std::uint64_t index;
+
+    std::uint64_t hash() const {
+      std::array<std::int64_t, kDimension> bits;
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        // Each axis by itself: the sum of hashes is that of any order.
+        bits[axis] = static_cast<std::int64_t>(
+            std::bit_cast<std::uint64_t>(at[axis] + 0.0) * (2 * axis + 1) + axis);
+      }
+      return hash_of(bits);
+    }
+    bool same(const Item& other) const { return at == other.at; }
+  };
+  EqualPoints own{0, 0, std::numeric_limits<std::uint64_t>::max()};
+  meet(
+      ranks, mesh.owned(),
+      [&](std::size_t i) {
+        const auto [index, site] = mesh.owned_point(i);
+        return Item{site.at, index};
+      },
+      [&](const std::vector<Item>& items, std::span<const std::uint32_t> group) {
+        if (group.size() == 1) return;
+        own.count += group.size() - 1;
+        std::array<std::uint64_t, 2> least = {items[group[0]].index, items[group[1]].index};
+        std::sort(least.begin(), least.end());
+        for (const std::uint32_t i : group.subspan(2)) {
+          const std::uint64_t index = items[i].index;
+          if (index < least[0]) {
+            least = {index, least[0]};
+          } else if (index < least[1]) {
+            least[1] = index;
+          }
+        }
+        if (least[1] < own.again) own = {own.count, least[0], least[1]};
+      });
+  EqualPoints all = own;
+  all.count = 0;
+  for (const EqualPoints& some : ranks.of_each(own)) {
+    all.count += some.count;
+    if (some.again < all.again) all = {all.count, some.kept, some.again};
+  }
+  return all;
+}
+
+}  // namespace circumspect::distributed

@@ -1,0 +1,256 @@
+// Every place at fault of a mesh that several ranks have, stage by stage, as fast::faults goes through them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "oracle/distributed/conditions.hpp"
+#include "oracle/distributed/gathered.hpp"
+#include "oracle/distributed/local_mesh.hpp"
+#include "oracle/distributed/ranks.hpp"
+#include "oracle/distributed/submerged.hpp"
+#include "oracle/judge/fast/faults.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::distributed {
+
+// What fast::Faults has, by the names that ranks give to simplices and facets. The first rank has all of it,
+// others nothing.
+template <std::size_t kDimension>
+struct NamedFaults {
+  FacetNames unsound = {}, duplicates = {}, beyond = {}, covering = {};
+  std::vector<FacetNames> overused = {}, same_side = {}, not_local = {};
+  std::vector<FaultyRidgeName<kDimension>> ridges = {};
+  std::vector<NumberedPoint<kDimension>> unused = {};
+  std::vector<FaultyPoint<kDimension>> submerged = {};
+  FacetName first = {}, sound = {};  // the first simplex, and the first one that is sound
+  // If there are no faults: as in fast::Facts.
+  bool unique = true, canonical = true;
+
+  bool hold() const {
+    return unsound.empty() && duplicates.empty() && beyond.empty() && covering.empty() &&
+           overused.empty() && same_side.empty() && not_local.empty() && ridges.empty() &&
+           unused.empty() && submerged.empty();
+  }
+
+  // All simplices that are named, and points that no simplex names.
+  std::pair<FacetNames, std::vector<NumberedPoint<kDimension>>> named() const {
+    FacetNames simplices = {first, sound};
+    for (const FacetNames* some : {&unsound, &duplicates, &beyond, &covering}) {
+      append(simplices, *some);
+    }
+    for (const auto* groups : {&overused, &same_side, &not_local}) {
+      for (const FacetNames& group : *groups) append(simplices, group);
+    }
+    for (const auto& ridge : ridges) append(simplices, ridge.facets);
+    std::vector<NumberedPoint<kDimension>> points = unused;
+    for (const auto& [point, simplex] : submerged) {
+      points.push_back(point);
+      if (simplex.rank >= 0) simplices.push_back(simplex);
+    }
+    return {std::move(simplices), std::move(points)};
+  }
+
+  // The same of a part that has all of these.
+  fast::Faults in_part(const Gathered<kDimension>& part) const {
+    const auto simplices = [&](const FacetNames& names) {
+      std::vector<std::size_t> list;
+      for (const FacetName name : names) list.push_back(part.simplex(name));
+      std::sort(list.begin(), list.end());
+      return list;
+    };
+    const auto facets = [&](const FacetNames& names) {
+      std::vector<fast::FacetId> list;
+      for (const FacetName name : names) list.push_back(part.facet(name));
+      std::sort(list.begin(), list.end());
+      return list;
+    };
+    const auto pairs = [&](const std::vector<FacetNames>& groups) {
+      std::vector<fast::FacetPair> list;
+      for (const FacetNames& group : groups) {
+        const auto two = facets(group);
+        list.push_back({two[0], two[1]});
+      }
+      std::sort(list.begin(), list.end(),
+                [](const auto& a, const auto& b) { return a.first < b.first; });
+      return list;
+    };
+    fast::Faults faults;
+    faults.sound_simplex = part.simplex(sound);
+    faults.unsound = simplices(unsound);
+    faults.duplicates = simplices(duplicates);
+    faults.covering = simplices(covering);
+    faults.beyond = facets(beyond);
+    for (const auto& point : unused) faults.unused.push_back(part.point(point.index));
+    std::sort(faults.unused.begin(), faults.unused.end());
+    for (const auto& [point, simplex] : submerged) {
+      std::optional<std::size_t> containing;
+      if (simplex.rank >= 0) containing = part.simplex(simplex);
+      faults.submerged.emplace_back(part.point(point.index), containing);
+    }
+    std::sort(faults.submerged.begin(), faults.submerged.end());
+    for (const FacetNames& group : overused) faults.overused.push_back(facets(group));
+    faults.same_side = pairs(same_side);
+    faults.not_local = pairs(not_local);
+    for (const auto& ridge : ridges) {
+      fast::FaultyRidge& faulty = faults.ridges.emplace_back();
+      for (const std::int64_t v : ridge.vertices) {
+        faulty.vertices.push_back(
+            static_cast<std::int64_t>(part.point(static_cast<std::uint64_t>(v))));
+      }
+      faulty.facets = facets(ridge.facets);
+    }
+    return faults;
+  }
+};
+
+template <std::size_t kDimension>
+class FaultSearch {
+ public:
+  FaultSearch(Ranks& ranks, const LocalMesh<kDimension>& mesh, Claim claim)
+      : ranks_(ranks), mesh_(mesh), claim_(claim) {}
+
+  // Nothing if no simplex is sound. Called by all ranks. Requires: no two points are equal.
+  std::optional<NamedFaults<kDimension>> run() {
+    std::vector<std::int8_t> signs(mesh_.size(), 0);
+    std::vector<std::uint64_t> negative((mesh_.size() + 63) / 64, 0);
+    FacetNames unsound;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      const auto row = mesh_.view().row(s);
+      if (std::all_of(row.begin(), row.end(), [](std::int32_t v) { return v >= 0; })) {
+        signs[s] = static_cast<std::int8_t>(fast::orientation<kDimension>(mesh_.sites(s), stages_));
+      }
+      if (signs[s] == 0) unsound.push_back(own_name(s));
+      if (signs[s] < 0) negative[s / 64] |= std::uint64_t{1} << (s % 64);
+    }
+    faults_.sound = first_with([&](std::size_t s) { return signs[s] != 0; });
+    if (faults_.sound.rank < 0) return std::nullopt;
+    faults_.first = first_with([](std::size_t) { return true; });
+    bool goes_on = !take(std::move(unsound), faults_.unsound);
+    FacetNames duplicates;
+    for (const FacetNames& group : equal_simplices(ranks_, mesh_)) append(duplicates, group);
+    goes_on &= !take(std::move(duplicates), faults_.duplicates);
+    if (claim_ != Claim::kWeightedDelaunay) {
+      std::vector<NumberedPoint<kDimension>> unused;
+      for (const std::size_t i : mesh_.unused()) unused.push_back(mesh_.owned_point(i));
+      take(std::move(unused), faults_.unused);
+    }
+    ranks_.end_phase("faults: simplices");
+    if (goes_on) judge_facets(fast::Orientations(std::move(negative)));
+    return std::move(faults_);
+  }
+
+ private:
+  static constexpr std::size_t kVertices = kDimension + 1;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  FacetName own_name(std::size_t s) const {
+    return {static_cast<std::int32_t>(ranks_.rank()), static_cast<std::uint32_t>(s * kVertices)};
+  }
+
+  // Brings what all ranks found to the first one; true if there is anything.
+  template <class Item>
+  bool take(std::vector<Item> own, std::vector<Item>& all) {
+    const bool any = ranks_.any(!own.empty());
+    all = ranks_.at_first(std::move(own));
+    return any;
+  }
+  bool take(const std::vector<FacetNames>& own, std::vector<FacetNames>& all) {
+    const bool any = ranks_.any(!own.empty());
+    all = groups_at_first(ranks_, own);
+    return any;
+  }
+
+  // The first simplex of the whole list of which this is so.
+  template <class Is>
+  FacetName first_with(const Is& is) {
+    std::size_t own = kNone;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      if (is(s) && (own == kNone || mesh_.place(s) < mesh_.place(own))) own = s;
+    }
+    struct Candidate {
+      std::uint64_t place;
+      FacetName name;
+    };
+    Candidate first{std::numeric_limits<std::uint64_t>::max(), {}};
+    if (own != kNone) first = {mesh_.place(own), own_name(own)};
+    for (const Candidate& other : ranks_.of_each(first)) {
+      if (other.place < first.place) first = other;
+    }
+    return first.name;
+  }
+
+  // Here each facet meets, so that none of three simplices is taken for one of two.
+  void judge_facets(const fast::Orientations& orientations) {
+    const BallQuestions balls{claim_ != Claim::kTriangulation};
+    FacetFindings found = FacetMeeting<kDimension>(ranks_, mesh_, orientations, balls)
+                              .run(mesh_.size() * kVertices,
+                                   [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    bool match = !take(found.overused, faults_.overused);
+    match &= !take(found.same_side, faults_.same_side);
+    ranks_.end_phase("faults: facets");
+    if (!match) return;
+    take(found.not_local, faults_.not_local);
+    const bool is_triangulation = judge_boundary(found.boundary, orientations);
+    ranks_.end_phase("faults: boundary");
+    if (is_triangulation && claim_ == Claim::kWeightedDelaunay) {
+      auto submerged = look_at_unused_points(ranks_, mesh_, orientations, stages_);
+      take(std::move(submerged.faulty), faults_.submerged);
+      found.unique &= submerged.unique;
+      found.canonical &= submerged.canonical;
+      ranks_.end_phase("submerged points");
+    }
+    faults_.unique = !ranks_.any(!found.unique);
+    faults_.canonical = !ranks_.any(!found.canonical);
+  }
+
+  bool judge_boundary(const std::vector<std::uint32_t>& boundary,
+                      const fast::Orientations& orientations) {
+    if (take_ridges(faulty_ridges(ranks_, mesh_, boundary, stages_))) return false;
+    fast::SamplePoint<kDimension> sample;
+    const std::size_t first = faults_.first.facet / kVertices;
+    const bool is_own = faults_.first == own_name(first);
+    if (is_own) sample = fast::barycentre_of<kDimension>(mesh_.sites(first), first);
+    sample = ranks_.of_rank(static_cast<std::size_t>(faults_.first.rank), sample);
+    if (take(beyond(ranks_, mesh_, boundary, sample, orientations, stages_), faults_.beyond)) {
+      return false;
+    }
+    FacetNames covering;
+    for (std::size_t s = 0; s < mesh_.size(); ++s) {
+      if (is_own && s == first) continue;
+      if (fast::covers<kDimension>(mesh_.sites(s), orientations.of(s), sample, stages_)) {
+        covering.push_back(own_name(s));
+      }
+    }
+    return !take(std::move(covering), faults_.covering);
+  }
+
+  bool take_ridges(const std::vector<FaultyRidgeName<kDimension>>& own) {
+    std::vector<std::array<std::int64_t, kDimension - 1>> vertices;
+    std::vector<FacetNames> facets;
+    for (const auto& ridge : own) {
+      vertices.push_back(ridge.vertices);
+      facets.push_back(ridge.facets);
+    }
+    vertices = ranks_.at_first(std::move(vertices));
+    facets = groups_at_first(ranks_, facets);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      faults_.ridges.push_back({vertices[i], facets[i]});
+    }
+    return ranks_.any(!own.empty());
+  }
+
+  Ranks& ranks_;
+  const LocalMesh<kDimension>& mesh_;
+  Claim claim_;
+  NamedFaults<kDimension> faults_;
+  fast::Stages stages_;
+};
+
+}  // namespace circumspect::distributed

@@ -1,0 +1,35 @@
+// The judge of meshes that many ranks have: each its part, and none the whole.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "oracle/distributed/conditions.hpp"
+#include "oracle/distributed/local_mesh.hpp"
+#include "oracle/distributed/ranks.hpp"
+#include "oracle/judge/points/check.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::distributed {
+
+struct Judged {
+  // At all ranks: does the claim hold? Or are there points that are equal? Then there is no verdict.
+  bool holds = false;
+  EqualPoints equal = {};
+  // At the first rank: the verdict that check::judge gives on the whole mesh, and a mesh by which the report
+  // names what the witnesses name (report/text.hpp).
+  std::optional<Verdict> verdict = {};
+  Mesh named = {};
+};
+
+// Does the claim hold of the mesh that all ranks together have? The verdict is that of check::judge, word for word,
+// however many ranks there are and however the simplices are dealt. Called by all ranks.
+//
+// Of `options` only max_violations and threads count; threads are those of each rank, 0 stands for 1.
+// Memory: see docs/distributed.md; the first rank also holds every place that is at fault.
+// Requires: a claim about points; dimension 2 or 3, and simplices in rows of one vertex more, at all ranks;
+// weights at all ranks, if the claim is about them; what LocalMesh requires.
+Judged judge(Ranks& ranks, Claim claim, Dealt dealt, const check::Options& options);
+
+}  // namespace circumspect::distributed

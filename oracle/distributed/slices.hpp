@@ -1,0 +1,32 @@
+// Files of one mesh, of which each rank reads its part.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "oracle/distributed/local_mesh.hpp"
+#include "oracle/distributed/ranks.hpp"
+
+namespace circumspect::distributed {
+
+struct Files {
+  std::string mesh;                        // .npy, or .ele
+  std::optional<std::string> points = {};  // .npy, or .node; of x.ele without it: x.node
+  bool weighted = false;                   // the first attributes of a .node file count
+};
+
+struct ReadSlices {
+  Dealt dealt;
+  std::string points_name;  // of the file, for messages
+};
+
+// Each rank reads slices of the points and of the simplices, as long as those of the others but for one row. Called
+// by all ranks. Errors, in one line and the same at all ranks: those of the readers, for .npy in their words; a text
+// file that is not of the plain form (formats/plain_files.hpp); points of a dimension other than 2 and 3, simplices
+// that have not one vertex more; no weights where they count; neither points nor simplices; more simplices than a rank
+// can number.
+tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& files);
+
+}  // namespace circumspect::distributed

@@ -1,0 +1,263 @@
+// Meshes and every mutation of the catalogue, dealt to the ranks of an MPI program in all ways: they find the very
+// verdict that one process finds, word for word. `mpirun -n 3 ranks_property`; RANKS_CASES says how many meshes.
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "inputs/in_doubles.hpp"
+#include "oracle/distributed/judge.hpp"
+#include "oracle/judge/fast/grid_mesh_test.hpp"
+#include "oracle/judge/judge.hpp"
+#include "oracle/report/text.hpp"
+#include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
+#include "properties/mutations/catalogue.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+// All ranks of the program; those of one that mpirun has not started are one. They send each other no more than
+// some thirty items at a time.
+distributed::Ranks& world() {
+  static const std::unique_ptr<distributed::Ranks> ranks = [] {
+    MPI_Init(nullptr, nullptr);
+    std::atexit([] { MPI_Finalize(); });
+    return std::make_unique<distributed::Ranks>(MPI_COMM_WORLD, 5);
+  }();
+  return *ranks;
+}
+
+std::size_t cases() {
+  const char* const said = std::getenv("RANKS_CASES");
+  return said == nullptr ? 300 : std::strtoul(said, nullptr, 10);
+}
+
+// ---- Dealing ----
+
+enum class Way { kSlices, kRoundRobin, kAlongALine, kAllToOne, kSomeToNone };
+
+// Which rank has which simplices, in which order. The same at all ranks.
+std::vector<std::vector<std::size_t>> dealt_places(const ArrayMesh& mesh, Way way,
+                                                   std::size_t ranks, Dice& dice) {
+  std::vector<std::vector<std::size_t>> places(ranks);
+  std::vector<std::size_t> order(mesh.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto slices = [&] {
+    for (std::size_t r = 0; r < ranks; ++r) {
+      const auto [begin, end] = PartOf{r, ranks}.slice(mesh.size());
+      places[r].assign(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                       order.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+  };
+  switch (way) {
+    case Way::kSlices:
+      slices();
+      break;
+    case Way::kRoundRobin:
+      for (const std::size_t s : order) places[s % ranks].push_back(s);
+      break;
+    case Way::kAlongALine: {
+      const auto x_of = [&](std::size_t s) {
+        const std::int64_t v = mesh.row(s)[0];
+        const bool known = v >= 0 && v < static_cast<std::int64_t>(mesh.points());
+        return known ? mesh.coordinates[static_cast<std::size_t>(v) * mesh.dimension] : 0.0;
+      };
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return x_of(a) < x_of(b); });
+      slices();
+      break;
+    }
+    case Way::kAllToOne:
+      places[dice.below(ranks)] = order;
+      break;
+    case Way::kSomeToNone: {
+      const std::size_t some = 1 + dice.below(ranks);
+      for (const std::size_t s : order) places[dice.below(some)].push_back(s);
+      for (auto& own : places) std::shuffle(own.begin(), own.end(), dice.engine());
+      std::shuffle(places.begin(), places.end(), dice.engine());
+      break;
+    }
+  }
+  return places;
+}
+
+distributed::Dealt dealt(const ArrayMesh& mesh, Way way, Dice& dice) {
+  const std::size_t rank = world().rank(), d = mesh.dimension;
+  const auto places = dealt_places(mesh, way, world().size(), dice);
+  distributed::Dealt own;
+  own.points = mesh.points();
+  own.simplices = mesh.size();
+  own.dimension = d;
+  const auto [begin, end] = PartOf{rank, world().size()}.slice(mesh.points());
+  own.coordinates =
+      Rows<double>::of(std::span(mesh.coordinates).subspan(begin * d, (end - begin) * d), d);
+  if (!mesh.weights.empty()) {
+    own.weights = Rows<double>::of(std::span(mesh.weights).subspan(begin, end - begin), 1);
+  }
+  Rows<std::int64_t> rows(places[rank].size(), mesh.width());
+  for (std::size_t i = 0; i < places[rank].size(); ++i) {
+    const auto row = mesh.row(places[rank][i]);
+    std::copy(row.begin(), row.end(), rows.row(i).begin());
+  }
+  own.lists = std::move(rows);
+  if (way == Way::kSlices) {
+    own.first_simplex = PartOf{rank, world().size()}.slice(mesh.size()).begin;
+  } else {
+    own.places.assign(places[rank].begin(), places[rank].end());
+  }
+  return own;
+}
+
+// ---- What is said ----
+
+std::string text_of(const Verdict& verdict, const Mesh& mesh) {
+  return report::explanation(verdict, mesh) + report::verdict_line(verdict, mesh, "mesh");
+}
+
+std::string said_by_one(Claim claim, const ArrayMesh& arrays, const check::Options& options) {
+  Mesh mesh;
+  mesh.coordinates = Rows<double>::of(arrays.coordinates, arrays.dimension);
+  if (claim == Claim::kWeightedDelaunay && !arrays.weights.empty()) {
+    mesh.weights = Rows<double>::of(arrays.weights, 1);
+  }
+  mesh.simplices = Rows<std::int64_t>::of(arrays.simplices, arrays.width());
+  const auto verdict = check::judge(claim, mesh, nullptr, options);
+  if (verdict) return text_of(*verdict, mesh);
+  const auto& repeated = verdict.error().repeated;
+  return "equal " + std::to_string(repeated[0].kept) + " " + std::to_string(repeated[0].again) +
+         " of " + std::to_string(repeated.size());
+}
+
+// At the first rank; elsewhere whether it holds alone.
+std::string said_by_all(Claim claim, distributed::Dealt own, const check::Options& options) {
+  const auto judged = distributed::judge(world(), claim, std::move(own), options);
+  const auto& [count, kept, again] = judged.equal;
+  if (count > 0) {
+    return "equal " + std::to_string(kept) + " " + std::to_string(again) + " of " +
+           std::to_string(count);
+  }
+  if (!world().is_first()) return judged.holds ? "holds" : "fails";
+  if (judged.verdict->holds() != judged.holds) return "other ranks are told otherwise";
+  return text_of(*judged.verdict, judged.named);
+}
+
+// The ranks agree with one process on this mesh, dealt in this way.
+void check_agreement(Claim claim, const ArrayMesh& mesh, Way way, Dice& dice,
+                     const check::Options& options) {
+  const std::string said = said_by_all(claim, dealt(mesh, way, dice), options);
+  const std::string expected =
+      world().is_first() ? said_by_one(claim, mesh, options) : std::string();
+  const bool agree = world().is_first() ? said == expected : expected.empty();
+  CAPTURE(static_cast<int>(way));
+  CAPTURE(std::string(name(claim)));
+  if (!agree) {
+    CHECK(said == expected);
+  } else {
+    CHECK(agree);
+  }
+}
+
+// ---- Meshes ----
+
+ArrayMesh drawn_mesh(std::size_t d, bool weighted, std::uint64_t seed) {
+  const auto cases =
+      weighted ? generators::any_case(d, 16) : generators::any_unweighted_case(d, 16);
+  const auto set = generators::in_doubles(cases(rc::Random(seed), 60).value());
+  const PointSet points(set.points, set.weights);
+  if (points.dimension() != static_cast<int>(d)) return {};
+  ArrayMesh mesh = array_mesh(points, delaunay::bowyer_watson(points).simplices());
+  list_neighbors(mesh);
+  return mesh;
+}
+
+std::uint64_t first_seed() { return rc::detail::configuration().testParams.seed; }
+
+TEST_CASE(
+    "ranks agree with one process on every mutation of small meshes, however they are dealt") {
+  std::vector<Mutation> all = catalogue();
+  std::erase_if(all, [](const Mutation& one) { return one.rules.contains(Rule::kWrongNeighbor); });
+  std::map<std::string, std::size_t> applied;
+  for (std::size_t i = 0; i < cases(); ++i) {
+    const std::uint64_t seed = world().of_rank(0, first_seed()) + i;
+    CAPTURE(seed);
+    Dice dice(seed);
+    const bool weighted = i % 3 == 0;
+    ArrayMesh mesh = drawn_mesh(2 + i % 2, weighted, seed);
+    if (mesh.simplices.empty()) continue;
+    const bool has_weights = !mesh.weights.empty();
+    std::vector<Mutation> some = all;
+    if (has_weights && dice.below(2) == 0) {
+      std::erase_if(some, [](const Mutation& one) { return !one.needs_weights; });
+    }
+    const Mutation& mutation = some[dice.below(some.size())];
+    CAPTURE(mutation.name);
+    const ArrayMesh before = mesh;
+    const bool is_applied = dice.below(8) > 0 && mutation.apply(mesh, dice);
+    if (!is_applied) mesh = before;
+    applied[is_applied ? mutation.name : "none"] += 1;
+    const Claim claim = dice.below(4) == 0 ? Claim::kTriangulation
+                        : has_weights      ? Claim::kWeightedDelaunay
+                                           : Claim::kDelaunay;
+    const check::Options options{.max_violations = dice.below(3) == 0 ? 2u : 20u};
+    check_agreement(claim, mesh, static_cast<Way>(dice.below(5)), dice, options);
+  }
+  // Each of them, where there are enough meshes.
+  for (const Mutation& mutation : all) {
+    CAPTURE(mutation.name);
+    if (cases() >= 5000) CHECK(occurs(applied[mutation.name]));
+  }
+}
+
+TEST_CASE(
+    "ranks agree with one process on meshes that wind twice, of one simplex, of none, and flat") {
+  for (const Way way : {Way::kSlices, Way::kRoundRobin, Way::kAllToOne, Way::kSomeToNone}) {
+    Dice dice(5);
+    for (const std::size_t d : {2u, 3u}) {
+      CAPTURE(d);
+      check_agreement(Claim::kTriangulation, doubly_wound(d, 7, 3), way, dice, {});
+      ArrayMesh mesh{.dimension = d};
+      for (std::size_t i = 0; i <= d; ++i) {
+        mesh.simplices.push_back(static_cast<std::int64_t>(i));
+        for (std::size_t axis = 0; axis < d; ++axis)
+          mesh.coordinates.push_back(i == axis + 1 ? 1 : 0);
+      }
+      check_agreement(Claim::kDelaunay, mesh, way, dice, {});
+      ArrayMesh flat = mesh;
+      for (std::size_t i = 0; i <= d; ++i) flat.coordinates[i * d] = 0;
+      flat.coordinates[d] = 0.5;
+      check_agreement(Claim::kDelaunay, flat, way, dice, {});
+      ArrayMesh unknown = mesh;
+      unknown.simplices[1] = 1000;
+      check_agreement(Claim::kDelaunay, unknown, way, dice, {});
+      mesh.simplices.clear();
+      check_agreement(Claim::kDelaunay, mesh, way, dice, {});
+    }
+  }
+}
+
+TEST_CASE("ranks agree with one process on a large grid, whole and broken") {
+  const auto grid = fast::grid_mesh<3>(cases() < 1000 ? 10 : 25);
+  ArrayMesh mesh{.dimension = 3};
+  mesh.coordinates = grid.coordinates;
+  mesh.simplices.assign(grid.simplices.begin(), grid.simplices.end());
+  list_neighbors(mesh);
+  Dice dice(world().of_rank(0, first_seed()));
+  const std::vector<Mutation> all = catalogue();
+  for (int i = 0; i < 5; ++i) {
+    ArrayMesh mutant = mesh;
+    const Mutation& mutation = all[dice.below(all.size())];
+    CAPTURE(mutation.name);
+    if (i > 0 && !mutation.apply(mutant, dice)) continue;
+    check_agreement(Claim::kDelaunay, mutant, static_cast<Way>(i), dice, {});
+  }
+}
+
+}  // namespace
+}  // namespace circumspect::properties
