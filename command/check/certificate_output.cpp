@@ -113,6 +113,15 @@ certificate::ListedSegments listed_segments(const LoadedDomain& loaded) {
   return listed;
 }
 
+// True, or says why not.
+template <typename Write>
+bool is_written(const std::string& path, const Write& write, Output& output) {
+  const std::string fault = write_file(path, write);
+  if (fault.empty()) return true;
+  output.error(ExitCode::kUsage, "certificate", path, fault);
+  return false;
+}
+
 }  // namespace
 
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
@@ -123,22 +132,22 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
                  fmt::format("{}: {}", mesh_name, document.error()));
     return false;
   }
-  const std::string fault =
-      write_file(path, [&](std::ostream& out) { certificate::write(out, mesh, *document); });
-  if (fault.empty()) return true;
-  output.error(ExitCode::kUsage, "certificate", path, fault);
-  return false;
+  return is_written(
+      path, [&](std::ostream& out) { certificate::write(out, mesh, *document); }, output);
 }
 
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
   if (!verdict.holds()) {
-    output.error(ExitCode::kUsage, "mesh", mesh_name,
-                 fmt::format("{}: expected a claim that holds of the mesh and its domain, found {} "
-                             "broken; there are no refutations of claims about domains",
-                             mesh_name, identifier(verdict.tallies().begin()->first)));
-    return false;
+    const auto refutation = certificate::domain_refutation_of(mesh, loaded.domain, verdict);
+    if (!refutation) {
+      output.error(ExitCode::kUsage, "mesh", mesh_name,
+                   fmt::format("{}: {}", mesh_name, refutation.error()));
+      return false;
+    }
+    return is_written(
+        path, [&](std::ostream& out) { certificate::write(out, mesh, *refutation); }, output);
   }
   const auto document = certificate::domain_certificate_of(
       mesh, loaded.domain, listed_segments(loaded), verdict.claim(),
@@ -148,11 +157,8 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
                  fmt::format("{}: {}", mesh_name, document.error()));
     return false;
   }
-  const std::string fault =
-      write_file(path, [&](std::ostream& out) { certificate::write(out, *document); });
-  if (fault.empty()) return true;
-  output.error(ExitCode::kUsage, "certificate", path, fault);
-  return false;
+  return is_written(
+      path, [&](std::ostream& out) { certificate::write(out, *document); }, output);
 }
 
 }  // namespace circumspect::cli

@@ -15,7 +15,7 @@ namespace circumspect::cli {
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output);
 
-// The same for a claim about a domain. There is none if the claim does not hold.
+// The same for a claim about a domain.
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output);

@@ -1,5 +1,6 @@
 // What proves that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull,
-// and how segments, polygons and holes lie in it. proofs/CERTIFICATE.md says what it has to fulfil.
+// and how segments, polygons and holes lie in it; and what proves that it is none. proofs/CERTIFICATE.md
+// says what both have to fulfil.
 #pragma once
 
 #include <functional>
@@ -13,6 +14,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/document.hpp"
 #include "oracle/model/domain.hpp"
 
 namespace circumspect::certificate {
@@ -127,5 +129,27 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
 
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const DomainCertificate& certificate);
+
+// ---- Domain refutation ----
+// What proves that a claim about a domain does not hold of a mesh: the mesh, the vertices and segments of
+// the domain, and one fault.
+
+struct DomainRefutation {
+  Refutation refutation;
+  ScaledPoints points;  // of the mesh, then the vertices of the domain that are none of these
+  std::vector<Vertex> vertices;   // of the domain, among all points
+  std::vector<Simplex> segments;  // of the domain, by its vertices
+};
+
+// Of the rules that the verdict says are broken the first that can be shown: a vertex or a segment of the
+// domain is missing, a vertex is none of the domain, the simplices are no complex, or two of them are not
+// locally Delaunay. Error: why there is none, for people. Requires: the verdict is about the mesh and this
+// domain, and it fails.
+tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
+                                                                 const Domain& domain,
+                                                                 const Verdict& verdict);
+
+// As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
+void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
 
 }  // namespace circumspect::certificate
