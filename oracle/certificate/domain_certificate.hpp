@@ -152,4 +152,46 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
 
+// ---- Impossibility ----
+// What proves that a domain in space has no triangulation: of each set of four vertices why it is no simplex of
+// one, and clauses that hold of every triangulation and that nothing satisfies. Book: Section 4.5.
+
+// Variables v > 0 and their negations -v.
+using Clause = std::vector<int>;
+
+// A clause that follows by unit propagation from others, by their numbers: those of the formula count from 1,
+// the steps go on after them.
+struct ProofStep {
+  Clause clause;
+  std::vector<std::size_t> hints;
+};
+
+// Values of the variables that satisfy all clauses, or a proof that there are none.
+struct Decision {
+  std::optional<std::vector<bool>> model = {};
+  std::vector<ProofStep> proof = {};
+};
+// Nothing: it was given up. It need not be trusted.
+using Decide = std::function<std::optional<Decision>(int variables, const std::vector<Clause>&)>;
+
+struct Impossibility {
+  DomainKind kind = DomainKind::kEnclosed;
+  ScaledPoints points;  // the vertices of the domain
+  std::vector<Simplex> segments = {};
+  std::vector<HomogeneousPoint> holes = {};
+  std::vector<PolygonCertificate> polygons = {};
+  std::vector<std::string> fates = {};    // of the candidates, as lines of the file
+  std::vector<std::string> reasons = {};  // of the clauses, likewise
+  std::vector<ProofStep> steps = {};
+};
+
+// Error: why there is none, for people. Requires: the domain is in space.
+tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain,
+                                                          const ListedSegments& listed,
+                                                          const HullFillers& fillers,
+                                                          const Decide& decide);
+
+// As proofs/CERTIFICATE.md lays it out.
+void write(std::ostream& out, const Impossibility& impossibility);
+
 }  // namespace circumspect::certificate

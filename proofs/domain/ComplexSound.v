@@ -409,9 +409,9 @@ Lemma piece_face k f q : numbered (polygons c) k = Some f -> polygon_points (pol
   face_at (whole_mesh c) s q /\ all_held (whole_mesh c) (domain_part c) (faces x) segments_of_polygon (InPolygon k) s.
 Proof.
   intros E Q. pose proof (Poly k f E) as Pk.
-  apply (polygon_covered (kind c) (whole_mesh c) (domain_part c) Mesh c eq_refl f Pk q) in Q.
+  apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl f (shape_ok _ _ _ f Pk) q) in Q.
   destruct Q as (u & s & Es & Ks & C). exists (up_names f (corners s)). split.
-  - destruct (tile_spec (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa f Pk u s Es Ks) as (t & i & e & Ee & _ & _ & _ & M).
+  - destruct (tile_spec (kind c) (whole_mesh c) (domain_part c) Mesh f Pk u s Es Ks) as (t & i & e & Ee & _ & _ & _ & M).
     exists t, e. split; [assumption|]. split; [|assumption]. intros j Ij. apply M in Ij. apply in_remove in Ij.
     destruct Ij as (a & _ & Ij). now apply nth_error_In with a.
   - destruct complex_parts as (_ & _ & H). destruct (H k f E) as (y & Y & _).
@@ -443,7 +443,7 @@ Proof.
   accepted. rewrite find_id, N in Heqb.
   apply (segment_covered space_computes _ Mesh _ false _ _ Pa s (numbered_in _ _ _ N)) in C. destruct C as (z & Iz & C).
   destruct (steps_in_pieces f _ _ _ Heqb z Iz) as (t & e & Ee & Kt & In_t).
-  apply (polygon_covered (kind c) (whole_mesh c) (domain_part c) Mesh c eq_refl f Pk q). exists t, e.
+  apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl f (shape_ok _ _ _ f Pk) q). exists t, e.
   split; [assumption|]. split; [assumption|]. apply (conv_incl (map (spot 3 (whole_mesh c)) z)); [|assumption].
   intros v Iv. apply in_map_iff in Iv. destruct Iv as (i & <- & Ii). now apply in_map, In_t.
 Qed.
@@ -480,12 +480,12 @@ Proof.
     cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh. apply andb_prop in Sh. destruct Sh as [Kt Sh].
     destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
     exists (polygon_of 3 c g). split; [apply in_map; now apply numbered_in with (fst w)|].
-    apply (polygon_covered (kind c) (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly _ g G) y).
+    apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g (Poly _ g G)) y).
     exists (snd w), s. split; [assumption|]. split; [assumption|].
     apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i (corners e)))); [|assumption].
     intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map. now apply (same_members_spec _ _ Sh).
   - intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I. destruct I as (k & E).
-    exact (polygon_flagged (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g (Poly k g E) y K H).
+    exact (polygon_flagged (kind c) (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly k g E) y K H).
 Qed.
 
 Lemma region_sides : kind c = Enclosed -> forall q, region P q -> leaving (fun _ => True) (region P) q ->
@@ -504,14 +504,14 @@ Proof.
   cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh. apply andb_prop in Sh. destruct Sh as [Ku Sh].
   destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
   exists (fst w), g. split; [assumption|]. pose proof (Poly _ g G) as Pk. split.
-  - apply (polygon_covered (kind c) (whole_mesh c) (domain_part c) Mesh c eq_refl g Pk q).
+  - apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g Pk) q).
     exists (snd w), s. split; [assumption|]. split; [assumption|].
     apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i (corners e)))); [|assumption].
     intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map. now apply (same_members_spec _ _ Sh).
   - intros y Y. destruct (H _ g G) as (_ & _ & _ & Tl). specialize (Tl K).
-    apply (polygon_covered (kind c) (whole_mesh c) (domain_part c) Mesh c eq_refl g Pk y) in Y.
+    apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g Pk) y) in Y.
     destruct Y as (u & r & Er & Kr & Cy).
-    destruct (tile_at (kind c) (whole_mesh c) (domain_part c) Mesh _ Pa g Pk u r Er Kr)
+    destruct (tile_at (kind c) (whole_mesh c) (domain_part c) Mesh g Pk u r Er Kr)
       as (t' & i' & e' & Ti & E' & Kt' & Hi' & _ & M).
     assert (Cy' : conv (map (spot 3 (whole_mesh c)) (Checker.remove i' (corners e'))) y).
     { apply (conv_incl (map (spot 3 (whole_mesh c)) (up_names g (corners r)))); [|assumption].

@@ -191,19 +191,19 @@ Theorem polygon_boundary q : polygon_points P q -> leaving in_plane (polygon_poi
       polygon_points P x /\ leaving in_plane (polygon_points P) x.
 Proof.
   set (n3 := integer_point 3 (normal f)). set (o3 := unit_of c * IZR (offset f)). set (sh := shadow (axis f)).
-  pose proof (polygon_seen kind c p f polygon_accepts) as Seen.
+  pose proof (shape_ok kind c p f polygon_accepts) as shape. pose proof (polygon_seen c f shape) as Seen.
   assert (At : forall x, flat n3 o3 x -> polygon_points P x <-> filled (part_simplices 2 (plane_mesh f) (plane_part f)) (sh x)).
-  { intros x X. exact (polygon_at kind c p accepts D of_D f polygon_accepts x X). }
+  { intros x X. exact (polygon_at c (spots_known c accepts) D of_D f shape x X). }
   pose proof (polygon_is_flat c D of_D f) as Fl.
   intros Pq (r & Hr & Away). apply in_plane_flat in Hr. pose proof (Fl q Pq) as Fq.
-  destruct (plane_boundary (plane_mesh f) (plane_part f) sides (plane_ok kind c p f polygon_accepts) sides_accept (sh q))
+  destruct (plane_boundary (plane_mesh f) (plane_part f) sides (plane_ok c f shape) sides_accept (sh q))
     as (n & s & E & C & H).
   { now apply At. }
   { exists (sh r). split; [exact Logic.I|]. intros s Hs N. apply (Away s Hs). apply At; [now apply flat_between|].
     unfold sh in *. now rewrite shadow_between. }
   assert (Rs : forall x, conv [up (from s); up (last_reached s)] x <->
     flat n3 o3 x /\ conv [fst (segment_ends 2 (plane_mesh f) s); snd (segment_ends 2 (plane_mesh f) s)] (sh x)).
-  { apply (rim_segment kind c p accepts f polygon_accepts s). now apply numbered_in with n. }
+  { apply (rim_segment c (spots_known c accepts) f shape s). now apply numbered_in with n. }
   exists n, s. split; [assumption|]. split; [now apply Rs|]. intros x Cx. apply Rs in Cx. destruct Cx as [Fx Cx].
   destruct (H (sh x) Cx) as [Px (r2 & _ & Away2)]. split; [now apply At|].
   exists (raised (axis f) n3 o3 r2). assert (Fr : flat n3 o3 (raised (axis f) n3 o3 r2)) by now apply raised_flat.
