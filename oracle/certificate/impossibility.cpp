@@ -14,11 +14,18 @@
 namespace circumspect::certificate {
 namespace {
 
-// The side of a plane on which <normal, p> is at least the offset.
-struct Halfspace {
+struct Plane {
   Point normal;
   Rational offset;
-  Rational operator()(const Point& p) const { return inner_product(normal, p) - offset; }
+};
+
+// One side of a plane: not negative there.
+struct Halfspace {
+  const Plane* plane;
+  int sign;
+  Rational operator()(const Point& p) const {
+    return sign * (inner_product(plane->normal, p) - plane->offset);
+  }
 };
 
 Point cross(const Point& u, const Point& v) {
@@ -125,16 +132,8 @@ class Search {
   std::array<Halfspace, 4> facets(const Simplex& tetrahedron) const {
     std::array<Halfspace, 4> halves;
     for (std::size_t place = 0; place < 4; ++place) {
-      Simplex others = tetrahedron;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
-      const std::vector<Point> p = coordinates(complex_.points, others);
-      Halfspace& half = halves[place];
-      half.normal = cross(p[1] - p[0], p[2] - p[0]);
-      half.offset = inner_product(half.normal, p[0]);
-      if (sgn(half(complex_.points[tetrahedron[place]])) < 0) {
-        for (Rational& x : half.normal) x = -x;
-        half.offset = -half.offset;
-      }
+      halves[place] = {&planes_[triangle_of(tetrahedron, place)],
+                       raw_side(tetrahedron, place, tetrahedron[place])};
     }
     return halves;
   }
@@ -174,40 +173,46 @@ class Search {
     return "free";
   }
 
-  // On which sides of all triangles the vertices are.
+  // The planes of all triangles, and on which sides of them the vertices are.
   void find_sides() {
     const std::size_t n = complex_.points.size();
+    planes_.resize(n * n * n);
     sides_.resize(n * n * n * n, 0);
-    Sidedness sidedness(points_);
-    Vertex v = 0;
-    const auto find = [&](Vertex a, Vertex b, Vertex c) {
-      const std::array<Vertex, 4> simplex = {a, b, c, v};
-      sides_[place_of(a, b, c) + static_cast<std::size_t>(v)] =
-          static_cast<signed char>(sidedness.orientation(simplex));
-    };
     for (Vertex a = 0; complex_.points.names(a); ++a) {
       for (Vertex b = a + 1; complex_.points.names(b); ++b) {
-        for (Vertex c = b + 1; complex_.points.names(c); ++c) {
-          for (v = 0; complex_.points.names(v); ++v) find(a, b, c);
-        }
+        for (Vertex c = b + 1; complex_.points.names(c); ++c) find_sides_of({a, b, c});
       }
     }
   }
-  std::size_t place_of(Vertex a, Vertex b, Vertex c) const {
-    const std::size_t n = complex_.points.size();
-    return ((static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b)) * n +
-            static_cast<std::size_t>(c)) *
-           n;
+  void find_sides_of(const std::array<Vertex, 3>& triangle) {
+    const Point& p = complex_.points[triangle[0]];
+    Plane plane{cross(complex_.points[triangle[1]] - p, complex_.points[triangle[2]] - p), 0};
+    plane.offset = inner_product(plane.normal, p);
+    const std::size_t number = number_of(triangle);
+    for (Vertex v = 0; complex_.points.names(v); ++v) {
+      sides_[number * complex_.points.size() + static_cast<std::size_t>(v)] =
+          static_cast<signed char>(sgn(Halfspace{&plane, 1}(complex_.points[v])));
+    }
+    planes_[number] = std::move(plane);
   }
-  // Of the facet opposite vertex number `place` of a candidate: the sign is positive where that vertex is
-  // if the candidate's orientation is.
-  int raw_side(const Simplex& candidate, std::size_t place, Vertex v) const {
+  std::size_t number_of(const std::array<Vertex, 3>& triangle) const {
+    const std::size_t n = complex_.points.size();
+    return (static_cast<std::size_t>(triangle[0]) * n + static_cast<std::size_t>(triangle[1])) * n +
+           static_cast<std::size_t>(triangle[2]);
+  }
+  // The facet opposite vertex number `place` of a candidate.
+  std::size_t triangle_of(const Simplex& candidate, std::size_t place) const {
     std::array<Vertex, 3> facet{};
     std::size_t next = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       if (i != place) facet[next++] = candidate[i];
     }
-    return sides_[place_of(facet[0], facet[1], facet[2]) + static_cast<std::size_t>(v)];
+    return number_of(facet);
+  }
+  // On which side of its plane the vertex is.
+  int raw_side(const Simplex& candidate, std::size_t place, Vertex v) const {
+    return sides_[triangle_of(candidate, place) * complex_.points.size() +
+                  static_cast<std::size_t>(v)];
   }
   // Positive on the side of that vertex, 0 in the plane of the facet; 0 if the candidate is flat.
   int side(const Simplex& candidate, std::size_t place, Vertex v) const {
@@ -295,6 +300,7 @@ class Search {
   std::vector<Simplex> candidates_;
   std::map<Simplex, std::size_t> number_of_;
   std::vector<std::size_t> free_;   // the candidates that may be chosen
+  std::vector<Plane> planes_;       // by triangles
   std::vector<signed char> sides_;  // by triangles and vertices
   std::map<std::size_t, std::array<Halfspace, 4>> halves_;
 };

@@ -38,14 +38,6 @@ Lemma leaving_facet q : filled T q -> leaving (fun _ => True) (filled T) q <->
     conv (map spot (Checker.remove i (corners e))) q.
 Proof.
   intros Fq. destruct (frames_exist Or Co c accepts) as (geo & G).
-  pose proof (certificate_matched Or Co c accepts geo G) as mesh.
-  pose proof (certificate_supporting Or Co c accepts geo G) as sup.
-  pose proof (vertices_in Co c accepts geo G) as ver.
-  pose proof (certificate_covered_once Or Co c accepts geo G) as once.
-  assert (Agree : forall t u, In t (tets c) -> In u (tets c) -> agree (geo t) (geo u)).
-  { intros a b. exact (mesh_face_to_face mesh ver sup Pos.eq_dec once a b). }
-  assert (Diff : forall t u, In t (tets c) -> In u (tets c) -> same (vertices (geo t)) (vertices (geo u)) -> t = u).
-  { intros a b. exact (mesh_simplices_different mesh ver sup Pos.eq_dec once a b). }
   assert (Inner : forall x, in_inner (tets c) geo (kept_at marks_of) x <-> filled T x).
   { intros x. split.
     - intros (t & Ht & K & I). apply in_tets in Ht. destruct Ht as (e & E). exists (map spot (corners e)). split.
@@ -68,8 +60,8 @@ Proof.
         now apply (adjacent_adj Or Co positive_d c accepts geo G).
     - split; [reflexivity|]. intros _. left. apply (outer_on_hull Or Co positive_d c accepts geo G t i Ht Hi).
       unfold on_hull. now rewrite E, W. }
-  pose proof (boundary_facets (tets c) geo (points_of_certificate d c) positive_d Agree Diff
-    (in_V Co c accepts geo G) (covering Or Co c accepts geo G) (kept_at marks_of) q (proj2 (Inner q) Fq)) as B.
+  pose proof (boundary_facets (tets c) geo (points_of_certificate d c) positive_d
+    (certificate_fills Or Co c accepts geo G) (kept_at marks_of) q (proj2 (Inner q) Fq)) as B.
   transitivity (exists r, forall s, 0 < s <= 1 -> ~ in_inner (tets c) geo (kept_at marks_of) (between q r s)).
   { split.
     - intros (r & _ & H). exists r. intros s Hs N. apply (H s Hs). now apply Inner.
