@@ -2,7 +2,7 @@
 
     The words of Definitions.v and Domains.v go on here.  A refutation is the caller's mesh and what it
     says of the domain: its vertices and some of its segments.  Whatever else the domain has, the claim is
-    false of it.  Nothing is proved here. *)
+    false of it.  At the end is what shows that a domain has no triangulation.  Nothing is proved here. *)
 From Coq Require Import String Reals List ZArith.
 From Circumspect Require Import Definitions Domains.
 Import ListNotations.
@@ -92,3 +92,29 @@ Definition described (P : domain (dimension_of D)) : Prop :=
   forall j k a b, In (j, k) (segments_given c) -> vertex_given j = Some a -> vertex_given k = Some b ->
     In (a, b) (domain_segments P).
 End Refuted.
+
+(** ** That a domain in space has no triangulation, as it stands in a file
+
+    The domain is that of a certificate whose points are its vertices, and which has no simplices.  Candidates
+    are all sets of four vertices, in lexicographic order. *)
+
+(** A point of the domain: vertex K; the point q / w of segment K, or of triangle U of polygon K. *)
+Inductive domain_point :=
+  | AtCorner (k : positive)
+  | AlongSegment (k : positive) (q : site) (w : Z)
+  | InPiece (k u : positive) (q : site) (w : Z).
+(** The four points are in a plane; a cell with this point is no union of faces of the candidate; or neither. *)
+Inductive fate := Flat | Pierced (x : domain_point) | MayBeChosen.
+(** Why a clause holds of every triangulation: one of its simplices contains the point; two candidates overlap at
+    the point q / w; or candidate S has a neighbour across its facet I, with the point q / w, in no wall: one of these. *)
+Inductive reason :=
+  | OneCovers (x : domain_point)
+  | NotBoth (s u : positive) (q : site) (w : Z)
+  | OneBeside (s : positive) (i : nat) (q : site) (w : Z) (l : list positive).
+(** Candidate K is chosen, or is not. *)
+Definition literal := (bool * positive)%type.
+Definition clause := list literal.
+(** A clause that follows from others, by their numbers. *)
+Record proof_step := ProofStep { derived : clause; hints : list positive }.
+Record impossibility := Impossibility {
+  about : domain_certificate; fates : list fate; reasons : list reason; steps : list proof_step }.

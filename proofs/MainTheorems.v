@@ -1,6 +1,6 @@
 (** * The main theorems: what [circumspect-verified] guarantees
 
-    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v].  [check], [refute] and [check_domain]
+    Every notion is one of [Definitions.v] or, of domains, of [Domains.v] and [DomainRules.v].  [check], [refute], [check_domain] and so on
     are the functions that the program evaluates; how they decide ([checker/Checker.v],
     [refutation/Refutation.v], [domain/DomainChecker.v]) need not be read.
     The theorems of the book stand in [BookTheorems.v].
@@ -15,9 +15,9 @@
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation.
+From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted Completeness
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted ImpossibleSound Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -89,6 +89,15 @@ Proof. apply DomainRefuted.refute_domain_sound. Qed.
 Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
   broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
 Proof. apply DomainRefuted.refute_domain_rule. Qed.
+
+(** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4): it has none, and
+    so no CDT. *)
+Theorem verified_impossible x : check_impossible x = Accepted ->
+  forall T, ~ plc_triangulation (domain_of_certificate 3 (about x)) T /\ ~ cdt (domain_of_certificate 3 (about x)) T.
+Proof.
+  intros A T. pose proof (ImpossibleSound.check_impossible_sound x A T) as N. split; [exact N|].
+  intros [Tr _]. exact (N Tr).
+Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order
     of the points is that of the certificate, which is lexicographic ([points-increasing]). *)

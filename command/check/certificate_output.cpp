@@ -11,6 +11,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/existence/existence.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::cli {
@@ -113,6 +114,40 @@ certificate::ListedSegments listed_segments(const LoadedDomain& loaded) {
   return listed;
 }
 
+certificate::HullFillers fillers() {
+  return {.fill = fill, .fill_delaunay = fill_delaunay, .triangulate = delaunay_simplices};
+}
+
+// The solver, whose proofs get hints.
+std::optional<certificate::Decision> decide(int variables,
+                                            const std::vector<certificate::Clause>& clauses) {
+  constexpr int kConflicts = 1'000'000;
+  const existence::Formula formula{variables, clauses};
+  auto answer = existence::solve(formula, kConflicts);
+  if (auto* satisfied = std::get_if<existence::Satisfied>(&answer)) {
+    return certificate::Decision{.model = std::move(satisfied->assignment)};
+  }
+  const auto* refuted = std::get_if<existence::Refuted>(&answer);
+  if (refuted == nullptr) return std::nullopt;
+  auto steps = existence::with_hints(formula, refuted->refutation);
+  if (!steps) return std::nullopt;
+  certificate::Decision decision;
+  for (existence::HintedStep& step : *steps) {
+    for (std::size_t& hint : step.hints) ++hint;
+    decision.proof.push_back({std::move(step.clause), std::move(step.hints)});
+  }
+  return decision;
+}
+
+// True, or says why not.
+template <typename Write>
+bool is_written(const std::string& path, const Write& write, Output& output) {
+  const std::string fault = write_file(path, write);
+  if (fault.empty()) return true;
+  output.error(ExitCode::kUsage, "certificate", path, fault);
+  return false;
+}
+
 }  // namespace
 
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
@@ -123,36 +158,54 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
                  fmt::format("{}: {}", mesh_name, document.error()));
     return false;
   }
-  const std::string fault =
-      write_file(path, [&](std::ostream& out) { certificate::write(out, mesh, *document); });
-  if (fault.empty()) return true;
-  output.error(ExitCode::kUsage, "certificate", path, fault);
-  return false;
+  return is_written(
+      path, [&](std::ostream& out) { certificate::write(out, mesh, *document); }, output);
 }
 
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
   if (!verdict.holds()) {
-    output.error(ExitCode::kUsage, "mesh", mesh_name,
-                 fmt::format("{}: expected a claim that holds of the mesh and its domain, found {} "
-                             "broken; there are no refutations of claims about domains",
-                             mesh_name, identifier(verdict.tallies().begin()->first)));
-    return false;
+    const auto refutation = certificate::domain_refutation_of(mesh, loaded.domain, verdict);
+    if (!refutation) {
+      output.error(ExitCode::kUsage, "mesh", mesh_name,
+                   fmt::format("{}: {}", mesh_name, refutation.error()));
+      return false;
+    }
+    return is_written(
+        path, [&](std::ostream& out) { certificate::write(out, mesh, *refutation); }, output);
   }
   const auto document = certificate::domain_certificate_of(
-      mesh, loaded.domain, listed_segments(loaded), verdict.claim(),
-      {.fill = fill, .fill_delaunay = fill_delaunay, .triangulate = delaunay_simplices});
+      mesh, loaded.domain, listed_segments(loaded), verdict.claim(), fillers());
   if (!document) {
     output.error(ExitCode::kUsage, "mesh", mesh_name,
                  fmt::format("{}: {}", mesh_name, document.error()));
     return false;
   }
-  const std::string fault =
-      write_file(path, [&](std::ostream& out) { certificate::write(out, *document); });
-  if (fault.empty()) return true;
-  output.error(ExitCode::kUsage, "certificate", path, fault);
-  return false;
+  return is_written(
+      path, [&](std::ostream& out) { certificate::write(out, *document); }, output);
+}
+
+std::string impossibility_file(const std::string& prefix) {
+  return prefix + "-triangulation.proof";
+}
+
+std::string write_impossibility(const std::string& prefix, const LoadedDomain& loaded,
+                                Output& output) {
+  constexpr std::size_t kMostVertices = 48;  // candidates grow with their fourth power
+  if (loaded.domain.complex.points.size() > kMostVertices) {
+    output.note(
+        fmt::format("no proof for circumspect-verified: more than {} vertices", kMostVertices));
+    return "";
+  }
+  const auto proof =
+      certificate::impossibility_of(loaded.domain, listed_segments(loaded), fillers(), decide);
+  if (!proof) {
+    output.note("no proof for circumspect-verified: " + proof.error());
+    return "";
+  }
+  return write_file(impossibility_file(prefix),
+                    [&](std::ostream& out) { certificate::write(out, *proof); });
 }
 
 }  // namespace circumspect::cli

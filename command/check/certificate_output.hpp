@@ -15,9 +15,17 @@ namespace circumspect::cli {
 bool write_certificate(const std::string& path, const std::string& mesh_name, const ExactMesh& mesh,
                        const Verdict& verdict, Output& output);
 
-// The same for a claim about a domain. There is none if the claim does not hold.
+// The same for a claim about a domain.
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output);
+
+// The file in which circumspect-verified reads that a domain has no triangulation.
+std::string impossibility_file(const std::string& prefix);
+
+// Writes it for a domain in space that has none, and a note if there is nothing to write: what is proved of every
+// triangulation may not suffice. Returns what is wrong with the file, or an empty string.
+std::string write_impossibility(const std::string& prefix, const LoadedDomain& loaded,
+                                Output& output);
 
 }  // namespace circumspect::cli

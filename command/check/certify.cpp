@@ -126,8 +126,8 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       "Example:\n"
       "  circumspect certify points.1.ele -o points.cert\n"
       "  circumspect-verified points.cert        # trusts nothing that stands above\n\n"
-      "If the claim holds, a certificate is written, and otherwise a refutation; of domains\n"
-      "there are no refutations.\n"
+      "If the claim holds, a certificate is written, and otherwise a refutation; of claims about\n"
+      "domains not every one has a refutation.\n"
       "proofs/CERTIFICATE.md describes both and says what follows from them.\n\n"
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span the\n"
       "plane or space, 3 the input is at fault, 5 internal error.");

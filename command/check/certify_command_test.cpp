@@ -84,8 +84,35 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
                     "circumspect-certificate 1 steiner-triangulation 2 hull plc\n"));
 }
 
-TEST_CASE("certify: what has no certificate with a domain, and the answer says so") {
+TEST_CASE("certify: a refutation of a claim about a domain") {
   const CertifiedMeshes meshes;
+  const std::string square = meshes.folder.write("square.poly", kOutline);
+  const std::vector<std::string> bad = {"certify",  meshes.bad, "-o",      meshes.cert,
+                                        "--domain", square,     "--claim", "plc-triangulation"};
+  CHECK(run(bad).exit_code == 1);
+  // The segment from (0, 0) to (0, 2), at its midpoint.
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-refutation 2 plc-triangulation 2 domain.segment-missing\n"));
+  CHECK(has(contents(meshes.cert), "\nvertices 4\n"));
+  CHECK(has(contents(meshes.cert), "\nsegments 4\n1 2\n1 4\n2 3\n3 4\nbecause 2 0 1 2\nend\n"));
+  // A diagonal that the mesh does not have, and an edge that dangles in its place.
+  const std::string diagonal = meshes.folder.write(
+      "diagonal.poly",
+      "4 2 0 0\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n5 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n5 6 8\n0\n");
+  const std::vector<std::string> missing = {"certify",  meshes.good, "-o",      meshes.cert,
+                                            "--domain", diagonal,    "--claim", "cdt"};
+  CHECK(run(missing).exit_code == 1);
+  CHECK(has(contents(meshes.cert), "\nbecause 4 1 1 2\nend\n"));
+  std::filesystem::remove(meshes.cert);
+  meshes.folder.write("good.edge", "1 0\n1 6 8\n");
+  const Run dangling = run(missing);
+  CHECK(dangling.exit_code == 2);
+  CHECK(has(dangling.err, "there is no refutation of this mesh: a triangle or an edge dangles"));
+  CHECK(!meshes.has_cert());
+}
+
+TEST_CASE("certify: what has no certificate with a domain, and the answer says so") {
+  CertifiedMeshes meshes;
   const std::string square = meshes.folder.write("square.poly", kOutline);
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& found) {
     const Run result = run(arguments);
@@ -103,9 +130,13 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
           "there is no certificate of this mesh: ");
   refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "plc-triangulation"},
           "expected --domain FILE for the claim plc-triangulation, found none");
-  refused({"certify", meshes.bad, "-o", meshes.cert, "--claim", "plc-triangulation", "--domain",
-           square},
-          "expected a claim that holds of the mesh and its domain, found");
+  // The wrong diagonal.
+  const std::string kite =
+      meshes.write("kite", "4 2\n5 0 0\n6 6 0\n7 7 2\n8 0 2\n", "2 3\n1 5 6 7\n2 5 7 8\n");
+  const std::string outline = meshes.folder.write(
+      "kite.poly", "4 2 0 0\n5 0 0\n6 6 0\n7 7 2\n8 0 2\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n0\n");
+  refused({"certify", kite, "-o", meshes.cert, "--claim", "cdt", "--domain", outline},
+          "there is no refutation of this mesh: cdt.facet-not-local is broken, and");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},
           "no --domain beside --certificate, found one");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--claim", "cdt"},

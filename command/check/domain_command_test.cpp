@@ -249,7 +249,7 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
   const ScratchFolder folder;
   const std::string prefix = folder.path("proof");
   const std::string domain =
-      std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/figure-4-13-chazelle-2.poly";
+      std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/figure-4-12-three-segments.poly";
   CHECK(run({"inspect", domain, "--refutations", prefix}).exit_code == 0);
   for (const std::string what : {"-cdt", "-triangulation"}) {
     const std::string formula = prefix + what + ".cnf";
@@ -267,6 +267,11 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
     CHECK(begins_with(malformed.err, "circumspect: " + cut + ":"));
     CHECK(has(malformed.err, ": expected a 0 at the end of the clause, found the end of the file"));
   }
+  // What circumspect-verified reads (proofs/domains.sh).
+  const std::string proof = contents(prefix + "-triangulation.proof");
+  CHECK(begins_with(proof, "circumspect-impossibility 1 plc-triangulation 3 enclosed\n"));
+  CHECK(has(proof, "\nvertices 14\n"));
+  CHECK(has(proof, "\ncandidates 1001\n"));
   const Run absent = run({"replay", folder.path("absent.cnf"), folder.path("absent.drat")});
   CHECK(absent.exit_code == 3);
   CHECK(has(absent.err, "absent.cnf: expected a file, found no file of that name\n"));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command/check/certificate_output.hpp"
 #include "command/input/input.hpp"
 #include "command/inspect/inspect_domain.hpp"
 #include "command/inspect/inspect_simplex.hpp"
@@ -318,6 +319,7 @@ std::string refutations_fault(const InspectOptions& options) {
   }
   std::vector<Written> proofs;
   for (const std::string& path : refutation_files(prefix)) proofs.push_back({"the proofs", path});
+  proofs.push_back({"the proofs", impossibility_file(prefix)});
   return overwriting_fault(proofs, files_of_domain(options.inputs.front()));
 }
 

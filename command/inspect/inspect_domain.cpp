@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command/check/certificate_output.hpp"
 #include "command/input/breach_text.hpp"
 #include "command/input/labels.hpp"
 #include "command/inspect/domain_facts.hpp"
@@ -223,7 +224,10 @@ class Inspection {
     know({{"notes", notes}});
     if (wants(kCdt) && !options_.refutations.empty()) {
       output_.end_watch();
-      const std::string error = write_refutations(options_.refutations, loaded.domain, facts_);
+      std::string error = write_refutations(options_.refutations, loaded.domain, facts_);
+      if (error.empty() && facts_.no_triangulation) {
+        error = write_impossibility(options_.refutations, loaded, output_);
+      }
       if (!error.empty()) {
         output_.error(ExitCode::kInputFault, "file", options_.refutations, error);
       }
@@ -323,7 +327,8 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
   command
       .add_option("--refutations", options.refutations,
                   "Where there is no CDT or no triangulation, write the proofs for replay: "
-                  "PREFIX-cdt.cnf and .drat, PREFIX-triangulation.cnf and .drat")
+                  "PREFIX-cdt.cnf and .drat, PREFIX-triangulation.cnf and .drat; and "
+                  "PREFIX-triangulation.proof for circumspect-verified")
       ->option_text("PREFIX");
 }
 

@@ -33,6 +33,8 @@ std::optional<Evidence> unused_point_evidence(const ExactMesh& mesh, const Verdi
   });
 }
 
+}  // namespace
+
 std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdict,
                                      const ScaledPoints& points, Rule rule) {
   switch (rule) {
@@ -67,8 +69,6 @@ std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdi
   }
 }
 
-}  // namespace
-
 std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& verdict,
                                         const ScaledPoints& points) {
   for (const auto& [rule, tally] : verdict.tallies()) {
@@ -81,13 +81,12 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
   return std::nullopt;
 }
 
-void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
-           const Refutation& refutation) {
-  Lines lines(out);
+void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
+                const Refutation& refutation) {
   write_first_line(lines, "circumspect-refutation 2", refutation.claim, points.dimension,
                    identifier(refutation.rule));
   write_scale(lines, points);
-  lines << "points" << points.size();
+  lines << "points" << mesh.points.size();
   lines.end_line();
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     write_point(lines, points, v, refutation.claim == Claim::kWeightedDelaunay);
@@ -105,11 +104,21 @@ void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
   lines << "spans";
   for (const std::size_t v : refutation.basis) lines << v + 1;
   lines.end_line();
+}
+
+void write_because(Lines& lines, const Refutation& refutation) {
   lines << "because";
   for (const Integer& token : refutation.because) lines << token;
   lines.end_line();
   lines << "end";
   lines.end_line();
+}
+
+void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
+           const Refutation& refutation) {
+  Lines lines(out);
+  write_mesh(lines, mesh, points, refutation);
+  write_because(lines, refutation);
 }
 
 // ---- Document ----

@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/lines.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -38,6 +39,10 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation);
+// Its parts: up to the line `spans`; and the line `because`, with the end.
+void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
+                const Refutation& refutation);
+void write_because(Lines& lines, const Refutation& refutation);
 
 // ---- Document ----
 // A verdict with what proves it to somebody who trusts neither this program nor the one that made the

@@ -51,28 +51,29 @@ void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCerti
   }
 }
 
-// The polygon number `cell`, which these facets of the mesh tile.
-tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDomain& in,
-                                                                  const Certificate& mesh,
+}  // namespace
+
+tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonPlace& in,
                                                                   std::size_t cell,
                                                                   const std::set<Simplex>& listed,
                                                                   const std::vector<Simplex>& tiles,
                                                                   const HullFillers& fillers) {
   const Polygon& given = in.complex.polygons[cell];
   PolygonCertificate polygon{.mesh = {PointSet({}), {}}};
-  set_plane(mesh.points, tiles.front(), polygon);
+  set_plane(in.scaled_points, tiles.front(), polygon);
   std::map<Vertex, Vertex> below;
   for (const Simplex& tile : tiles) {
     for (const Vertex v : tile) below.emplace(v, 0);
   }
   std::vector<Point> points;
-  ScaledPoints flat_points{2, mesh.points.scale_numerator, mesh.points.scale_denominator};
+  ScaledPoints flat_points{2, in.scaled_points.scale_numerator, in.scaled_points.scale_denominator};
   for (auto& [v, number] : below) {
     number = static_cast<Vertex>(points.size());
     polygon.above.push_back(v);
-    points.push_back(without(in.mesh.points[v], polygon.axis));
+    points.push_back(without(in.points[v], polygon.axis));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (axis != polygon.axis) flat_points.coordinates.push_back(mesh.points.coordinate(v, axis));
+      if (axis != polygon.axis)
+        flat_points.coordinates.push_back(in.scaled_points.coordinate(v, axis));
     }
   }
   const auto seen = [&](Simplex vertices) {
@@ -90,21 +91,21 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDo
   polygon.plane = certificate_of(polygon.mesh, Claim::kTriangulation, std::move(flat_points));
   PartInput part{.mesh = polygon.plane, .kept = tiles.size(), .kind = DomainKind::kEnclosed};
   for (const Vertex v : polygon.above) {
-    part.is_corner.push_back(in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex);
+    part.is_corner.push_back(in.is_corner(v));
   }
   for (const Simplex& segment : given.segments) {
     if (!listed.contains(segment)) continue;
     const auto found =
         std::lower_bound(in.complex.segments.begin(), in.complex.segments.end(), segment);
     polygon.rim.push_back(static_cast<std::size_t>(found - in.complex.segments.begin()));
-    const std::vector<Vertex> chain = seen(in.chains.chain(polygon.rim.back()));
+    const std::vector<Vertex> chain = seen(in.chain(polygon.rim.back()));
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       part.walls[sorted({chain[i], chain[i + 1]})] = {part.chains.size(), 0};
     }
     part.chains.push_back(chain);
   }
   for (const Point& seed : given.hole_seeds) {
-    const HomogeneousPoint in_space = scaled(mesh.points, seed);
+    const HomogeneousPoint in_space = scaled(in.scaled_points, seed);
     HomogeneousPoint flat = in_space;
     flat.numerators.erase(flat.numerators.begin() + static_cast<std::ptrdiff_t>(polygon.axis));
     if (!simplex_around(part, flat)) continue;
@@ -117,6 +118,8 @@ tl::expected<PolygonCertificate, std::string> polygon_certificate(const MeshedDo
   polygon.part = std::move(*found);
   return polygon;
 }
+
+namespace {
 
 // Where in the kept mesh the facets are.
 std::map<Simplex, std::pair<std::uint32_t, std::size_t>> places_of_facets(
@@ -191,8 +194,12 @@ tl::expected<DomainCertificate, std::string> certificate_in(
     return made;
   }
   const auto places = places_of_facets(in.mesh, made.mesh);
+  const PolygonPlace place_of_polygons{
+      in.complex, in.mesh.points, made.mesh.points,
+      [&](Vertex v) { return in.places.in_domain[VertexPlaces::place(v)] != check::kNoVertex; },
+      [&](std::size_t segment) { return in.chains.chain(segment); }};
   for (std::size_t cell = 0; cell < tiles.size(); ++cell) {
-    auto polygon = polygon_certificate(in, made.mesh, cell, listed[cell], tiles[cell], fillers);
+    auto polygon = polygon_certificate(place_of_polygons, cell, listed[cell], tiles[cell], fillers);
     if (!polygon) return tl::unexpected(polygon.error());
     for (const Simplex& tile : tiles[cell]) {
       const auto place = places.find(tile);

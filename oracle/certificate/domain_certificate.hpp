@@ -1,5 +1,6 @@
 // What proves that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull,
-// and how segments, polygons and holes lie in it. proofs/CERTIFICATE.md says what it has to fulfil.
+// and how segments, polygons and holes lie in it; and what proves that it is none. proofs/CERTIFICATE.md
+// says what both have to fulfil.
 #pragma once
 
 #include <functional>
@@ -13,6 +14,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/document.hpp"
 #include "oracle/model/domain.hpp"
 
 namespace circumspect::certificate {
@@ -127,5 +129,69 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
 
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const DomainCertificate& certificate);
+
+// ---- Domain refutation ----
+// What proves that a claim about a domain does not hold of a mesh: the mesh, the vertices and segments of
+// the domain, and one fault.
+
+struct DomainRefutation {
+  Refutation refutation;
+  ScaledPoints points;  // of the mesh, then the vertices of the domain that are none of these
+  std::vector<Vertex> vertices;   // of the domain, among all points
+  std::vector<Simplex> segments;  // of the domain, by its vertices
+};
+
+// Of the rules that the verdict says are broken the first that can be shown: a vertex or a segment of the
+// domain is missing, a vertex is none of the domain, the simplices are no complex, or two of them are not
+// locally Delaunay. Error: why there is none, for people. Requires: the verdict is about the mesh and this
+// domain, and it fails.
+tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
+                                                                 const Domain& domain,
+                                                                 const Verdict& verdict);
+
+// As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
+void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
+
+// ---- Impossibility ----
+// What proves that a domain in space has no triangulation: of each set of four vertices why it is no simplex of
+// one, and clauses that hold of every triangulation and that nothing satisfies. Book: Section 4.5.
+
+// Variables v > 0 and their negations -v.
+using Clause = std::vector<int>;
+
+// A clause that follows by unit propagation from others, by their numbers: those of the formula count from 1,
+// the steps go on after them.
+struct ProofStep {
+  Clause clause;
+  std::vector<std::size_t> hints;
+};
+
+// Values of the variables that satisfy all clauses, or a proof that there are none.
+struct Decision {
+  std::optional<std::vector<bool>> model = {};
+  std::vector<ProofStep> proof = {};
+};
+// Nothing: it was given up. It need not be trusted.
+using Decide = std::function<std::optional<Decision>(int variables, const std::vector<Clause>&)>;
+
+struct Impossibility {
+  DomainKind kind = DomainKind::kEnclosed;
+  ScaledPoints points;  // the vertices of the domain
+  std::vector<Simplex> segments = {};
+  std::vector<HomogeneousPoint> holes = {};
+  std::vector<PolygonCertificate> polygons = {};
+  std::vector<std::string> fates = {};    // of the candidates, as lines of the file
+  std::vector<std::string> reasons = {};  // of the clauses, likewise
+  std::vector<ProofStep> steps = {};
+};
+
+// Error: why there is none, for people. Requires: the domain is in space.
+tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain,
+                                                          const ListedSegments& listed,
+                                                          const HullFillers& fillers,
+                                                          const Decide& decide);
+
+// As proofs/CERTIFICATE.md lays it out.
+void write(std::ostream& out, const Impossibility& impossibility);
 
 }  // namespace circumspect::certificate

@@ -36,4 +36,24 @@ std::vector<std::pair<Integer, Vertex>> combination(const ScaledPoints& points,
 // None: it is in a kept one or beyond all of them, and makes no hole.
 std::optional<std::uint32_t> simplex_around(const PartInput& input, const HomogeneousPoint& seed);
 
+// ---- Polygons ----
+
+// Where the polygons of a complex lie.
+struct PolygonPlace {
+  const PiecewiseLinearComplex& complex;
+  const PointSet& points;
+  const ScaledPoints& scaled_points;  // the same
+  // Is a point a vertex of the domain, and which points follow on each other on a segment?
+  std::function<bool(Vertex)> is_corner;
+  std::function<std::vector<Vertex>(std::size_t)> chain;
+};
+
+// The polygon number `cell`, which these triangles of the points tile; `listed` are its own segments. Where in
+// a mesh the triangles are is left open. Error: why there is none, for people.
+tl::expected<PolygonCertificate, std::string> polygon_certificate(const PolygonPlace& in,
+                                                                  std::size_t cell,
+                                                                  const std::set<Simplex>& listed,
+                                                                  const std::vector<Simplex>& tiles,
+                                                                  const HullFillers& fillers);
+
 }  // namespace circumspect::certificate

@@ -110,7 +110,9 @@ std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoin
   if (!witness.point || witness.simplices.size() != 2) return std::nullopt;
   Evidence evidence{rule, {}};
   for (const Simplex& simplex : witness.simplices) {
-    evidence.because.emplace_back(static_cast<unsigned long>(number_of(mesh, simplex)));
+    const auto number = number_of(mesh, simplex);
+    if (!number) return std::nullopt;
+    evidence.because.emplace_back(static_cast<unsigned long>(*number));
   }
   const HomogeneousPoint common = scaled(points, *witness.point);
   evidence.because.insert(evidence.because.end(), common.numerators.begin(),
@@ -211,9 +213,12 @@ void append(std::vector<Integer>& because, const Entry& entry) {
 
 }  // namespace
 
-std::size_t number_of(const ExactMesh& mesh, const Simplex& simplex) {
-  const auto found = std::find(mesh.simplices.begin(), mesh.simplices.end(), simplex);
-  assert(found != mesh.simplices.end());
+std::optional<std::size_t> number_of(const ExactMesh& mesh, const Simplex& simplex) {
+  const auto found =
+      std::find_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& listed) {
+        return std::is_permutation(listed.begin(), listed.end(), simplex.begin(), simplex.end());
+      });
+  if (found == mesh.simplices.end()) return std::nullopt;
   return static_cast<std::size_t>(found - mesh.simplices.begin()) + 1;
 }
 
@@ -225,14 +230,15 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
     append(evidence.because, entry_of(mesh, q));
     for (const Vertex v : simplex) evidence.because.emplace_back(Integer(v) + 1);
   } else if (rule == Rule::kFacetNotLocal) {
-    const std::size_t number = number_of(mesh, simplex);
     const Simplex& facet = *witness.face;
     const auto off =
         std::find_if(simplex.begin(), simplex.end(), [&](Vertex v) { return !contains(facet, v); });
-    append(evidence.because, {number - 1, static_cast<std::size_t>(off - simplex.begin())});
+    append(evidence.because, entry_of(mesh, facet, *off));
     append(evidence.because, entry_of(mesh, facet, q));
   } else {
-    evidence.because.emplace_back(static_cast<unsigned long>(number_of(mesh, simplex)));
+    const auto number = number_of(mesh, simplex);
+    if (!number) return std::nullopt;
+    evidence.because.emplace_back(static_cast<unsigned long>(*number));
     evidence.because.emplace_back(Integer(q) + 1);
   }
   return evidence;

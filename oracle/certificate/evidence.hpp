@@ -16,6 +16,10 @@ struct Evidence {
   std::vector<Integer> because;
 };
 
+// For any rule of a mesh of points that the verdict says is broken.
+std::optional<Evidence> evidence_for(const ExactMesh& mesh, const Verdict& verdict,
+                                     const ScaledPoints& points, Rule rule);
+
 // Faults of simplices one by one or of their lists of vertices; found by looking.
 std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                          Rule rule);
@@ -36,7 +40,8 @@ std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Wi
 std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point);
 
-// The number of a simplex that lists these vertices in this order. Requires: there is one.
-std::size_t number_of(const ExactMesh& mesh, const Simplex& simplex);
+// The number of a simplex that lists these vertices, in any order: the checkers of domains turn
+// simplices around. Nothing if none does, for they also speak of faces.
+std::optional<std::size_t> number_of(const ExactMesh& mesh, const Simplex& simplex);
 
 }  // namespace circumspect::certificate

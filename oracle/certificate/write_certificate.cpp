@@ -260,4 +260,54 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
   lines.end_line();
 }
 
+// ---- Write impossibility ----
+
+void write(std::ostream& out, const Impossibility& impossibility) {
+  Lines lines(out);
+  write_first_line(lines, "circumspect-impossibility 1", Claim::kPlcTriangulation, 3,
+                   impossibility.kind == DomainKind::kHull ? "hull" : "enclosed");
+  write_scale(lines, impossibility.points);
+  begin_section(lines, "vertices", impossibility.points.size());
+  std::vector<std::size_t> number;
+  for (Vertex v = 0; static_cast<std::size_t>(v) < impossibility.points.size(); ++v) {
+    number.push_back(number.size() + 1);
+    write_point(lines, impossibility.points, v, false);
+    lines.end_line();
+  }
+  begin_section(lines, "segments", impossibility.segments.size());
+  for (const Simplex& segment : impossibility.segments) {
+    lines << segment[0] + 1 << segment[1] + 1;
+    lines.end_line();
+  }
+  begin_section(lines, "holes", impossibility.holes.size());
+  for (const HomogeneousPoint& hole : impossibility.holes) {
+    write_point(lines, hole);
+    lines.end_line();
+  }
+  begin_section(lines, "polygons", impossibility.polygons.size());
+  for (const PolygonCertificate& polygon : impossibility.polygons) {
+    write_polygon(lines, number, polygon);
+  }
+  begin_section(lines, "candidates", impossibility.fates.size());
+  for (const std::string& fate : impossibility.fates) {
+    lines << fate;
+    lines.end_line();
+  }
+  begin_section(lines, "clauses", impossibility.reasons.size());
+  for (const std::string& reason : impossibility.reasons) {
+    lines << reason;
+    lines.end_line();
+  }
+  begin_section(lines, "steps", impossibility.steps.size());
+  for (const ProofStep& step : impossibility.steps) {
+    for (const int literal : step.clause) lines << literal;
+    lines << 0;
+    lines.gap();
+    for (const std::size_t hint : step.hints) lines << hint;
+    lines.end_line();
+  }
+  lines << "end";
+  lines.end_line();
+}
+
 }  // namespace circumspect::certificate

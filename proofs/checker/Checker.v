@@ -21,12 +21,16 @@ Inductive condition :=
   | claim_of_mesh | role_shown | segment_linked | hole_inside | mark_consistent | wall_shown
   | way_out_shown | polygon_flat | polygon_tiled | vertices_of_domain
   (* domain/ComplexChecker.v *)
-  | face_held | segment_in_polygon | rim_listed | one_sided_shown.
+  | face_held | segment_in_polygon | rim_listed | one_sided_shown
+  (* existence/ImpossibleChecker.v *)
+  | vertices_listed | fate_shown | reason_shown | clauses_refuted.
 
 Inductive place :=
   | Nowhere | AtPoint (k : positive) | AtSimplex (t : positive) | AtFacet (t : positive) (i : nat)
   | AtHull (h : positive) | AtRidge (h : positive) (a : nat)
-  | AtSegment (k : positive) | AtHole (k : positive) | AtPolygon (k : positive).
+  | AtSegment (k : positive) | AtHole (k : positive) | AtPolygon (k : positive)
+  (* of what has no triangulation *)
+  | AtCandidate (k : positive) | AtReason (k : positive).
 
 Inductive result := Accepted | Rejected (c : condition) (p : place).
 

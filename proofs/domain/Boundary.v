@@ -11,12 +11,11 @@ Open Scope R_scope.
 Section Boundary.
 Context {d : nat} {A : Type} (tets : list A) (geo : A -> frame d) (V : list (point d)).
 Hypothesis positive : (1 <= d)%nat.
-Hypothesis agreeing : forall t u, In t tets -> In u tets -> agree (geo t) (geo u).
-Hypothesis different : forall t u, In t tets -> In u tets ->
-  same (vertices (geo t)) (vertices (geo u)) -> t = u.
-Hypothesis in_V : forall t, In t tets -> incl (vertices (geo t)) V.
-Hypothesis covering : forall q, conv V q -> exists t, In t tets /\ inside_closed (geo t) q.
-Hypothesis some : tets <> [].
+Hypothesis fills_hull : filling tets geo V.
+Let agreeing := filling_agree tets geo V fills_hull.
+Let different := filling_different tets geo V fills_hull.
+Let in_V := filling_in tets geo V fills_hull.
+Let covering := filling_covers tets geo V fills_hull.
 Variable marked : A -> bool.
 
 Notation adj := (adjacent tets geo).
@@ -123,7 +122,7 @@ Proof.
         destruct (Rle_lt_or_eq_dec _ _ Pj) as [L|E]; [exfalso|now symmetry].
         now apply (not_in_facet_of (geo u) j Hj), P.
     + exfalso.
-      destruct (leads_on tets geo V positive agreeing different in_V covering differs rift
+      destruct (leads_on tets geo V positive fills_hull differs rift
         (fun q => iff_refl _) marked) with (z := q) (t := t0) (y := r)
         as (u & Hu & Mu & Iu & L); auto.
       * intros t i u j Ad Nd. destruct (marked t) eqn:Mt, (marked u) eqn:Mu; try reflexivity; exfalso; apply Nd.
@@ -138,7 +137,7 @@ Proof.
         rewrite bary_away by assumption. rewrite Z. ring. }
       assert (0 <= bary (geo t) i (between q (away geo t i q 1) s)); [|lra].
       apply (inside_pos (geo u)); [now apply bary_affine|assumption|].
-      intros l Hl. apply (supports t i Ht Hi O). now apply (vertex_in tets geo V in_V).
+      intros l Hl. apply (supports t i Ht Hi O). now apply (vertex_in tets geo V fills_hull).
     + pose proof Ad as (_ & Hu & Op). exists (barycentre (geo u)). intros s Hs (v & Hv & Mv & C).
       assert (Iu : inside_closed (geo u) q).
       { pose proof Op as Op'. apply opposite_facets in Op'. destruct Op' as (_ & Hj & S & _).

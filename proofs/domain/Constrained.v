@@ -80,15 +80,8 @@ Section Geometry.
 Variable geo : positive -> frame d.
 Hypothesis frames : forall t e, entry t e -> lists (map spot (corners e)) (geo t).
 Let is_enclosed := proj1 local_parts.
-Let mesh := certificate_matched Or Co c accepts geo frames.
-Let supporting_all := certificate_supporting Or Co c accepts geo frames.
-Let vertices_all := vertices_in Co c accepts geo frames.
-Let once := certificate_covered_once Or Co c accepts geo frames.
-Let agreeing : forall t u, In t (tets c) -> In u (tets c) -> agree (geo t) (geo u) :=
-  fun t u => mesh_face_to_face mesh vertices_all supporting_all Pos.eq_dec once t u.
-Let different : forall t u, In t (tets c) -> In u (tets c) ->
-  same (vertices (geo t)) (vertices (geo u)) -> t = u :=
-  fun t u => mesh_simplices_different mesh vertices_all supporting_all Pos.eq_dec once t u.
+Let agreeing := filling_agree _ _ _ (certificate_fills Or Co c accepts geo frames).
+Let different := filling_different _ _ _ (certificate_fills Or Co c accepts geo frames).
 
 Definition kept_tets : list positive := filter (kept_at marks_of) (tets c).
 Lemma in_kept_tets t : In t kept_tets <-> In t (tets c) /\ kept_at marks_of t = true.

@@ -282,7 +282,7 @@ Definition check_tile (above_of : Table.t positive) (k : positive) (se : simplex
          same_members (named_above above_of (corners (fst se))) (remove (snd ti) (corners s))
      | None => false
      end) at AtSimplex k; Accepted.
-Definition check_polygon : result :=
+Definition check_shape : result :=
   let p := plane_mesh f in
   require polygon_flat by
     (numerator p =? numerator c) && (denominator p =? denominator c) &&
@@ -290,7 +290,10 @@ Definition check_polygon : result :=
     at Nowhere;
   check_in_plane Enclosed p (plane_part f) ;;
   each_pair polygon_flat AtPoint check_above 1 (points p) (above f) ;;
-  each_pair polygon_flat AtHole check_seed 1 (holes (plane_part f)) (seeds f) ;;
+  each_pair polygon_flat AtHole check_seed 1 (holes (plane_part f)) (seeds f).
+Definition check_polygon : result :=
+  let p := plane_mesh f in
+  check_shape ;;
   each_pair polygon_tiled AtSimplex (check_tile (Table.of_list id (above f))) 1
     (combine (simplices p) (marks (plane_part f))) (tiles f).
 End Polygon.

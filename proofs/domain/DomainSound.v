@@ -182,14 +182,14 @@ Proof.
         apply andb_prop in Sh. destruct Sh as [Kt Sh].
         destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
         exists (polygon_of 3 c g). split; [apply in_map; now apply numbered_in with (fst w)|].
-        apply (polygon_covered _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly _ g G) x).
+        apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g (Poly _ g G)) x).
         exists (snd w), s. split; [assumption|]. split; [assumption|].
         apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i (corners e)))); [|assumption].
         intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
         now apply (same_members_spec _ _ Sh).
       - intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
         destruct I as (k & E).
-        exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh _ Pa c eq_refl g (Poly k g E) x K H). }
+        exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly k g E) x K H). }
     apply (claim_sound oriented3 space_computes c Mesh false _ Pa (le_S 1 2 (le_S 1 1 (le_n 1))) Cl);
       [reflexivity| |].
     { intros K q W. apply (Flagged K) in W. destruct W as (f & I & C). exists (polygon_points f).

@@ -16,15 +16,24 @@ From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched
 Import ListNotations.
 Open Scope R_scope.
 
+(** Simplices that meet face to face, none listed twice, and fill conv V. *)
+Record filling {d : nat} {A : Type} (tets : list A) (geo : A -> frame d) (V : list (point d)) : Prop := {
+  filling_agree : forall t u, In t tets -> In u tets -> agree (geo t) (geo u);
+  filling_different : forall t u, In t tets -> In u tets -> same (vertices (geo t)) (vertices (geo u)) -> t = u;
+  filling_in : forall t, In t tets -> incl (vertices (geo t)) V;
+  filling_covers : forall q, conv V q -> exists t, In t tets /\ inside_closed (geo t) q;
+  filling_some : tets <> []
+}.
+
 Section Enclosed.
 Context {d : nat} {A : Type} (tets : list A) (geo : A -> frame d) (V : list (point d)).
 Hypothesis positive : (1 <= d)%nat.
-Hypothesis agreeing : forall t u, In t tets -> In u tets -> agree (geo t) (geo u).
-Hypothesis different : forall t u, In t tets -> In u tets ->
-  same (vertices (geo t)) (vertices (geo u)) -> t = u.
-Hypothesis in_V : forall t, In t tets -> incl (vertices (geo t)) V.
-Hypothesis covering : forall q, conv V q -> exists t, In t tets /\ inside_closed (geo t) q.
-Hypothesis some : tets <> [].
+Hypothesis fills_hull : filling tets geo V.
+Let agreeing := filling_agree tets geo V fills_hull.
+Let different := filling_different tets geo V fills_hull.
+Let in_V := filling_in tets geo V fills_hull.
+Let covering := filling_covers tets geo V fills_hull.
+Let some := filling_some tets geo V fills_hull.
 
 Notation adj := (adjacent tets geo).
 Notation outer := (outer tets geo).

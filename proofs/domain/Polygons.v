@@ -96,15 +96,15 @@ Proof.
   - subst q. destruct (axis f) as [|[|[|k]]]; [| | |lia]; apply point2_ext; reflexivity.
 Qed.
 
-Section Polygon.
-Variables (kind : domain_kind) (c : certificate) (p : part).
-Hypothesis accepts : check_in space_predicates c = Accepted.
-Variable shown : list positive -> nat -> positive * positive -> bool.
-Hypothesis part_accepts : check_part space_predicates false kind c p shown = Accepted.
+(** Its shape: nothing is asked of the mesh but where its points are. *)
+Section Shape.
+Variable c : certificate.
+Hypothesis spot_known : forall j q, Table.find j (points_of (mesh_of c)) = Some q ->
+  Definitions.spot 3 c j = place_of (unit_of c) q.
 Variable D : domain_certificate.
 Hypothesis of_D : whole_mesh D = c.
 Variable f : polygon_entry.
-Hypothesis polygon_accepts : check_polygon kind c (mesh_of c) (mark_table p) f = Accepted.
+Hypothesis shape_accepts : check_shape c (mesh_of c) f = Accepted.
 
 Notation spot := (spot 3 c).
 Notation p2 := (plane_mesh f).
@@ -119,12 +119,9 @@ Lemma polygon_parts : numerator p2 = numerator c /\ denominator p2 = denominator
   length (normal f) = 3%nat /\ (axis f < 3)%nat /\ nth (axis f) (normal f) 0%Z <> 0%Z /\
   check_in_plane Enclosed p2 part2 = Accepted /\
   each_pair polygon_flat AtPoint (check_above (mesh_of c) f) 1 (points p2) (above f) = Accepted /\
-  each_pair polygon_flat AtHole (check_seed f) 1 (holes part2) (seeds f) = Accepted /\
-  each_pair polygon_tiled AtSimplex
-    (check_tile kind (mesh_of c) (mark_table p) (Table.of_list Datatypes.id (above f))) 1
-    (combine (simplices p2) (marks part2)) (tiles f) = Accepted.
+  each_pair polygon_flat AtHole (check_seed f) 1 (holes part2) (seeds f) = Accepted.
 Proof.
-  pose proof polygon_accepts as H. unfold check_polygon in H. cbv zeta in H. accepted.
+  pose proof shape_accepts as H. unfold check_shape in H. cbv zeta in H. accepted.
   repeat (apply andb_prop in Heqb; let K := fresh in destruct Heqb as [Heqb K]).
   apply Z.eqb_eq in Heqb, H3. apply Nat.eqb_eq in H2. apply Nat.ltb_lt in H1.
   apply negb_true_iff, Z.eqb_neq in H0. auto 12.
@@ -148,7 +145,7 @@ Proof.
   destruct H as [L H]. destruct (numbered_beside _ _ _ _ L E) as (j & J). exists j.
   split; [assumption|]. specialize (H k e j E J). unfold check_above in H. accepted.
   destruct (Table.find j (points_of (mesh_of c))) as [q|] eqn:Q; [|discriminate].
-  destruct (point_known space_computes c accepts j q Q) as (S & _ & _).
+  pose proof (spot_known j q Q) as S.
   destruct (over_spec f _ _ _ Heqb Ln Ax (unit_of c)) as (F & Sh & _).
   rewrite S. unfold flat, place_of. split; [rewrite F; ring|].
   rewrite Sh, (spot_numbered 2 p2 k e E), same_unit. reflexivity.
@@ -190,7 +187,7 @@ Lemma seed_spec k h s : numbered (holes part2) k = Some h -> numbered (seeds f) 
   flat n o (seed_point 3 c (fst s) (snd s)) /\
   sh (seed_point 3 c (fst s) (snd s)) = seed_point 2 p2 (hole_point h) (hole_w h).
 Proof.
-  intros Hk Sk. destruct polygon_parts as (_ & _ & Ln & Ax & _ & Pl & _ & H & _). apply each_pair_accepted in H.
+  intros Hk Sk. destruct polygon_parts as (_ & _ & Ln & Ax & _ & Pl & _ & H). apply each_pair_accepted in H.
   destruct H as [_ H]. specialize (H k h s Hk Sk). unfold check_seed in H. accepted.
   apply andb_prop in Heqb. destruct Heqb as [W Ov]. apply Z.eqb_eq in W.
   assert (Pw : (0 < hole_w h)%Z).
@@ -224,38 +221,6 @@ Proof.
       + cbn [map]. now rewrite Sj, M. }
   intros l Known. destruct (G l Known) as (k & -> & Fl & M). auto.
 Qed.
-Lemma tile_at u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (tiles f) u = Some (t, i) /\ numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
-    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
-    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
-      In x (Checker.remove i (corners e)).
-Proof.
-  intros E K. destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & _ & H). apply each_pair_accepted in H.
-  destruct H as [L H].
-  destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) u s E) as (k & Ek & Kt & _).
-  assert (Eb : numbered (combine (simplices p2) (marks part2)) u = Some (s, k)).
-  { unfold numbered in *. now apply nth_error_combine. }
-  destruct (numbered_beside _ _ _ _ L Eb) as (ti & Ti). specialize (H u _ ti Eb Ti).
-  unfold check_tile in H. accepted. cbn [fst snd] in Heqb. rewrite <- Kt, K in Heqb. cbn [negb orb] in Heqb.
-  apply andb_prop in Heqb. destruct Heqb as [Hk M]. apply andb_prop in Hk. destruct Hk as [Hk Fl].
-  rewrite (find_simplex (c := c)) in M.
-  destruct (numbered (simplices c) (fst ti)) as [e|] eqn:Ee; [|discriminate].
-  apply andb_prop in M. destruct M as [Fa M]. exists (fst ti), (snd ti), e.
-  split; [now rewrite <- surjective_pairing|].
-  split; [assumption|]. split; [assumption|]. split; [|split].
-  - apply (CertifiedMesh.wall_index space_computes c accepts (fst ti) e); [assumption|].
-    unfold has_facet in Fa. destruct (nth_error (walls e) (snd ti)); discriminate.
-  - intros ->. exact Fl.
-  - now apply same_members_spec.
-Qed.
-
-Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
-  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
-    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
-    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
-      In x (Checker.remove i (corners e)).
-Proof. intros E K. destruct (tile_at u s E K) as (t & i & e & _ & H). eauto. Qed.
-
 (** A point of its plane is in it if the picture is in a kept triangle. *)
 Lemma polygon_at x : flat n o x -> polygon_points (polygon_of 3 D f) x <->
   exists t, In t (part_simplices 2 p2 part2) /\ conv t (sh x).
@@ -266,13 +231,13 @@ Proof.
     unfold polygon_of; rewrite ?of_D; cbn [plane_normal plane_offset gaps].
   - exact polygon_seen.
   - intros y Y. pose proof (rim_shadow y Y) as R. unfold polygon_of in R. now rewrite of_D in R.
-  - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
+  - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H). apply each_pair_accepted in H.
     destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (s & <- & Is).
     apply in_numbered in Is. destruct Is as (k & Sk). symmetry in L.
     destruct (numbered_beside _ _ _ _ L Sk) as (h & Hk). destruct (seed_spec k h s Hk Sk) as [F S].
     split; [exact F|]. rewrite S. unfold part_holes.
     apply (in_map (fun h => seed_point 2 p2 (hole_point h) (hole_w h))). now apply numbered_in with k.
-  - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H & _). apply each_pair_accepted in H.
+  - destruct polygon_parts as (_ & _ & _ & _ & _ & _ & _ & H). apply each_pair_accepted in H.
     destruct H as [L _]. intros y Iy. apply in_map_iff in Iy. destruct Iy as (h & <- & Ih).
     apply in_numbered in Ih. destruct Ih as (k & Hk).
     destruct (numbered_beside _ _ _ _ L Hk) as (s & Sk). destruct (seed_spec k h s Hk Sk) as [F S].
@@ -301,6 +266,66 @@ Proof.
       (plane_part_accepted _ _ _ plane_ok)). eauto.
 Qed.
 
+End Shape.
+
+(** Its place in the mesh. *)
+Section Polygon.
+Variables (kind : domain_kind) (c : certificate) (p : part).
+Hypothesis accepts : check_in space_predicates c = Accepted.
+Variable shown : list positive -> nat -> positive * positive -> bool.
+Hypothesis part_accepts : check_part space_predicates false kind c p shown = Accepted.
+Variable D : domain_certificate.
+Hypothesis of_D : whole_mesh D = c.
+Variable f : polygon_entry.
+Hypothesis polygon_accepts : check_polygon kind c (mesh_of c) (mark_table p) f = Accepted.
+
+Notation spot := (spot 3 c).
+Notation p2 := (plane_mesh f).
+Notation part2 := (plane_part f).
+Notation spot2 := (Definitions.spot 2 p2).
+Notation sh := (shadow (axis f)).
+
+Lemma spots_known j q : Table.find j (points_of (mesh_of c)) = Some q -> spot j = place_of (unit_of c) q.
+Proof. intros Q. apply (point_known space_computes c accepts j q Q). Qed.
+Lemma shape_ok : check_shape c (mesh_of c) f = Accepted.
+Proof. pose proof polygon_accepts as H. unfold check_polygon in H. now accepted. Qed.
+Let flat_ok := plane_ok c f shape_ok.
+Let named_spec := named_spec c spots_known f shape_ok.
+Let polygon_covered := polygon_covered c spots_known D of_D f shape_ok.
+
+Lemma tile_at u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
+  exists t i e, numbered (tiles f) u = Some (t, i) /\ numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
+    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
+      In x (Checker.remove i (corners e)).
+Proof.
+  intros E K. pose proof polygon_accepts as H. unfold check_polygon in H. cbv zeta in H.
+  destruct (check_shape c (mesh_of c) f); [|discriminate]. apply each_pair_accepted in H.
+  destruct H as [L H].
+  destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E) as (k & Ek & Kt & _).
+  assert (Eb : numbered (combine (simplices p2) (marks part2)) u = Some (s, k)).
+  { unfold numbered in *. now apply nth_error_combine. }
+  destruct (numbered_beside _ _ _ _ L Eb) as (ti & Ti). specialize (H u _ ti Eb Ti).
+  unfold check_tile in H. accepted. cbn [fst snd] in Heqb. rewrite <- Kt, K in Heqb. cbn [negb orb] in Heqb.
+  apply andb_prop in Heqb. destruct Heqb as [Hk M]. apply andb_prop in Hk. destruct Hk as [Hk Fl].
+  rewrite (find_simplex (c := c)) in M.
+  destruct (numbered (simplices c) (fst ti)) as [e|] eqn:Ee; [|discriminate].
+  apply andb_prop in M. destruct M as [Fa M]. exists (fst ti), (snd ti), e.
+  split; [now rewrite <- surjective_pairing|].
+  split; [assumption|]. split; [assumption|]. split; [|split].
+  - apply (CertifiedMesh.wall_index space_computes c accepts (fst ti) e); [assumption|].
+    unfold has_facet in Fa. destruct (nth_error (walls e) (snd ti)); discriminate.
+  - intros Kd. now rewrite Kd in Fl.
+  - now apply same_members_spec.
+Qed.
+
+Lemma tile_spec u s : numbered (simplices p2) u = Some s -> kept_at (mark_table part2) u = true ->
+  exists t i e, numbered (simplices c) t = Some e /\ kept_at (mark_table p) t = true /\ (i <= 3)%nat /\
+    (kind = Enclosed -> flagged_at (mark_table p) t i = true) /\
+    forall x, In x (named_above (Table.of_list Datatypes.id (above f)) (corners s)) <->
+      In x (Checker.remove i (corners e)).
+Proof. intros E K. destruct (tile_at u s E K) as (t & i & e & _ & H). eauto. Qed.
+
 Theorem polygon_union : union_of_simplices (part_simplices 3 c p) (polygon_points (polygon_of 3 D f)).
 Proof.
   set (g (s : simplex_entry) :=
@@ -316,7 +341,7 @@ Proof.
       unfold numbered, kept_at. rewrite find_id. unfold numbered. rewrite !SuccNat2Pos.id_succ. cbn [pred].
       now rewrite Is, Ik.
     - intros (u & s & E & K & ->).
-      destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok) u s E) as (k & Ek & Kt & _).
+      destruct (mark_of p2 part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok) u s E) as (k & Ek & Kt & _).
       exists (s, k). split.
       + unfold numbered in E, Ek. apply nth_error_In with (pred (Pos.to_nat u)). now apply nth_error_combine.
       + cbn [fst snd]. rewrite <- Kt, K. now left. }
@@ -324,11 +349,11 @@ Proof.
   - intros x Ix. apply InF in Ix. destruct Ix as (u & s & E & K & ->).
     destruct (tile_spec u s E K) as (t & i & e & Ee & Kt & Hi & _ & M).
     destruct (named_spec u s E) as [_ Sh]. fold (g s) in Sh.
-    destruct (kept_complex oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok)
-      part2 true Enclosed _ (plane_part_accepted _ _ _ plane_ok)) as (Nd & _).
+    destruct (kept_complex oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok)
+      part2 true Enclosed _ (plane_part_accepted _ _ _ flat_ok)) as (Nd & _).
     destruct (Nd (map spot2 (corners s))) as [N2 L2].
-    { apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ plane_ok) part2 true Enclosed _
-      (plane_part_accepted _ _ _ plane_ok)). eauto. }
+    { apply (kept_members oriented2 plane_computes p2 (plane_mesh_accepted _ _ _ flat_ok) part2 true Enclosed _
+      (plane_part_accepted _ _ _ flat_ok)). eauto. }
     split; [|split].
     + apply (NoDup_map_inv sh). now rewrite Sh.
     + intros Z. rewrite Z in Sh. rewrite <- Sh in L2. discriminate.

@@ -38,14 +38,6 @@ Lemma leaving_facet q : filled T q -> leaving (fun _ => True) (filled T) q <->
     conv (map spot (Checker.remove i (corners e))) q.
 Proof.
   intros Fq. destruct (frames_exist Or Co c accepts) as (geo & G).
-  pose proof (certificate_matched Or Co c accepts geo G) as mesh.
-  pose proof (certificate_supporting Or Co c accepts geo G) as sup.
-  pose proof (vertices_in Co c accepts geo G) as ver.
-  pose proof (certificate_covered_once Or Co c accepts geo G) as once.
-  assert (Agree : forall t u, In t (tets c) -> In u (tets c) -> agree (geo t) (geo u)).
-  { intros a b. exact (mesh_face_to_face mesh ver sup Pos.eq_dec once a b). }
-  assert (Diff : forall t u, In t (tets c) -> In u (tets c) -> same (vertices (geo t)) (vertices (geo u)) -> t = u).
-  { intros a b. exact (mesh_simplices_different mesh ver sup Pos.eq_dec once a b). }
   assert (Inner : forall x, in_inner (tets c) geo (kept_at marks_of) x <-> filled T x).
   { intros x. split.
     - intros (t & Ht & K & I). apply in_tets in Ht. destruct Ht as (e & E). exists (map spot (corners e)). split.
@@ -68,8 +60,8 @@ Proof.
         now apply (adjacent_adj Or Co positive_d c accepts geo G).
     - split; [reflexivity|]. intros _. left. apply (outer_on_hull Or Co positive_d c accepts geo G t i Ht Hi).
       unfold on_hull. now rewrite E, W. }
-  pose proof (boundary_facets (tets c) geo (points_of_certificate d c) positive_d Agree Diff
-    (in_V Co c accepts geo G) (covering Or Co c accepts geo G) (kept_at marks_of) q (proj2 (Inner q) Fq)) as B.
+  pose proof (boundary_facets (tets c) geo (points_of_certificate d c) positive_d
+    (certificate_fills Or Co c accepts geo G) (kept_at marks_of) q (proj2 (Inner q) Fq)) as B.
   transitivity (exists r, forall s, 0 < s <= 1 -> ~ in_inner (tets c) geo (kept_at marks_of) (between q r s)).
   { split.
     - intros (r & _ & H). exists r. intros s Hs N. apply (H s Hs). now apply Inner.
@@ -191,19 +183,19 @@ Theorem polygon_boundary q : polygon_points P q -> leaving in_plane (polygon_poi
       polygon_points P x /\ leaving in_plane (polygon_points P) x.
 Proof.
   set (n3 := integer_point 3 (normal f)). set (o3 := unit_of c * IZR (offset f)). set (sh := shadow (axis f)).
-  pose proof (polygon_seen kind c p f polygon_accepts) as Seen.
+  pose proof (shape_ok kind c p f polygon_accepts) as shape. pose proof (polygon_seen c f shape) as Seen.
   assert (At : forall x, flat n3 o3 x -> polygon_points P x <-> filled (part_simplices 2 (plane_mesh f) (plane_part f)) (sh x)).
-  { intros x X. exact (polygon_at kind c p accepts D of_D f polygon_accepts x X). }
+  { intros x X. exact (polygon_at c (spots_known c accepts) D of_D f shape x X). }
   pose proof (polygon_is_flat c D of_D f) as Fl.
   intros Pq (r & Hr & Away). apply in_plane_flat in Hr. pose proof (Fl q Pq) as Fq.
-  destruct (plane_boundary (plane_mesh f) (plane_part f) sides (plane_ok kind c p f polygon_accepts) sides_accept (sh q))
+  destruct (plane_boundary (plane_mesh f) (plane_part f) sides (plane_ok c f shape) sides_accept (sh q))
     as (n & s & E & C & H).
   { now apply At. }
   { exists (sh r). split; [exact Logic.I|]. intros s Hs N. apply (Away s Hs). apply At; [now apply flat_between|].
     unfold sh in *. now rewrite shadow_between. }
   assert (Rs : forall x, conv [up (from s); up (last_reached s)] x <->
     flat n3 o3 x /\ conv [fst (segment_ends 2 (plane_mesh f) s); snd (segment_ends 2 (plane_mesh f) s)] (sh x)).
-  { apply (rim_segment kind c p accepts f polygon_accepts s). now apply numbered_in with n. }
+  { apply (rim_segment c (spots_known c accepts) f shape s). now apply numbered_in with n. }
   exists n, s. split; [assumption|]. split; [now apply Rs|]. intros x Cx. apply Rs in Cx. destruct Cx as [Fx Cx].
   destruct (H (sh x) Cx) as [Px (r2 & _ & Away2)]. split; [now apply At|].
   exists (raised (axis f) n3 o3 r2). assert (Fr : flat n3 o3 (raised (axis f) n3 o3 r2)) by now apply raised_flat.

@@ -16,6 +16,7 @@ import sys
 from fractions import Fraction
 
 import domains
+import impossible
 from honest import certificate, text as mesh_text
 
 
@@ -301,7 +302,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     for name, content, answer in itertools.chain(
             ((name, text(c), answer) for name, c, answer in files()), refutations(),
-            domains.refutations_of_domains(), malformed()):
+            domains.refutations_of_domains(), impossible.files(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -1,14 +1,16 @@
 (* circumspect-verified FILE: checks a certificate or a refutation, prints one line.
    circumspect-verified FILE MESH.node MESH.ele [DOMAIN.poly]: the same, and whether the mesh, and the domain, is that
    of these files.
+   circumspect-verified FILE DOMAIN.poly: the same, and whether the domain is that of this file.
    circumspect-verified --mesh FILE: prints the mesh that the file is about, and checks nothing.
    Exit: 0 verified, 1 rejected, 2 usage, 3 malformed or unreadable; anything else (5: nobody could be
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified FILE [[--coordinates decimal] MESH.node MESH.ele [DOMAIN.poly]]\n\
+let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
-FILE is a certificate or a refutation that `circumspect certify` wrote; `-` is standard input.\n\
+FILE is a certificate or a refutation that `circumspect certify` wrote, or a proof that a domain has no\n\
+triangulation, which `circumspect inspect DOMAIN --refutations PREFIX` writes; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
 the simplices in their order; and whether the domain is: its vertices by their exact coordinates, its segments,\n\
 polygons and hole points. Decimals mean the nearest double, unless they are taken at their word.\n\
@@ -47,6 +49,8 @@ let condition = function
   | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
   | Face_held -> "face-held" | Segment_in_polygon -> "segment-in-polygon"
   | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
+  | Vertices_listed -> "vertices-listed" | Fate_shown -> "fate-shown"
+  | Reason_shown -> "reason-shown" | Clauses_refuted -> "clauses-refuted"
 
 let place =
   let n = string_of_int in
@@ -59,6 +63,8 @@ let place =
   | AtSegment k -> ", segment " ^ n k
   | AtHole k -> ", hole " ^ n k
   | AtPolygon k -> ", polygon " ^ n k
+  | AtCandidate k -> ", candidate " ^ n k
+  | AtReason k -> ", clause " ^ n k
   | AtRidge (h, a) -> Printf.sprintf ", hull facet %s, ridge %d" (n h) (Reading.of_natural a)
 
 let claims = List.map (fun claim -> (claim_name claim, claim)) [ Triangulation; Delaunay; WeightedDelaunay ]
@@ -116,6 +122,18 @@ let certificate (c : Reading.context) space claimed standing =
       | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
   { mesh; compare_domain = None; verdict }
 
+(* Which kind a domain is, and how much it has of what. *)
+let described (c : domain_certificate) ~is_complex =
+  let part = c.domain_part in
+  let vertices = List.length (List.filter (function Corner _ -> true | Steiner _ -> false) part.roles) in
+  let some n one several = if n = 0 then "" else ", " ^ counted n one several in
+  Printf.sprintf "domain: %s, %s%s%s%s%s" (fst (List.find (fun (_, k) -> k = c.kind) kinds))
+    (if is_complex then "plc, " else "")
+    (counted vertices "vertex" "vertices")
+    (some (List.length part.segments) "segment" "segments")
+    (some (List.length c.polygons) "polygon" "polygons")
+    (some (List.length part.holes) "hole" "holes")
+
 (* The mesh is that of the kept simplices. *)
 let domain (c : Reading.context) space claimed kind ~is_complex =
   let certificate, complex, labels = Domain_file.read c claimed kind ~is_complex in
@@ -135,17 +153,23 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
   let verdict () = match checked () with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
-      let vertices = List.length (List.filter (function Corner _ -> true | Steiner _ -> false) part.roles) in
-      let some n one several = if n = 0 then "" else ", " ^ counted n one several in
-      (Printf.sprintf "verified: %s, %s; domain: %s, %s%s%s%s%s" (domain_claim_name claimed)
-         (counts c.d (List.length whole.points) (List.length simplices))
-         (fst (List.find (fun (_, k) -> k = kind) kinds))
-         (if is_complex then "plc, " else "")
-         (counted vertices "vertex" "vertices")
-         (some (List.length part.segments) "segment" "segments")
-         (some (List.length certificate.polygons) "polygon" "polygons")
-         (some (List.length part.holes) "hole" "holes"), 0) in
+      (Printf.sprintf "verified: %s, %s; %s" (domain_claim_name claimed)
+         (counts c.d (List.length whole.points) (List.length simplices)) (described certificate ~is_complex), 0) in
   { mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
+
+(* There is no mesh: the points are the vertices. *)
+let impossibility (c : Reading.context) kind =
+  let impossibility = Impossibility_file.read c kind in
+  let about = impossibility.about in
+  let whole = about.whole_mesh in
+  let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
+  let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
+               labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites; simplices = [] } in
+  let verdict () = match check_impossible impossibility with
+    | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | Accepted ->
+      ("verified: no triangulation without Steiner points; " ^ described about ~is_complex:false, 0) in
+  { mesh; compare_domain = Some (Users_domain.compare_domain mesh about); verdict }
 
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
@@ -176,7 +200,7 @@ let domain_refutation (c : Reading.context) space claimed rule =
   { mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE' or 'circumspect-impossibility 1 plc-triangulation 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
@@ -197,11 +221,14 @@ let content source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
+  | [ "circumspect-impossibility"; "1"; "plc-triangulation"; "3"; kind ] when List.mem_assoc kind kinds ->
+    let c, _, _ = context source domain_claims "plc-triangulation" "3" in
+    impossibility c (List.assoc kind kinds)
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
 (* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
    line if it is another. *)
-let of_users_files ~exactly node ele poly content =
+let of_users_files ~exactly mesh poly content =
   let compared what name compare =
     match compare (Text.of_string (read_file name)) with
     | result -> Ok result
@@ -220,13 +247,17 @@ let of_users_files ~exactly node ele poly content =
       compared "domain" name (compare_domain points_elsewhere ~exactly) in
   let ( let* ) = Result.bind in
   let same =
-    let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in
-    let* () = compared "mesh" ele (Users_mesh.compare_simplices content.mesh number_of) in
+    let* () = match mesh with
+      | None -> Ok ()
+      | Some (node, ele) ->
+        let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in
+        compared "mesh" ele (Users_mesh.compare_simplices content.mesh number_of) in
     Option.fold ~none:(Ok ()) ~some:of_domain poly in
   match same, content.verdict () with
   | Error answer, (_, 0) -> answer
   | Ok (), (line, 0) ->
-    let names = List.map String.escaped (node :: ele :: Option.to_list poly) in
+    let of_mesh = match mesh with Some (node, ele) -> [ node; ele ] | None -> [] in
+    let names = List.map String.escaped (of_mesh @ Option.to_list poly) in
     (Printf.sprintf "%s: %s" line (String.concat " " names), 0)
   | _, answer -> answer
 
@@ -237,11 +268,15 @@ let () =
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print content.mesh; exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
-    | [ name; "--coordinates"; "decimal"; node; ele ] -> (of_users_files ~exactly:true node ele None, name)
-    | [ name; "--coordinates"; "decimal"; node; ele; poly ] ->
-      (of_users_files ~exactly:true node ele (Some poly), name)
-    | [ name; node; ele ] -> (of_users_files ~exactly:false node ele None, name)
-    | [ name; node; ele; poly ] -> (of_users_files ~exactly:false node ele (Some poly), name)
+    | name :: files ->
+      let exactly, files = match files with
+        | "--coordinates" :: "decimal" :: files -> (true, files)
+        | files -> (false, files) in
+      (match files with
+       | [ poly ] -> (of_users_files ~exactly None (Some poly), name)
+       | [ node; ele ] -> (of_users_files ~exactly (Some (node, ele)) None, name)
+       | [ node; ele; poly ] -> (of_users_files ~exactly (Some (node, ele)) (Some poly), name)
+       | _ -> prerr_endline usage; exit 2)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in
   let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in

@@ -112,6 +112,22 @@ Proof.
     apply eq_IZR. rewrite !mult_IZR, Dx, E. ring.
 Qed.
 
+Lemma on_segment_different a b q w : on_segment (times w a) (times w b) q = true -> coordinates a <> coordinates b.
+Proof.
+  intros On E. unfold on_segment, times in On. cbv zeta in On. cbn [coordinates] in On. rewrite E in On.
+  repeat (apply andb_prop in On; destruct On as [On _]). apply Z.ltb_lt in On.
+  assert (Z : forall l, inner_product (differences l l) (differences l l) = 0%Z).
+  { induction l as [|x l IH]; [reflexivity|]. cbn. rewrite IH. lia. }
+  rewrite Z in On. lia.
+Qed.
+Lemma times_place d r w x : (0 < w)%Z -> well_shaped d x ->
+  well_shaped d (times w x) /\ @place_of d (r / IZR w) (times w x) = place_of r x.
+Proof.
+  intros Pw Sx. apply IZR_lt in Pw. split; [unfold well_shaped, times in *; cbn; now rewrite map_length|].
+  unfold place_of, times. cbn [coordinates]. rewrite (KeptCells.integer_multiple d w _ Sx), scale_scale.
+  f_equal. field. lra.
+Qed.
+
 (** ** The evidence shows the rule *)
 
 Section Shown.
@@ -182,19 +198,10 @@ Proof.
     unfold shaped in Sq. apply Nat.eqb_eq in Sq. rewrite (dimension_d (M r Pr)) in Sq.
     apply Z.ltb_lt in Pw. pose proof (IZR_lt _ _ Pw) as PwR.
     assert (Times : forall x, well_shaped d x -> well_shaped d (times w x) /\
-      @place_of d (r / IZR w) (times w x) = place_of r x).
-    { intros x Sx. split; [unfold well_shaped, times in *; cbn; now rewrite map_length|].
-      unfold place_of, times. cbn [coordinates]. rewrite (KeptCells.integer_multiple d w _ Sx), scale_scale.
-      f_equal. field. lra. }
+      @place_of d (r / IZR w) (times w x) = place_of r x) by (intros; now apply times_place).
     destruct (Times a Sa) as [Sta Ta]. destruct (Times b Sb) as [Stb Tb].
     destruct (on_segment_between d (r / IZR w) _ _ q Sta Stb Sq On) as [Ht Eq]. rewrite Ta, Tb in Eq.
-    assert (Ne : coordinates a <> coordinates b).
-    { intros E. unfold on_segment in On. cbv zeta in On. unfold times in On. cbn [coordinates] in On.
-      rewrite E in On. apply andb_true_iff in On. destruct On as [On _].
-      apply andb_true_iff in On. destruct On as [On _]. apply andb_true_iff in On. destruct On as [On _].
-      apply Z.ltb_lt in On. assert (Z : forall l, inner_product (differences l l) (differences l l) = 0%Z).
-      { induction l as [|x l IH]; [reflexivity|]. cbn. rewrite IH. lia. }
-      rewrite Z in On. lia. }
+    assert (Ne := on_segment_different a b q w On).
     exists (place_of r a), (place_of r b), (@place_over d r q w). split; [|split].
     + apply (segments_described i j); [now apply numbered_in with k| |]; [now rewrite Ea|now rewrite Eb].
     + apply conv_two. exists (ratio (times w a) (times w b) q). split; [assumption|exact Eq].

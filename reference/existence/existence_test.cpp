@@ -1,6 +1,8 @@
 // Formulas, their refutations, and complexes that have a triangulation or none.
 #include "reference/existence/existence.hpp"
 
+#include <set>
+
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
@@ -86,6 +88,30 @@ TEST_CASE("solver: pigeons in holes, with a proof that the replay accepts") {
   const auto read = read_refutation(to_text(proof));
   REQUIRE(read.has_value());
   CHECK(replay(crowd, *read).has_value());
+}
+
+TEST_CASE("proofs with hints: each clause becomes unit in its turn, and the last one false") {
+  const Formula crowd = pigeons_in_holes(6, 5);
+  const auto refuted = solve(crowd);
+  const Refutation& proof = std::get<Refuted>(refuted).refutation;
+  const auto steps = with_hints(crowd, proof);
+  REQUIRE(steps.has_value());
+  REQUIRE(steps->back().clause.empty());
+  std::vector<Clause> clauses = crowd.clauses;
+  for (const HintedStep& step : *steps) {
+    std::set<Literal> is_false(step.clause.begin(), step.clause.end());
+    for (std::size_t i = 0; i < step.hints.size(); ++i) {
+      REQUIRE(step.hints[i] < clauses.size());
+      Clause open = clauses[step.hints[i]];
+      std::erase_if(open, [&](Literal literal) { return is_false.contains(literal); });
+      REQUIRE(open.size() == (i + 1 < step.hints.size() ? 1 : 0));
+      if (!open.empty()) is_false.insert(-open.front());
+    }
+    clauses.push_back(step.clause);
+  }
+  CHECK_FALSE(with_hints(pigeons_in_holes(5, 5), proof).has_value());
+  CHECK_FALSE(with_hints({1, {{1}}}, {}).has_value());
+  CHECK(with_hints({1, {{1}, {}}}, {})->back().hints == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("solver: a limit on conflicts leaves it undecided") {

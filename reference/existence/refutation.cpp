@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace circumspect::existence {
 
@@ -26,8 +27,11 @@ namespace {
 // is false, the clause cannot have become unit. M. Moskewicz et al., Chaff, DAC 2001.
 class UnitPropagation {
  public:
+  static constexpr std::size_t kAssumed = std::numeric_limits<std::size_t>::max();
+
   explicit UnitPropagation(int variables) {
     values_.resize(static_cast<std::size_t>(variables) + 1, 0);
+    causes_.resize(values_.size(), kAssumed);
     watched_.resize(2 * values_.size());
   }
 
@@ -38,8 +42,8 @@ class UnitPropagation {
     for (const Literal literal : clause) cover(literal);
     const std::size_t number = clauses_.size();
     numbers_[clause].push_back(number);
-    if (clause.empty()) has_empty_ = true;
-    if (clause.size() == 1) units_.push_back(clause.front());
+    if (clause.empty() && !empty_) empty_ = number;
+    if (clause.size() == 1) units_.push_back(number);
     for (std::size_t i = 0; clause.size() > 1 && i < 2; ++i) watches(clause[i]).push_back(number);
     clauses_.push_back(std::move(clause));
   }
@@ -56,16 +60,22 @@ class UnitPropagation {
 
   // Does assuming the literals false make some clause false, by unit propagation alone?
   bool refutes(const Clause& literals) {
-    bool conflict = has_empty_;
-    for (const Literal literal : literals) conflict = conflict || !assign(-literal);
-    for (const Literal unit : units_) conflict = conflict || !assign(unit);
+    conflict_ = empty_;
+    bool conflict = empty_.has_value();
+    for (const Literal literal : literals) conflict = conflict || !assign(-literal, kAssumed);
+    for (const std::size_t unit : units_) conflict = conflict || !assign(clauses_[unit][0], unit);
     for (std::size_t next = 0; !conflict && next < trail_.size(); ++next) {
       conflict = !propagate(-trail_[next]);
     }
+    antecedents_.clear();
+    if (conflict && conflict_) find_antecedents();
     for (const Literal literal : trail_) values_[index(literal)] = 0;
     trail_.clear();
     return conflict;
   }
+
+  // After `refutes`: the clauses that become unit in turn, by their numbers, and the one that becomes false.
+  const std::vector<std::size_t>& antecedents() const { return antecedents_; }
 
  private:
   static std::size_t index(Literal literal) { return static_cast<std::size_t>(std::abs(literal)); }
@@ -78,18 +88,37 @@ class UnitPropagation {
   void cover(Literal literal) {
     if (index(literal) < values_.size()) return;
     values_.resize(index(literal) + 1, 0);
+    causes_.resize(values_.size(), kAssumed);
     watched_.resize(2 * values_.size());
   }
 
-  // Makes a literal true; false if it is false already.
-  bool assign(Literal literal) {
+  // Makes a literal true, for a clause says so; false if it is false already.
+  bool assign(Literal literal, std::size_t clause) {
     cover(literal);
-    if (value(literal) < 0) return false;
+    if (value(literal) < 0) {
+      if (clause != kAssumed) conflict_ = clause;
+      return false;
+    }
     if (value(literal) == 0) {
       values_[index(literal)] = literal < 0 ? -1 : 1;
+      causes_[index(literal)] = clause;
       trail_.push_back(literal);
     }
     return true;
+  }
+
+  // From the clause that became false backwards.
+  void find_antecedents() {
+    std::set<std::size_t> needed;  // variables
+    for (const Literal literal : clauses_[*conflict_]) needed.insert(index(literal));
+    antecedents_ = {*conflict_};
+    for (auto literal = trail_.rbegin(); literal != trail_.rend(); ++literal) {
+      const std::size_t cause = causes_[index(*literal)];
+      if (cause == kAssumed || !needed.contains(index(*literal))) continue;
+      antecedents_.push_back(cause);
+      for (const Literal other : clauses_[cause]) needed.insert(index(other));
+    }
+    std::reverse(antecedents_.begin(), antecedents_.end());
   }
 
   // A literal has become false: looks after the clauses that watch it. False on a conflict.
@@ -108,7 +137,7 @@ class UnitPropagation {
         continue;
       }
       list[kept++] = list[i];
-      if (value(clause[0]) > 0 || assign(clause[0])) continue;
+      if (value(clause[0]) > 0 || assign(clause[0], list[i])) continue;
       for (++i; i < list.size(); ++i) list[kept++] = list[i];
       list.resize(kept);
       return false;
@@ -122,8 +151,11 @@ class UnitPropagation {
   std::vector<Clause> clauses_;                         // the watched literals first
   std::map<Clause, std::vector<std::size_t>> numbers_;  // where a clause, sorted, stands
   std::vector<std::vector<std::size_t>> watched_;       // by literal
-  std::vector<Literal> units_;
-  bool has_empty_ = false;
+  std::vector<std::size_t> units_;                      // clauses of one literal
+  std::optional<std::size_t> empty_;                    // a clause of none
+  std::vector<std::size_t> causes_;      // by variable: the clause that made it true or false
+  std::optional<std::size_t> conflict_;  // the clause that became false
+  std::vector<std::size_t> antecedents_;
 };
 
 // The number that ends at a space or at the end, moved past; nothing if there is none.
@@ -205,6 +237,29 @@ tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& 
   }
   if (propagation.refutes({})) return {};
   return tl::make_unexpected(ProofFault{refutation.size()});
+}
+
+std::optional<std::vector<HintedStep>> with_hints(const Formula& formula,
+                                                  const Refutation& refutation) {
+  UnitPropagation propagation(formula.variables);
+  for (const Clause& clause : formula.clauses) propagation.add(clause);
+  std::vector<HintedStep> steps;
+  const auto follows = [&](const Clause& clause) {
+    if (!propagation.refutes(clause) || propagation.antecedents().empty()) return false;
+    steps.push_back({clause, propagation.antecedents()});
+    return true;
+  };
+  for (const ProofStep& step : refutation) {
+    if (step.deletes) {
+      propagation.remove(step.clause);
+      continue;
+    }
+    if (!follows(step.clause)) return std::nullopt;
+    if (step.clause.empty()) return steps;
+    propagation.add(step.clause);
+  }
+  if (!follows({})) return std::nullopt;
+  return steps;
 }
 
 // ---- DIMACS ----

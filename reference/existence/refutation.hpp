@@ -1,6 +1,7 @@
 // Formulas, proofs that one is false whatever the variables, and the files of both.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,6 +71,17 @@ struct ProofFault {
 // propagation is forced; so when the empty clause passes, as a step or after the last one, nothing satisfies the formula. Deletions
 // only save time; one of a clause that is not there is ignored.
 tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation);
+
+// A step with the clauses that become unit in turn if its literals are false, and at last the one that becomes
+// false: by their numbers from 0, the formula's before the steps'.
+struct HintedStep {
+  Clause clause;
+  std::vector<std::size_t> hints;
+};
+// A proof so that nothing has to be searched when it is replayed; its last step is the empty clause. Nothing if it
+// does not replay.
+std::optional<std::vector<HintedStep>> with_hints(const Formula& formula,
+                                                  const Refutation& refutation);
 
 // ---- DIMACS ----
 // Formulas as files: DIMACS, the format of SAT solvers.

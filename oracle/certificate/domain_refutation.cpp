@@ -1,0 +1,222 @@
+// Refutations of claims about domains.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "oracle/certificate/document.hpp"
+#include "oracle/certificate/domain_certificate.hpp"
+#include "oracle/certificate/evidence.hpp"
+#include "oracle/certificate/lines.hpp"
+
+namespace circumspect::certificate {
+namespace {
+
+// Which of the rules of meshes refute a claim about a domain.
+bool refutes(Rule rule, Claim claim) {
+  switch (rule) {
+    case Rule::kWrongDimension:
+    case Rule::kUnknownVertex:
+    case Rule::kRepeatedVertex:
+    case Rule::kDegenerateSimplex:
+    case Rule::kDuplicateSimplex:
+    case Rule::kOverlap:
+    case Rule::kCoveredTwice:
+      return true;
+    case Rule::kFacetNotLocal:
+      return claim == Claim::kConformingDelaunay;
+    default:
+      return false;
+  }
+}
+
+// Is a triangle or an edge listed that is a face of no simplex with more vertices?
+bool something_dangles(const ExactMesh& mesh) {
+  std::set<Simplex> listed;
+  for (const Simplex& face : mesh.faces) listed.insert(sorted(face));
+  for (const Simplex& simplex : mesh.simplices) {
+    if (simplex.size() > 4) continue;
+    for (unsigned subset = 1; subset < 1U << simplex.size() && !listed.empty(); ++subset) {
+      Simplex face;
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        if ((subset >> i & 1U) != 0) face.push_back(simplex[i]);
+      }
+      listed.erase(sorted(face));
+    }
+  }
+  return !listed.empty();
+}
+
+class Finder {
+ public:
+  Finder(const ExactMesh& mesh, const Domain& domain, const ScaledPoints& points,
+         const std::vector<Vertex>& vertices)
+      : mesh_(mesh), complex_(domain.complex), points_(points), vertices_(vertices) {
+    for (const Point& point : complex_.points.points()) given_.insert(point);
+    for (const Simplex& simplex : mesh.simplices) {
+      for (const Vertex v : simplex) {
+        if (mesh.points.names(v)) used_.emplace(mesh.points[v], v);
+      }
+    }
+  }
+
+  std::optional<Evidence> vertex_missing() const {
+    for (Vertex v = 0; complex_.points.names(v); ++v) {
+      if (!used_.contains(complex_.points[v]))
+        return Evidence{Rule::kDomainVertexMissing, {Integer(v) + 1}};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Evidence> steiner_forbidden() const {
+    for (std::size_t s = 0; s < mesh_.simplices.size(); ++s) {
+      const Simplex& simplex = mesh_.simplices[s];
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        if (!mesh_.points.names(simplex[i]) || given_.contains(mesh_.points[simplex[i]])) continue;
+        return Evidence{Rule::kSteinerForbidden, {Integer(s) + 1, Integer(i)}};
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The midpoint of two vertices of the mesh that follow on each other on the segment and are no edge.
+  std::optional<Evidence> segment_missing() const {
+    std::set<Simplex> edges;
+    for (const Simplex& simplex : mesh_.simplices) {
+      if (simplex.size() > 4) return std::nullopt;
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+          edges.insert(sorted({simplex[i], simplex[j]}));
+        }
+      }
+    }
+    for (std::size_t s = 0; s < complex_.segments.size(); ++s) {
+      const std::vector<Vertex> along = places_along(complex_.segments[s]);
+      for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+        if (edges.contains(sorted({along[i], along[i + 1]}))) continue;
+        Evidence evidence{Rule::kSegmentMissing, {Integer(s) + 1}};
+        for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+          evidence.because.push_back(points_.coordinate(along[i], axis) +
+                                     points_.coordinate(along[i + 1], axis));
+        }
+        evidence.because.push_back(2);
+        return evidence;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // The ends and the vertices of the mesh between them, by their places among all points.
+  std::vector<Vertex> places_along(const Simplex& segment) const {
+    const Vertex a = vertices_[static_cast<std::size_t>(segment[0])];
+    const Vertex b = vertices_[static_cast<std::size_t>(segment[1])];
+    const auto difference = [&](Vertex v, std::size_t axis) {
+      return Integer(points_.coordinate(v, axis) - points_.coordinate(a, axis));
+    };
+    const auto along = [&](Vertex v) {
+      Integer product = 0;
+      for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+        product += difference(v, axis) * difference(b, axis);
+      }
+      return product;
+    };
+    const Integer length = along(b);
+    std::map<Integer, Vertex> places{{Integer(0), a}, {length, b}};
+    for (const auto& [point, v] : used_) {
+      const Integer t = along(v);
+      if (sgn(t) <= 0 || t >= length) continue;
+      bool is_on = true;
+      for (std::size_t axis = 0; is_on && axis < points_.dimension; ++axis) {
+        is_on = length * difference(v, axis) == t * difference(b, axis);
+      }
+      if (is_on) places.emplace(t, v);
+    }
+    std::vector<Vertex> vertices;
+    for (const auto& [t, v] : places) vertices.push_back(v);
+    return vertices;
+  }
+
+  const ExactMesh& mesh_;
+  const PiecewiseLinearComplex& complex_;
+  const ScaledPoints& points_;
+  const std::vector<Vertex>& vertices_;
+  std::set<Point> given_;
+  std::map<Point, Vertex> used_;
+};
+
+std::optional<Evidence> evidence_in(const ExactMesh& mesh, const Domain& domain,
+                                    const Verdict& verdict, const ScaledPoints& points,
+                                    const std::vector<Vertex>& vertices) {
+  const Finder finder(mesh, domain, points, vertices);
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    std::optional<Evidence> found;
+    if (rule == Rule::kDomainVertexMissing) found = finder.vertex_missing();
+    if (rule == Rule::kSteinerForbidden) found = finder.steiner_forbidden();
+    if (rule == Rule::kSegmentMissing) found = finder.segment_missing();
+    if (refutes(rule, verdict.claim())) found = evidence_for(mesh, verdict, points, rule);
+    if (found) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
+                                                                 const Domain& domain,
+                                                                 const Verdict& verdict) {
+  if (something_dangles(mesh)) {
+    return tl::unexpected(
+        std::string("there is no refutation of this mesh: a triangle or an edge dangles, and a "
+                    "refutation knows only the simplices of full dimension"));
+  }
+  // Each point once: most vertices of the domain are points of the mesh.
+  std::vector<Point> all = mesh.points.points();
+  std::map<Point, Vertex> place_of;
+  for (std::size_t i = 0; i < all.size(); ++i) place_of.emplace(all[i], static_cast<Vertex>(i));
+  std::vector<Vertex> vertices;
+  for (const Point& vertex : domain.complex.points.points()) {
+    const auto [place, is_new] = place_of.emplace(vertex, static_cast<Vertex>(all.size()));
+    if (is_new) all.push_back(vertex);
+    vertices.push_back(place->second);
+  }
+  auto points = scaled_to_integers(PointSet(std::move(all)));
+  if (!points) return tl::unexpected(points.error());
+  auto evidence = evidence_in(mesh, domain, verdict, *points, vertices);
+  if (!evidence) {
+    return tl::unexpected(fmt::format(
+        "there is no refutation of this mesh: {} is broken, and a refutation of a claim about "
+        "a domain shows that a vertex or a segment is missing, that a vertex is none of the "
+        "domain, or that the simplices are no complex",
+        identifier(verdict.tallies().begin()->first)));
+  }
+  const std::vector<std::size_t>& basis = mesh.points.configuration().hull().basis;
+  if (basis.size() != points->dimension + 1) {
+    return tl::unexpected(std::string(
+        "there is no refutation of this mesh: its points do not span the plane or space"));
+  }
+  return DomainRefutation{
+      Refutation{verdict.claim(), evidence->rule, std::move(evidence->because), basis},
+      std::move(*points), std::move(vertices), domain.complex.segments};
+}
+
+void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation) {
+  Lines lines(out);
+  write_mesh(lines, mesh, refutation.points, refutation.refutation);
+  lines << "vertices" << refutation.vertices.size();
+  lines.end_line();
+  for (const Vertex v : refutation.vertices) {
+    write_point(lines, refutation.points, v, false);
+    lines.end_line();
+  }
+  lines << "segments" << refutation.segments.size();
+  lines.end_line();
+  for (const Simplex& segment : refutation.segments) {
+    lines << segment[0] + 1 << segment[1] + 1;
+    lines.end_line();
+  }
+  write_because(lines, refutation.refutation);
+}
+
+}  // namespace circumspect::certificate

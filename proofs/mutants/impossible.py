@@ -1,0 +1,147 @@
+"""A domain that has no triangulation, and what does not show it: two diagonals of an octahedron that cross."""
+
+import copy
+import itertools
+from fractions import Fraction
+
+POINTS = [(2, 0, 0), (-2, 0, 0), (0, 2, 0), (0, -2, 0), (0, 0, 2), (0, 0, -2), (3, 3, 3), (4, 1, 1)]
+SEGMENTS = [(0, 1), (2, 3)]
+CANDIDATES = list(itertools.combinations(range(len(POINTS)), 4))
+
+
+def determinant(u, v, w):
+    return sum(u[i] * (v[(i + 1) % 3] * w[(i + 2) % 3] - v[(i + 2) % 3] * w[(i + 1) % 3]) for i in range(3))
+
+
+def orientation(a, b, c, d):
+    return determinant(*[[x - y for x, y in zip(p, d)] for p in (a, b, c)])
+
+
+def barycentric(simplex, q):
+    """The coordinates of q in a tetrahedron of points that is not flat."""
+    corners = [POINTS[v] for v in simplex]
+    whole = orientation(*corners)
+    return [Fraction(orientation(*corners[:i], q, *corners[i + 1:]), whole) for i in range(4)]
+
+
+def carrier(simplex, q):
+    """The vertices with positive coordinates; nothing if q is not in the tetrahedron."""
+    weights = barycentric(simplex, q)
+    return {v for v, x in zip(simplex, weights) if x > 0} if min(weights) >= 0 else set()
+
+
+def fate(simplex):
+    if orientation(*[POINTS[v] for v in simplex]) == 0:
+        return "flat"
+    for v, point in enumerate(POINTS):
+        if carrier(simplex, point) - {v}:
+            return "vertex %d" % (v + 1)
+    for number, segment in enumerate(SEGMENTS, 1):  # both have the origin in the middle
+        if carrier(simplex, (0, 0, 0)) - set(segment):
+            return "segment %d 0 0 0 1" % number
+    return "free"
+
+
+FATES = [fate(simplex) for simplex in CANDIDATES]
+FREE = [k for k, word in enumerate(FATES) if word == "free"]
+ORIGIN = "covers segment 1 0 0 0 1"
+
+
+def number(vertices):
+    return CANDIDATES.index(tuple(sorted(vertices))) + 1
+
+
+def centre(vertices):
+    """As the tokens of a line."""
+    return " ".join(str(sum(POINTS[v][axis] for v in vertices)) for axis in range(3)) + " %d" % len(vertices)
+
+
+def overlap():
+    """Two candidates that may be chosen, one with the centre of a face of the other."""
+    for k, n in itertools.permutations(FREE, 2):
+        for size in (2, 3, 4):
+            for face in itertools.combinations(CANDIDATES[k], size):
+                q = [Fraction(sum(POINTS[v][axis] for v in face), size) for axis in range(3)]
+                if carrier(CANDIDATES[n], q) not in (set(), set(face)):
+                    return "not-both %d %d %s" % (k + 1, n + 1, centre(face))
+    raise AssertionError("no candidates overlap")
+
+
+def beyond(simplex, place):
+    """The vertices strictly beyond a facet."""
+    return [v for v, p in enumerate(POINTS) if barycentric(simplex, p)[place] < 0]
+
+
+def beside(k, place):
+    simplex = CANDIDATES[k]
+    facet = simplex[:place] + simplex[place + 1:]
+    others = [number(facet + (v,)) for v in beyond(simplex, place)]
+    return " ".join(map(str, ["beside", k + 1, place, centre(facet), *others]))
+
+
+# A facet inside the hull, behind which there is nothing that may be chosen; and one on the hull.
+INNER = next((k, i) for k in FREE for i in range(4) if beyond(CANDIDATES[k], i) and not any(
+    FATES[number(set(CANDIDATES[k]) - {CANDIDATES[k][i]} | {v}) - 1] == "free" for v in beyond(CANDIDATES[k], i)))
+OUTER = next((k, i) for k in FREE for i in range(4) if not beyond(CANDIDATES[k], i))
+
+SOUND = {"scale": "1 2", "segments": SEGMENTS, "holes": [], "candidates": FATES,
+         "clauses": [beside(*INNER), "covers vertex 7", overlap(), ORIGIN],
+         "steps": ["-%d 0 1" % (INNER[0] + 1), "0 4"]}
+
+
+def text(c):
+    lines = ["circumspect-impossibility 1 plc-triangulation 3 hull", "scale " + c["scale"],
+             "vertices %d" % len(POINTS), *(" ".join(map(str, p)) for p in POINTS),
+             "segments %d" % len(c["segments"]), *("%d %d" % (a + 1, b + 1) for a, b in c["segments"]),
+             "holes %d" % len(c["holes"]), *c["holes"], "polygons 0"]
+    for section in ("candidates", "clauses", "steps"):
+        lines += ["%s %d" % (section, len(c[section])), *c[section]]
+    return "\n".join(lines + ["end"]) + "\n"
+
+
+def files():
+    yield "sound--impossible", text(SOUND), \
+        "verified: no triangulation without Steiner points; domain: hull, 8 vertices, 2 segments"
+
+    def mutant(name, section, place, line, answer):
+        c = copy.deepcopy(SOUND)
+        if place is None:
+            c[section] = line
+        else:
+            c[section][place] = line
+        return name, text(c), "rejected: " + answer
+
+    flat = FATES.index("flat")
+    free = FREE[0]
+    pierced = next(k for k, word in enumerate(FATES) if word.startswith("segment"))
+    for why, k, line in [
+            ("not-flat", free, "flat"), ("flat", flat, "free"), ("a-vertex-elsewhere", free, "segment 1 0 0 0 1"),
+            ("its-own-vertex", free, "vertex %d" % (CANDIDATES[free][0] + 1)),
+            ("its-own-edge", number((0, 1, 2, 4)) - 1, "segment 1 0 0 0 1"),
+            ("off-the-segment", pierced, "segment 1 0 0 1 1"), ("no-segment", pierced, "segment 3 0 0 0 1"),
+            ("no-point", pierced, "segment 1 0 0 0 0"), ("no-piece", pierced, "piece 1 1 0 0 0 1")]:
+        yield mutant("fate-shown--" + why, "candidates", k, line, "fate-shown, candidate %d" % (k + 1))
+    both = SOUND["clauses"][2].split()
+    shared = next(v for v in CANDIDATES[int(both[1]) - 1] if v in CANDIDATES[int(both[2]) - 1])
+    for why, place, line in [
+            ("a-shared-vertex", 2, " ".join(both[:3]) + " %d %d %d 1" % POINTS[shared]),
+            ("not-free", 2, "not-both %d %d %s" % (pierced + 1, pierced + 1, " ".join(both[3:]))),
+            ("the-same", 2, " ".join([both[0], both[1], both[1], *both[3:]])),
+            ("on-the-hull", 0, beside(*OUTER)),
+            ("no-neighbour", 0, SOUND["clauses"][0].rsplit(" ", 1)[0]),
+            ("no-facet", 0, SOUND["clauses"][0].replace(" %d " % INNER[1], " 4 ", 1)),
+            ("off-the-facet", 0, "beside %d %d %d %d %d 1 %s" % (
+                INNER[0] + 1, INNER[1], *POINTS[0], " ".join(SOUND["clauses"][0].split()[7:]))),
+            ("no-such-segment", 3, "covers segment 3 0 0 0 1"), ("no-such-vertex", 1, "covers vertex 9"),
+            ("off-the-segment", 3, "covers segment 1 0 0 1 1")]:
+        yield mutant("reason-shown--" + why, "clauses", place, line, "reason-shown, clause %d" % (place + 1))
+    for why, steps in [("no-steps", []), ("not-empty", SOUND["steps"][:1]), ("another-clause", ["0 1"]),
+                       ("not-unit", ["0 2 4"]), ("a-later-clause", ["0 5"]), ("no-hints", ["0"]),
+                       ("no-such-clause", ["0 9"])]:
+        yield mutant("clauses-refuted--" + why, "steps", None, steps, "clauses-refuted")
+    yield mutant("segment-linked--of-no-mesh", "segments", 0, (0, 8), "segment-linked, segment 1")
+    yield mutant("hole-inside--of-no-mesh", "holes", None, ["0 0 0 0"], "hole-inside, hole 1")
+    yield mutant("scale--of-no-mesh", "scale", None, "-1 2", "scale")
+    c = copy.deepcopy(SOUND)
+    c["candidates"].pop()
+    yield "malformed--candidates", text(c), "malformed: "
