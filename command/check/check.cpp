@@ -196,8 +196,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   std::optional<std::string> lone;  // polygons of a bent domain are others
   if (!against.bent) lone = note_of_lone_polygons(*verdict, domain);
   const bool has_merged = options.said.merged_slope.has_value();
-  const Judged judged{claim,          mesh,       domain,
-                      options.within, has_merged, loaded->face_markers};
+  const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
   for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
     if (!note) continue;
     notes.push_back(*note);

@@ -34,8 +34,8 @@ struct Judged {
   Claim claim;
   const Mesh& mesh;
   const LoadedDomain& domain;
-  const std::optional<Distance>& within;  // --within
-  bool has_merged;                        // --merge-coplanar
+  const std::optional<Distance>& within;          // --within
+  bool has_merged;                                // --merge-coplanar
   const std::map<Simplex, Vertex>& face_markers;  // of the mesh
 };
 

@@ -64,7 +64,8 @@ TEST_CASE("check: without --within a note says what is left of a mesh of rounded
   const std::vector<std::string> claim = {"--claim", "plc-triangulation"};
   const Run holds = check_near("accept/within--vertex", claim);
   CHECK(holds.exit_code == 1);
-  CHECK(has(holds.out + holds.err, "(domain.vertex-missing 1): with --within 3.1e-09 the claim holds"));
+  CHECK(has(holds.out + holds.err,
+            "(domain.vertex-missing 1): with --within 3.1e-09 the claim holds"));
   CHECK(check_near("accept/within--vertex", {"--claim", "plc-triangulation", "--within", "3.1e-09"})
             .exit_code == 0);
   CHECK(check_near("accept/within--vertex", {"--claim", "plc-triangulation", "--within", "2.9e-09"})
@@ -116,18 +117,18 @@ TEST_CASE("check --within: the markers of a .face file say which facets a polygo
   // tile it. Above, where that belongs if nobody says otherwise, an apex sees into its ball.
   ScratchFolder folder;
   const std::string apexes = "4 0 0 1\n5 0 0 -5\n";
-  const std::string points =
-      "6 3 0 0\n0 -3 0 0\n1 0 3 0\n2 3 0 0\n3 0 -3 0\n" + apexes;
-  const std::string roof = "3 0 1 4 1\n3 1 2 4 1\n3 2 3 4 1\n3 3 0 4 1\n3 0 1 5 1\n3 1 2 5 1\n"
-                           "3 2 3 5 1\n3 3 0 5 1\n0\n0\n";
+  const std::string points = "6 3 0 0\n0 -3 0 0\n1 0 3 0\n2 3 0 0\n3 0 -3 0\n" + apexes;
+  const std::string roof =
+      "3 0 1 4 1\n3 1 2 4 1\n3 2 3 4 1\n3 3 0 4 1\n3 0 1 5 1\n3 1 2 5 1\n"
+      "3 2 3 5 1\n3 3 0 5 1\n0\n0\n";
   const std::string whole = folder.write("d.smesh", points + "9 1\n4 0 1 2 3 7\n" + roof);
   const std::string halves =
       folder.write("e.smesh", points + "10 1\n3 0 1 2 7\n3 0 2 3 7\n" + roof);
   const std::string others =
       folder.write("f.smesh", points + "10 1\n3 0 1 2 7\n3 0 2 3 8\n" + roof);
   folder.write("m.node", "6 3 0 0\n0 -3 0 -1e-9\n1 0 3 0\n2 3 0 -1e-9\n3 0 -3 0\n" + apexes);
-  const std::string mesh = folder.write(
-      "m.ele", "5 4 0\n0 0 1 3 4\n1 1 2 3 4\n2 0 1 2 3\n3 0 1 2 5\n4 0 2 3 5\n");
+  const std::string mesh =
+      folder.write("m.ele", "5 4 0\n0 0 1 3 4\n1 1 2 3 4\n2 0 1 2 3\n3 0 1 2 5\n4 0 2 3 5\n");
   const auto last_line = [&](const std::string& domain, const std::vector<std::string>& more) {
     std::vector<std::string> words = {"check", mesh, "--domain", domain};
     words.insert(words.end(), more.begin(), more.end());

@@ -114,10 +114,10 @@ std::string rounding_note(const Verdict& exact, const Verdict& moved) {
 
 std::string merging_note(const Verdict& exact, const Verdict& merged) {
   const bool has_moved = merged.within && merged.within->squared_reach > 0;
-  const std::string options =
-      has_moved ? "--merge-coplanar --within " +
-                      report::square_root_rounded_up(merged.within->squared_reach)
-                : "--merge-coplanar";
+  const std::string options = has_moved
+                                  ? "--merge-coplanar --within " +
+                                        report::square_root_rounded_up(merged.within->squared_reach)
+                                  : "--merge-coplanar";
   return note("the program that made the mesh may have joined polygons of one plane", exact, merged,
               options);
 }
@@ -127,8 +127,7 @@ std::string bending_note(const Verdict& exact, const Verdict& bent,
   const Rational squared =
       bent.within ? std::max(bent.within->squared_reach, squared_height) : squared_height;
   return note("the program that made the mesh may have joined polygons of nearly one plane", exact,
-              bent,
-              "--merge-coplanar 0.1deg --within " + report::square_root_rounded_up(squared));
+              bent, "--merge-coplanar 0.1deg --within " + report::square_root_rounded_up(squared));
 }
 
 }  // namespace circumspect::cli

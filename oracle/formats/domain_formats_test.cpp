@@ -92,7 +92,8 @@ TEST_CASE("poly in space: facets of several polygons, with holes, slits and lone
   CHECK(file->input.hole_seeds.size() == 1);
 }
 
-TEST_CASE("poly in space: what has the area of a polygon keeps its marker where points are merged") {
+TEST_CASE(
+    "poly in space: what has the area of a polygon keeps its marker where points are merged") {
   const auto file = poly(
       "5 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 0 0\n5 0 0 1\n"
       "3 1\n1 0 4\n3 2 3 4\n1 0 5\n3 1 2 3\n1 0 6\n3 1 4 5\n0\n");

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 
@@ -24,11 +23,6 @@ struct MeshInArrays {
   MeshView<kDimension, Index> view() const { return {coordinates, weights, simplices, neighbors}; }
   std::size_t size() const { return simplices.size() / (kDimension + 1); }
 };
-
-// How many points along each axis: half as many under the sanitizers, which take ten times as long.
-constexpr std::size_t points_a_side(std::size_t side) {
-  return properties::kOneInputIn > 1 ? side / 2 : side;
-}
 
 // `side` points along each axis, without neighbours. `mirrored` makes every other simplex negative.
 template <std::size_t kDimension, typename Index = std::int32_t>

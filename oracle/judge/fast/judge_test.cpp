@@ -32,7 +32,8 @@ void list_neighbors(MeshInArrays<kDimension, Index>& mesh) {
 
 template <std::size_t kDimension, typename Index>
 void check_judged_grid(bool mirrored) {
-  auto mesh = grid_mesh<kDimension, Index>(points_a_side(kDimension == 2 ? 40 : 9), mirrored);
+  auto mesh =
+      grid_mesh<kDimension, Index>(properties::points_a_side(kDimension == 2 ? 40 : 9), mirrored);
   for (const bool with_neighbors : {false, true}) {
     if (with_neighbors) list_neighbors(mesh);
     for (const unsigned threads : {1U, 3U}) {
@@ -178,7 +179,7 @@ TEST_CASE("weighted points may be left out where they are submerged") {
 
 // The links of one facet, changed at one end or at both.
 void check_wrong_neighbors(bool mirrored) {
-  auto mesh = grid_mesh<3>(points_a_side(18), mirrored);
+  auto mesh = grid_mesh<3>(properties::points_a_side(18), mirrored);
   list_neighbors(mesh);
   REQUIRE(undecided(mesh) == "");
   const std::vector<std::int32_t> right = mesh.neighbors;

@@ -112,7 +112,7 @@ MeshInArrays<kDimension> far_grid(std::size_t side, bool mirrored) {
 
 template <std::size_t kDimension>
 void check_far_grid(bool mirrored) {
-  auto mesh = far_grid<kDimension>(points_a_side(kDimension == 2 ? 20 : 8), mirrored);
+  auto mesh = far_grid<kDimension>(properties::points_a_side(kDimension == 2 ? 20 : 8), mirrored);
   Stages stages;
   const auto point = sample_point(mesh.view(), stages);
   REQUIRE(point.has_value());

@@ -13,6 +13,7 @@
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 
@@ -206,7 +207,8 @@ TEST_CASE("what is not sound is left undecided") {
 // As `judge` says of a grid, for any number of threads.
 template <std::size_t kDimension>
 void check_facts_of_grid(bool mirrored) {
-  const auto mesh = grid_mesh<kDimension>(points_a_side(kDimension == 2 ? 200 : 24), mirrored);
+  const auto mesh =
+      grid_mesh<kDimension>(properties::points_a_side(kDimension == 2 ? 200 : 24), mirrored);
   const auto judged = judge(mesh.view(), Question::kDelaunay, 1);
   const auto first = simplex_facts(mesh.view(), kBalls, 1);
   REQUIRE(judged.has_value());
