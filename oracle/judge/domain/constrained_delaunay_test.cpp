@@ -3,6 +3,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/domain/empty_circumball.hpp"
 
 namespace circumspect::check {
 
@@ -126,6 +127,36 @@ TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
     CHECK(broken(Claim::kConformingDelaunay, mesh, domain_of(triangle), by) ==
           std::set{Rule::kNoEmptyBall});
   }
+}
+
+TEST_CASE(
+    "conforming Delaunay: all vertices of a closed ball are looked at, and no others of its box") {
+  const std::vector<Point> places = {{0, 0, 0},
+                                     {Rational(1, 3), Rational(-1, 7), Rational(2, 11)},
+                                     {0x1p52, -0x1p51, 0x1p50},
+                                     {Rational(1, 3) + 0x1p40, 7, Rational(5, 9) - 0x1p45}};
+  for (const Point& centre : places) {
+    std::vector<Point> on_sphere, beyond;
+    for (int x = -3; x <= 3; ++x) {
+      for (int y = -3; y <= 3; ++y) {
+        for (int z = -3; z <= 3; ++z) {
+          const int square = x * x + y * y + z * z;
+          if (square == 9) on_sphere.push_back(centre + Point{x, y, z});
+          if (square > 12 && square <= 17) beyond.push_back(centre + Point{x, y, z});
+        }
+      }
+    }
+    std::vector<Point> all = on_sphere;
+    all.insert(all.end(), beyond.begin(), beyond.end());
+    const VertexIndex index((PointSet(all)));
+    const std::vector<Vertex> near = index.near({centre, 9});
+    REQUIRE(near.size() == on_sphere.size());
+    CHECK(static_cast<std::size_t>(near.back()) + 1 == on_sphere.size());
+  }
+  // A radius whose square is no double: what is beyond is so by less than a double can say.
+  const Rational radius(1, 3);
+  const VertexIndex two(PointSet({{radius, 0, 0}, {0, -radius, 0}}));
+  CHECK(two.near({{0, 0, 0}, radius * radius}).size() == 2);
 }
 
 TEST_CASE("conforming Delaunay: a grid is, and polygons are not exempt") {
