@@ -49,6 +49,10 @@ void add_options(CLI::App& app, MpiOptions& options) {
       ->required();
   app.add_option("--points", options.files.points, "The file with the points: .npy or .node")
       ->option_text("FILE");
+  app.add_option("--indices", options.files.indices,
+                 "A mesh in parts, one for each rank: the file that says which point of the whole "
+                 "each point of a part is. In the names of all three files %d stands for the rank")
+      ->option_text("FILE");
   const std::map<std::string, Claim> claims = {{"triangulation", Claim::kTriangulation},
                                                {"delaunay", Claim::kDelaunay},
                                                {"weighted-delaunay", Claim::kWeightedDelaunay}};

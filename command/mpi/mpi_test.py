@@ -96,6 +96,45 @@ def arrays(commands, corpus, folder):
     expect("no file", commands.same(2, folder / "none.npy", "--points", p), 3)
 
 
+def parts(commands, corpus, folder):
+    """A mesh in three parts, of which each numbers its points for itself: as the whole, one part after the other."""
+    mesh = corpus / "peers/tetgen/random-3d-500.1.ele"
+    points = rows_of(mesh.with_suffix(".node"), float)
+    simplices = [tuple(v - 1 for v in row) for row in rows_of(mesh, int)]
+    words = [folder / "part-%d.npy", "--points", folder / "part-%d.points.npy", "--indices", folder / "part-%d.indices.npy"]
+
+    def write(wrong=None):
+        for part, (begin, end) in enumerate([(0, 900), (900, 900), (900, len(simplices))]):
+            own = sorted({v for row in simplices[begin:end] for v in row}, reverse=True)
+            number = {v: i for i, v in enumerate(own)}
+            rows = [tuple(number[v] for v in row) for row in simplices[begin:end]]
+            at = [points[v] for v in own]
+            if part == 2 and wrong == "vertex":
+                rows[5] = (len(own), *rows[5][1:])
+            if part == 2 and wrong == "moved":
+                at[7] = (9.0, 9.0, 9.0)
+            if part == 2 and wrong == "missing":
+                own[-1] += 1000
+            npy(folder / f"part-{part}.npy", "<i4", 4, rows)
+            npy(folder / f"part-{part}.points.npy", "<f8", 3, at)
+            npy(folder / f"part-{part}.indices.npy", "<i8", 1, [(v,) for v in own])
+            header = folder / f"part-{part}.indices.npy"
+            header.write_bytes(header.read_bytes().replace(f"({len(own)}, 1)".encode(), f"({len(own)},)  ".encode()))
+
+    for drop in (0, 1):
+        simplices = simplices[drop:]
+        write()
+        p, s = npy(folder / "p.npy", "<f8", 3, points), npy(folder / "s.npy", "<i4", 4, simplices)
+        one, all_ranks = commands.by_one(s, "--points", p), commands.on_ranks(3, *words)
+        expect("parts", (all_ranks.returncode, all_ranks.stdout.replace("part-%d.npy", "s.npy")), (drop, one.stdout))
+    expect("more parts than ranks", commands.on_ranks(2, *words).returncode, 3)
+    for wrong, said in [("vertex", "part-2.npy: expected vertices from 0 to"), ("moved", "the same coordinates"),
+                        ("missing", "all indices from 0 to the largest")]:
+        write(wrong)
+        ended = commands.on_ranks(3, *words)
+        expect(f"parts, {wrong}", (ended.returncode, said in ended.stderr), (3, True))
+
+
 def one_dies(commands, mesh):
     """If a rank is killed, the others end."""
     script = 'if [ "$OMPI_COMM_WORLD_RANK" = 1 ]; then kill -9 $$; fi; exec "$@"'
@@ -134,6 +173,7 @@ def main(words):
         for mesh in SOME:
             commands.same(3, corpus / mesh)
         arrays(commands, corpus, pathlib.Path(folder))
+        parts(commands, corpus, pathlib.Path(folder))
         one_dies(commands, corpus / SOME[1])
         statistics(commands, corpus / SOME[1])
     return 0

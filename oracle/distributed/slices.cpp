@@ -1,5 +1,8 @@
 #include "oracle/distributed/slices.hpp"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -102,11 +105,14 @@ formats::Status read_simplices(const std::string& path, PartOf part, Dealt& deal
   return {};
 }
 
-// Is it a mesh, with as many vertices a simplex as the dimension wants?
-formats::Status check_shape(const std::string& path, const Dealt& dealt) {
-  if (dealt.points == 0 && dealt.simplices == 0) {
-    return fail(path, "a mesh", "neither points nor simplices");
-  }
+// Is there anything?
+formats::Status check_not_empty(const std::string& path, const Dealt& dealt) {
+  if (dealt.points > 0 || dealt.simplices > 0) return {};
+  return fail(path, "a mesh", "neither points nor simplices");
+}
+
+// Has a simplex as many vertices as the dimension wants?
+formats::Status check_width(const std::string& path, const Dealt& dealt) {
   const std::size_t columns = dealt.lists.visit([]<class Lists>(const Lists& lists) {
     if constexpr (std::is_same_v<Lists, std::vector<Simplex>>)
       return std::size_t{0};
@@ -122,6 +128,15 @@ formats::Status check_shape(const std::string& path, const Dealt& dealt) {
 
 // Are there files, as far as their names tell?
 formats::Status check_names(const Files& files) {
+  if (files.indices) {
+    for (const std::string& name : {files.mesh, files.points.value_or(""), *files.indices}) {
+      if (formats::extension(name) == ".npy" && name.find("%d") != name.npos) continue;
+      return fail(name,
+                  "mesh, points and indices in .npy files with %d in their names, as part-%d.npy",
+                  "another name");
+    }
+    return {};
+  }
   const std::string end = formats::extension(files.mesh);
   if (end != ".ele" && end != ".npy") {
     return fail(files.mesh, "a mesh in a .npy or an .ele file", "another file");
@@ -130,6 +145,153 @@ formats::Status check_names(const Files& files) {
     return fail(files.mesh, "--points FILE beside simplices in a .npy file", "none");
   }
   return {};
+}
+
+// ---- Parts ----
+
+// The name of the file of a part.
+std::string of_part(const std::string& pattern, std::size_t part) {
+  const std::size_t place = pattern.find("%d");
+  return pattern.substr(0, place) + std::to_string(part) + pattern.substr(place + 2);
+}
+
+// A part as it is read: simplices name its own points.
+struct Part {
+  Rows<double> points;
+  std::vector<std::int64_t> indices;  // of the points in the whole
+  std::vector<std::int64_t> vertices;
+};
+
+std::vector<std::int64_t> wide(const formats::NpySimplices& lists) {
+  return std::visit(
+      [](const auto& rows) {
+        return std::vector<std::int64_t>(rows.values().begin(), rows.values().end());
+      },
+      lists);
+}
+
+Result<Part> read_part(const Files& files, PartOf part) {
+  const std::string points = of_part(*files.points, part.part);
+  const std::string indices = of_part(*files.indices, part.part);
+  // Files of more parts would be left out.
+  if (formats::exists(of_part(files.mesh, part.parts))) {
+    return fail(of_part(files.mesh, part.parts), "no more parts than ranks", "one more");
+  }
+  Dealt dealt;
+  if (auto read = read_simplices(of_part(files.mesh, part.part), {}, dealt); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (auto read = read_points(points, false, {}, dealt); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (auto fits = check_width(of_part(files.mesh, part.part), dealt); !fits) {
+    return tl::unexpected(fits.error());
+  }
+  const auto file = opened(indices);
+  if (!file) return tl::unexpected(file.error());
+  const auto listed = formats::read_npy_indices(*file, indices);
+  if (!listed) return tl::unexpected(listed.error());
+  Part own{std::move(dealt.coordinates), wide(*listed), {}};
+  if (own.indices.size() != own.points.rows()) {
+    return fail(indices, std::to_string(own.points.rows()) + " indices, one a point of " + points,
+                std::to_string(own.indices.size()));
+  }
+  constexpr std::int64_t kMost = std::int64_t{1} << 60;
+  for (const std::int64_t v : own.indices) {
+    if (v < 0 || v >= kMost) return fail(indices, "indices from 0 to 2^60 - 1", std::to_string(v));
+  }
+  own.vertices = dealt.lists.visit([]<class Lists>(const Lists& lists) {
+    std::vector<std::int64_t> all;
+    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
+      all.assign(lists.values().begin(), lists.values().end());
+    }
+    return all;
+  });
+  for (std::int64_t& v : own.vertices) {
+    if (v < 0 || static_cast<std::size_t>(v) >= own.indices.size()) {
+      return fail(of_part(files.mesh, part.part),
+                  "vertices from 0 to " + std::to_string(own.indices.size()) + " - 1",
+                  std::to_string(v));
+    }
+    v = own.indices[static_cast<std::size_t>(v)];
+  }
+  return own;
+}
+
+// Brings the points of all parts to their owners; several parts may have a point.
+formats::Status deal_points(Ranks& ranks, const Part& part, const std::string& name, Dealt& dealt) {
+  struct Sent {
+    std::uint64_t index;
+    std::array<double, 3> at;
+  };
+  std::uint64_t most = 0;
+  for (const std::int64_t v : part.indices) {
+    most = std::max(most, static_cast<std::uint64_t>(v) + 1);
+  }
+  dealt.points = ranks.most(most);
+  const Slice slice = PartOf{ranks.rank(), ranks.size()}.slice(dealt.points);
+  // There cannot be more points than parts have in all; only then is there memory for them.
+  if (dealt.points > ranks.sum(part.indices.size())) {
+    return fail(name, "all indices from 0 to the largest, " + std::to_string(dealt.points - 1),
+                "fewer points in all parts");
+  }
+  dealt.coordinates = Rows<double>(slice.size(), dealt.dimension);
+  std::vector<bool> is_there(slice.size(), false);
+  std::optional<std::uint64_t> differs;
+  const std::size_t some = std::max<std::size_t>(1, 4 * ranks.few());
+  const std::uint64_t rounds = ranks.most((part.indices.size() + some - 1) / some);
+  for (std::size_t round = 0; round < rounds; ++round) {
+    std::vector<std::vector<Sent>> out(ranks.size());
+    const std::size_t last = std::min(part.indices.size(), (round + 1) * some);
+    for (std::size_t i = round * some; i < last; ++i) {
+      Sent one{static_cast<std::uint64_t>(part.indices[i]), {}};
+      std::copy_n(part.points.row(i).begin(), dealt.dimension, one.at.begin());
+      out[PartOf::with(one.index, dealt.points, ranks.size())].push_back(one);
+    }
+    for (const Sent& one : ranks.exchanged(std::move(out))) {
+      const auto row = dealt.coordinates.row(one.index - slice.begin);
+      if (is_there[one.index - slice.begin]) {
+        if (!std::equal(row.begin(), row.end(), one.at.begin())) differs = one.index;
+      } else {
+        std::copy_n(one.at.begin(), dealt.dimension, row.begin());
+        is_there[one.index - slice.begin] = true;
+      }
+    }
+  }
+  if (differs) {
+    return fail(name, "the same coordinates of a point in all parts",
+                "others for the point of index " + std::to_string(*differs));
+  }
+  const auto missing = std::find(is_there.begin(), is_there.end(), false);
+  if (missing != is_there.end()) {
+    const auto index = slice.begin + static_cast<std::uint64_t>(missing - is_there.begin());
+    return fail(name, "all indices from 0 to the largest, " + std::to_string(dealt.points - 1),
+                "no point of index " + std::to_string(index));
+  }
+  return {};
+}
+
+// `settled` makes one fault of those of all ranks, as in read_slices.
+template <class Settled>
+std::string read_all_parts(Ranks& ranks, const Files& files, const Settled& settled, Dealt& dealt) {
+  if (files.weighted) return files.mesh + ": expected no claim about weights of parts, found one";
+  auto part = read_part(files, {ranks.rank(), ranks.size()});
+  std::string fault =
+      settled(part ? formats::Status() : formats::Status(tl::unexpected(part.error())));
+  if (!fault.empty()) return fault;
+  dealt.dimension = part->points.columns();
+  if (ranks.most(dealt.dimension) != ranks.least(dealt.dimension)) {
+    return *files.points + ": expected points of one dimension in all parts, found several";
+  }
+  fault = settled(deal_points(ranks, *part, *files.indices, dealt));
+  Rows<std::int64_t> rows(part->vertices.size() / (dealt.dimension + 1), dealt.dimension + 1);
+  std::copy(part->vertices.begin(), part->vertices.end(), rows.values().begin());
+  const std::vector<std::uint64_t> sizes = ranks.of_each(std::uint64_t{rows.rows()});
+  dealt.simplices = std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
+  dealt.first_simplex = std::accumulate(
+      sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(ranks.rank()), std::uint64_t{0});
+  dealt.lists = std::move(rows);
+  return fault;
 }
 
 }  // namespace
@@ -146,11 +308,16 @@ tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& fil
     return ranks.of_rank(failed, own ? std::string() : own.error().to_string());
   };
   std::string fault = settled(check_names(files));
-  if (fault.empty()) fault = settled(read_simplices(files.mesh, part, read.dealt));
-  if (fault.empty()) {
-    fault = settled(read_points(read.points_name, files.weighted, part, read.dealt));
+  if (fault.empty() && files.indices) {
+    fault = read_all_parts(ranks, files, settled, read.dealt);
+  } else if (fault.empty()) {
+    fault = settled(read_simplices(files.mesh, part, read.dealt));
+    if (fault.empty()) {
+      fault = settled(read_points(read.points_name, files.weighted, part, read.dealt));
+    }
+    if (fault.empty()) fault = settled(check_width(files.mesh, read.dealt));
   }
-  if (fault.empty()) fault = settled(check_shape(files.mesh, read.dealt));
+  if (fault.empty()) fault = settled(check_not_empty(files.mesh, read.dealt));
   ranks.end_phase("reading");
   if (!fault.empty()) return tl::unexpected(std::move(fault));
   return read;

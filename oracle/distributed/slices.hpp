@@ -14,7 +14,10 @@ namespace circumspect::distributed {
 struct Files {
   std::string mesh;                        // .npy, or .ele
   std::optional<std::string> points = {};  // .npy, or .node; of x.ele without it: x.node
-  bool weighted = false;                   // the first attributes of a .node file count
+  // If there are parts, a file for each rank (all of them .npy), in whose names %d stands for its number: which point
+  // of the whole each point of the part is, counted from 0.
+  std::optional<std::string> indices = {};
+  bool weighted = false;  // the first attributes of a .node file count
 };
 
 struct ReadSlices {
@@ -22,11 +25,12 @@ struct ReadSlices {
   std::string points_name;  // of the file, for messages
 };
 
-// Each rank reads slices of the points and of the simplices, as long as those of the others but for one row. Called
-// by all ranks. Errors, in one line and the same at all ranks: those of the readers, for .npy in their words; a text
+// Each rank reads slices of the points and of the simplices, as long as those of the others but for one row; or its
+// own part, whose simplices follow those of the parts before and name its own points. Called by all ranks. Errors, in one line and the same at all ranks: those of the readers, for .npy in their words; a text
 // file that is not of the plain form (formats/plain_files.hpp); points of a dimension other than 2 and 3, simplices
 // that have not one vertex more; no weights where they count; neither points nor simplices; more simplices than a rank
-// can number.
+// can number; in parts, a vertex that is none of the part's points, a point that has other coordinates in another part
+// or is in none, more parts than ranks.
 tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& files);
 
 }  // namespace circumspect::distributed

@@ -35,6 +35,7 @@ constexpr Wanted kPoints = {"points", "(n, d)", "float64 or float32 ('<f8', '<f4
                             "points.astype('<f8')"};
 constexpr Wanted kSimplices = {"simplices", "(m, d + 1)", "integers ('<i8', '<i4', '<u4', ...)",
                                "simplices.astype('<i8')"};
+constexpr Wanted kIndices = {"indices", "(n,)", kSimplices.types, "indices.astype('<i8')"};
 
 tl::unexpected<FormatError> fail(const std::string& name, std::string expected, std::string found) {
   return tl::unexpected(FormatError{name, 0, std::move(expected), std::move(found)});
@@ -50,11 +51,12 @@ tl::unexpected<FormatError> wrong_type(const std::string& name, const Wanted& wa
 // Rows and columns, if all that the header says of them fits together and to the size of the file.
 Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const std::string& name,
                        const Wanted& wanted, std::size_t bytes_each, PartOf part) {
-  if (header.shape.size() != 2) {
+  const bool is_list = wanted.what == kIndices.what;
+  if (header.shape.size() != (is_list ? 1 : 2)) {
     return fail(name, "an array of shape " + std::string(wanted.shape),
                 "shape " + header.shape_in_words());
   }
-  Shape shape{header.shape[0], header.shape[1]};
+  Shape shape{header.shape[0], is_list ? 1 : header.shape[1]};
   const Slice slice = part.slice(shape.rows);
   shape.first = slice.begin;
   shape.count = slice.size();
@@ -136,8 +138,8 @@ Status check_coordinates(Rows<double>& points, std::size_t first_row, const std:
 
 template <class Index, class Stored = Index>
 Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess& file,
-                                    const std::string& name, PartOf part) {
-  const Result<Shape> shape = shape_of(header, file, name, kSimplices, sizeof(Stored), part);
+                                    const std::string& name, const Wanted& wanted, PartOf part) {
+  const Result<Shape> shape = shape_of(header, file, name, wanted, sizeof(Stored), part);
   if (!shape) return tl::unexpected(shape.error());
   if (shape->columns == 0) {
     return fail(name, "simplices of at least 1 vertex", "shape " + header.shape_in_words());
@@ -328,20 +330,39 @@ Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std
   return wrong_type(name, kPoints, header->type);
 }
 
-Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
-                                                PartOf part) {
+namespace {
+
+Result<NpySimplices> read_integers(const RandomAccess& file, const std::string& name,
+                                   const Wanted& wanted, PartOf part) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   const std::string_view kind = kind_of(*header);
-  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name, part);
-  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name, part);
-  if (kind == "u8") return read_simplices<std::int64_t, std::uint64_t>(*header, file, name, part);
-  if (kind == "u4") return read_simplices<std::int64_t, std::uint32_t>(*header, file, name, part);
-  if (kind == "i2") return read_simplices<std::int32_t, std::int16_t>(*header, file, name, part);
-  if (kind == "u2") return read_simplices<std::int32_t, std::uint16_t>(*header, file, name, part);
-  if (kind == "i1") return read_simplices<std::int32_t, std::int8_t>(*header, file, name, part);
-  if (kind == "u1") return read_simplices<std::int32_t, std::uint8_t>(*header, file, name, part);
-  return wrong_type(name, kSimplices, header->type);
+  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name, wanted, part);
+  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name, wanted, part);
+  if (kind == "u8")
+    return read_simplices<std::int64_t, std::uint64_t>(*header, file, name, wanted, part);
+  if (kind == "u4")
+    return read_simplices<std::int64_t, std::uint32_t>(*header, file, name, wanted, part);
+  if (kind == "i2")
+    return read_simplices<std::int32_t, std::int16_t>(*header, file, name, wanted, part);
+  if (kind == "u2")
+    return read_simplices<std::int32_t, std::uint16_t>(*header, file, name, wanted, part);
+  if (kind == "i1")
+    return read_simplices<std::int32_t, std::int8_t>(*header, file, name, wanted, part);
+  if (kind == "u1")
+    return read_simplices<std::int32_t, std::uint8_t>(*header, file, name, wanted, part);
+  return wrong_type(name, wanted, header->type);
+}
+
+}  // namespace
+
+Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
+                                                PartOf part) {
+  return read_integers(file, name, kSimplices, part);
+}
+
+Result<NpySimplices> read_npy_indices(const RandomAccess& file, const std::string& name) {
+  return read_integers(file, name, kIndices, {});
 }
 
 Result<PointFile> read_npy_points(const Source& source) {

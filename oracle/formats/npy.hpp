@@ -56,6 +56,9 @@ Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std
 Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
                                                 PartOf part = {});
 
+// A list of indices, such as those of the points of a part in a whole: of shape (n,), as one column. Errors: the same.
+Result<NpySimplices> read_npy_indices(const RandomAccess& file, const std::string& name);
+
 // The same as exact numbers and as lists, as the other formats have them.
 Result<PointFile> read_npy_points(const Source& source);
 Result<SimplexFile> read_npy_simplices(const Source& source);
