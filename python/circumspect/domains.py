@@ -113,6 +113,21 @@ class Domain:
         return cls(points, segments, polygons, holes, "hull" if is_hull else "enclosed", polygon_holes)
 
 
+def with_cells_of(domain: Domain, segments: Sequence, polygons: Sequence) -> Domain:
+    """The domain with some of its segments and polygons, by their indices, and without the points that these alone used."""
+    import numpy as np
+
+    lines = [[domain.polygons[p] for p in polygons], domain.polygons]
+    rows = [domain.segments[list(segments)], domain.segments]
+    kept, all_used = ({*edges.ravel().tolist(), *(v for polygon in cells for line in polygon for v in line)}
+                      for edges, cells in zip(rows, lines))
+    stays = np.array([v in kept or v not in all_used for v in range(len(domain.points))], dtype=bool)
+    place = np.cumsum(stays) - 1
+    holes = {new: domain.polygon_holes[old] for new, old in enumerate(polygons) if old in domain.polygon_holes}
+    return Domain(domain.points[stays], place[rows[0]], [[[int(place[v]) for v in line] for line in polygon]
+                                                         for polygon in lines[0]], domain.holes, domain.kind, holes)
+
+
 def lines_of(polygon: Any) -> list:
     """A polygon as lines of corners: one line may stand for itself."""
     polygon = list(polygon)
