@@ -97,6 +97,12 @@ TEST_CASE("a polygon has the holes that seeds say, and a program of an earlier v
     return count;
   };
   const std::int64_t around_the_pit = tetrahedra();
+  domain.polygon_hole_seeds = nullptr;
+  const std::array<const char*, 3> exact = {"5/3", "5/3", "0"};
+  domain.exact_polygon_hole_seeds = exact.data();
+  CHECK(tetrahedra() == around_the_pit);
+  domain.exact_polygon_hole_seeds = nullptr;
+  domain.polygon_hole_seeds = seeds.data();
   // The members of the first version end before the holes of polygons; what lies behind is not read.
   domain.struct_size = offsetof(circumspect_domain, polygon_hole_count);
   CHECK(tetrahedra() == around_the_pit + 1);  // the pit is the tetrahedron 4 5 6 7

@@ -141,7 +141,8 @@ void take_polygon_holes(const circumspect_domain& domain, std::vector<PolygonLin
   const auto size = static_cast<std::size_t>(domain.polygon_hole_count);
   const auto owners = array(domain.polygons_of_holes, size, "polygons_of_holes");
   const std::vector<Point> seeds =
-      exact_points(domain.polygon_hole_count, domain.dimension, domain.polygon_hole_seeds, nullptr);
+      exact_points(domain.polygon_hole_count, domain.dimension, domain.polygon_hole_seeds,
+                   domain.exact_polygon_hole_seeds);
   for (std::size_t i = 0; i < owners.size(); ++i) {
     if (owners[i] < 0 || owners[i] >= domain.polygon_count) {
       refuse_call(fmt::format("expected hole {} in one of {} polygons, found it in polygon {}", i,
@@ -276,7 +277,8 @@ Domain domain_of(const circumspect_domain& given) {
   take_faces(domain.segments, domain.segment_count, 2, "segments", input.segments);
   input.polygons = polygons_of(domain);
   take_polygon_holes(domain, input.polygons);
-  input.hole_seeds = exact_points(domain.hole_count, domain.dimension, domain.hole_seeds, nullptr);
+  input.hole_seeds =
+      exact_points(domain.hole_count, domain.dimension, domain.hole_seeds, domain.exact_hole_seeds);
   auto complex = validated(input);
   if (!complex) refuse_input(breach_text(complex.error()));
   complex->kind = kind_of(*complex, domain.kind);

@@ -54,6 +54,17 @@ def test_domains():
         volumes.append(np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).sum() / 6)
         assert circumspect.check(outer + inner, built, domain=domain)
     assert volumes == pytest.approx([64, 48])
+    # Turned by exact numbers, so that neither the lids' planes nor the seeds in them are of doubles.
+    third = Fraction(1, 3)
+    turned = [[x + third * z, y - third * x, z + third * y] for x, y, z in outer + inner]
+    seeds = {8: [[2, 2 - 2 * third, 2 * third]], 9: [[2 + 4 * third, 2 - 2 * third, 4 + 2 * third]]}
+    exact = circumspect.Domain(turned, polygons=whole["polygons"], polygon_holes=seeds, holes=[[third, third, 100]])
+    assert len(circumspect.constrained_delaunay(exact).simplices) == len(built)
+    assert exact.polygon_holes[8][0].tolist() == seeds[8][0] and exact.holes[0][0] == third
+    with pytest.raises(ValueError, match="whose points are doubles"):
+        circumspect.minimize(lambda domain: [], exact)
+    with pytest.raises(ValueError, match=r"holes of shape \(h, 3\), found \(1, 2\)"):
+        circumspect.Domain(turned, holes=[[1, 1]])
     with pytest.raises(ValueError, match="one of 10 polygons, found 10"):
         circumspect.check(outer, [[0, 1, 2, 4]], domain={**whole, "polygon_holes": {10: [[2, 2, 0]]}})
     with pytest.raises(circumspect.InputError, match="plc.polygon-hole-seed"):

@@ -174,9 +174,21 @@ def test_hypothesis_shrinks():
     @hypothesis.given(strategies.domains(dimension=2), strategies.points(families=["grid"], dimension=3, flat=True))
     def right(domain, points):
         assert domain.dimension == 2 and points.shape[1] == 3
+        circumspect.check(np.zeros((0, 2)), [], domain=domain)  # which refuses what is no domain
         circumspect.assert_delaunay(points, circumspect.delaunay(points))
 
     right()
+    @hypothesis.settings(max_examples=60, deadline=None, database=None, derandomize=True)
+    @hypothesis.given(strategies.domains(dimension=3, families=["furnished-boxes"]))
+    def few_polygons(domain):
+        circumspect.check(np.zeros((0, 3)), [], domain=domain)
+        seen.append(domain)
+        assert len(domain.polygons) < 3
+
+    with pytest.raises(AssertionError):
+        few_polygons()
+    assert len(seen[-1].polygons) == 3 and len(seen[-1].points) < 12
+
     for call in (lambda: strategies.points(families=["nothing"]), lambda: strategies.points(min_points=9, max_points=3),
                  lambda: strategies.domains(families=["sphere"])):
         with pytest.raises(ValueError, match="expected"):

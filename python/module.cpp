@@ -133,9 +133,9 @@ class DomainArgument {
         polygons_(parts[3].cast<Indices>()),
         lines_(parts[4].cast<Indices>()),
         corners_(parts[5].cast<Indices>()),
-        holes_(parts[6].cast<Doubles>()),
+        holes_(parts[6]),
         polygons_of_holes_(parts[8].cast<Indices>()),
-        polygon_holes_(parts[9].cast<Doubles>()) {
+        polygon_holes_(parts[9]) {
     domain_.dimension = parts[0].cast<std::int64_t>();
     domain_.point_count = domain_.dimension > 0 ? coordinates_.size() / domain_.dimension : 0;
     domain_.coordinates = coordinates_.doubles();
@@ -147,11 +147,13 @@ class DomainArgument {
     domain_.line_starts = lines_.data();
     domain_.corners = corners_.data();
     domain_.hole_count = domain_.dimension > 0 ? holes_.size() / domain_.dimension : 0;
-    domain_.hole_seeds = holes_.data();
+    domain_.hole_seeds = holes_.doubles();
+    domain_.exact_hole_seeds = holes_.texts();
     domain_.kind = parts[7].cast<std::int32_t>();
     domain_.polygon_hole_count = polygons_of_holes_.size();
     domain_.polygons_of_holes = polygons_of_holes_.data();
-    domain_.polygon_hole_seeds = polygon_holes_.data();
+    domain_.polygon_hole_seeds = polygon_holes_.doubles();
+    domain_.exact_polygon_hole_seeds = polygon_holes_.texts();
   }
   const circumspect_domain* get() const { return &domain_; }
 
@@ -159,9 +161,9 @@ class DomainArgument {
   circumspect_domain domain_ = CIRCUMSPECT_DOMAIN;
   NumberList coordinates_;
   Indices segments_, polygons_, lines_, corners_;
-  Doubles holes_;
+  NumberList holes_;
   Indices polygons_of_holes_;
-  Doubles polygon_holes_;
+  NumberList polygon_holes_;
 };
 
 std::string page_of(const circumspect_verdict* verdict) {

@@ -122,12 +122,15 @@ typedef struct circumspect_domain {
   int64_t polygon_hole_count;
   const int64_t* polygons_of_holes; /* the polygon that each is a hole of */
   const double* polygon_hole_seeds; /* a point of its plane in each: three coordinates */
+  /* Seeds as texts, where those of doubles are NULL: a tilted plane may have no point of doubles in a hole. */
+  const char* const* exact_hole_seeds;
+  const char* const* exact_polygon_hole_seeds;
 } circumspect_domain;
 
 #define CIRCUMSPECT_DOMAIN                                                                     \
   {                                                                                            \
     sizeof(circumspect_domain), 0, 0, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, 0, 0, \
-        NULL, NULL                                                                             \
+        NULL, NULL, NULL, NULL                                                                 \
   }
 
 typedef struct circumspect_options {

@@ -5,7 +5,7 @@ import fractions
 import numbers
 from typing import Any, Mapping, Optional, Sequence
 
-from .meshes import Mesh, indices_of, numbers_of, parts_of
+from .meshes import Mesh, Numbers, indices_of, numbers_of, parts_of
 
 
 class Domain:
@@ -31,29 +31,29 @@ class Domain:
             raise ValueError(f"expected a domain of the plane or of space, found points of {self.dimension} coordinates")
         self.segments = indices_of([] if segments is None else segments, "segments", 2).astype(np.int64)
         self.polygons = [lines_of(polygon) for polygon in (() if polygons is None else polygons)]
-        self.holes = self.seeds_of(holes, "holes")
-        self.polygon_holes = {}
+        self._holes = self.seeds_of(holes, "holes")
+        self._polygon_holes = {}
         for polygon, seeds in dict(polygon_holes or {}).items():
             if not isinstance(polygon, numbers.Integral) or not 0 <= polygon < len(self.polygons):
                 raise ValueError(f"expected polygon_holes by the index of one of {len(self.polygons)} polygons, "
                                  f"found {polygon!r}")
-            self.polygon_holes[int(polygon)] = self.seeds_of(seeds, "holes of a polygon")
+            self._polygon_holes[int(polygon)] = self.seeds_of(seeds, "holes of a polygon")
         kinds = {None: 0, "enclosed": 1, "hull": 2}
         if kind not in kinds:
             raise ValueError(f"expected the kind 'enclosed', 'hull' or None, found {kind!r}")
         self.kind = kind
         self._kind = kinds[kind]
 
-    def seeds_of(self, seeds: Any, what: str):
-        """(h, d) doubles, a point in each hole."""
+    def seeds_of(self, seeds: Any, what: str) -> Numbers:
+        """A point in each hole."""
         import numpy as np
 
         if seeds is None or np.size(seeds) == 0:
-            return np.zeros((0, self.dimension))
+            return Numbers(np.zeros(0), (0, self.dimension))
         found = numbers_of(seeds, what)
-        if isinstance(found.values, list) or found.shape[1] != self.dimension:
-            raise ValueError(f"expected {what} as doubles of shape (h, {self.dimension}), found {found.shape}")
-        return found.values.reshape(found.shape)
+        if found.shape[1] != self.dimension:
+            raise ValueError(f"expected {what} of shape (h, {self.dimension}), found {found.shape}")
+        return found
 
     @property
     def dimension(self) -> int:
@@ -63,12 +63,17 @@ class Domain:
     @property
     def points(self):
         """(n, d) doubles; an array of Fractions if the points are exact numbers that may be no doubles."""
-        import numpy as np
+        return rows_of(self._points)
 
-        values = self._points.values
-        if isinstance(values, list):
-            values = np.array([fractions.Fraction(text) for text in values], dtype=object)
-        return values.reshape(self._points.shape)
+    @property
+    def holes(self):
+        """(h, d), a point in each hole."""
+        return rows_of(self._holes)
+
+    @property
+    def polygon_holes(self) -> dict:
+        """By the index of a polygon (h, 3), a point in each of its holes."""
+        return {polygon: rows_of(seeds) for polygon, seeds in self._polygon_holes.items()}
 
     def __repr__(self) -> str:
         return f"Domain({self.size()})"
@@ -89,14 +94,15 @@ class Domain:
                 line_starts.append(len(corners))
             polygon_starts.append(len(line_starts) - 1)
         lists = [np.array(values, dtype=np.int64) for values in (polygon_starts, line_starts, corners)]
-        owners = [polygon for polygon, seeds in self.polygon_holes.items() for _ in seeds]
-        seeds = np.concatenate([np.zeros((0, self.dimension)), *self.polygon_holes.values()])
-        return (self.dimension, self._points.values, self.segments.reshape(-1), *lists, self.holes.reshape(-1),
-                self._kind, np.array(owners, dtype=np.int64), seeds.reshape(-1))
+        owners = [polygon for polygon, seeds in self._polygon_holes.items() for _ in range(seeds.shape[0])]
+        seeds: Any = [rows_of(seeds) for seeds in self._polygon_holes.values()]
+        seeds = numbers_of(np.concatenate(seeds), "holes of polygons").values if owners else np.zeros(0)
+        return (self.dimension, self._points.values, self.segments.reshape(-1), *lists, self._holes.values,
+                self._kind, np.array(owners, dtype=np.int64), seeds)
 
     def lists(self) -> tuple:
         """What `_core` takes to make a domain small and to write it."""
-        if isinstance(self._points.values, list):
+        if any(isinstance(own.values, list) for own in (self._points, self._holes, *self._polygon_holes.values())):
             raise ValueError("expected a domain whose points are doubles, found other numbers")
         seeds = [(polygon, seed.tolist()) for polygon, all_of_it in self.polygon_holes.items() for seed in all_of_it]
         has_walls = len(self.segments if self.dimension == 2 else self.polygons) > 0
@@ -111,6 +117,31 @@ class Domain:
         for polygon, seed in seeds:
             polygon_holes.setdefault(polygon, []).append(seed)
         return cls(points, segments, polygons, holes, "hull" if is_hull else "enclosed", polygon_holes)
+
+
+def rows_of(own: Numbers):
+    """An array of doubles, or of Fractions."""
+    import numpy as np
+
+    values = own.values
+    if isinstance(values, list):
+        values = np.array([fractions.Fraction(text) for text in values], dtype=object)
+    return values.reshape(own.shape)
+
+
+def with_cells_of(domain: Domain, segments: Sequence, polygons: Sequence) -> Domain:
+    """The domain with some of its segments and polygons, by their indices, and without the points that these alone used."""
+    import numpy as np
+
+    lines = [[domain.polygons[p] for p in polygons], domain.polygons]
+    rows = [domain.segments[list(segments)], domain.segments]
+    kept, all_used = ({*edges.ravel().tolist(), *(v for polygon in cells for line in polygon for v in line)}
+                      for edges, cells in zip(rows, lines))
+    stays = np.array([v in kept or v not in all_used for v in range(len(domain.points))], dtype=bool)
+    place = np.cumsum(stays) - 1
+    holes = {new: domain.polygon_holes[old] for new, old in enumerate(polygons) if old in domain.polygon_holes}
+    return Domain(domain.points[stays], place[rows[0]], [[[int(place[v]) for v in line] for line in polygon]
+                                                         for polygon in lines[0]], domain.holes, domain.kind, holes)
 
 
 def lines_of(polygon: Any) -> list:

@@ -16,6 +16,7 @@ import numpy as np
 
 from . import _core, families as all_families, generate_domain
 from .campaigns import is_wanted
+from .domains import with_cells_of
 
 
 def names_in(dimension: int, families: Optional[Sequence[str]]) -> list:
@@ -67,9 +68,15 @@ def points(families: Optional[Sequence[str]] = None, dimension: int = 3, min_poi
 
 @st.composite
 def drawn_domain(draw: Any, names: list, max_points: int):
-    """A domain of a family; shrinks to fewer points."""
+    """A domain of a family; shrinks by leaving out segments, polygons and the points that these used, then to smaller sets."""
     family = draw(st.sampled_from(names))
-    return generate_domain(family, points=draw(st.integers(4, max_points)), seed=draw(st.integers(0, 2**32 - 1)))
+    domain = generate_domain(family, points=draw(st.integers(4, max_points)), seed=draw(st.integers(0, 2**32 - 1)))
+    kept = []
+    for count in (len(domain.segments), len(domain.polygons)):
+        marks = draw(st.lists(st.integers(0, 15), min_size=count, max_size=count))  # 0 leaves a cell out; few are, at first
+        kept.append([cell for cell, mark in enumerate(marks) if mark > 0])
+    fewer = with_cells_of(domain, *kept)
+    return fewer if len(fewer.points) and is_wanted(fewer.points, fewer.kind != "hull") else None
 
 
 def domains(families: Optional[Sequence[str]] = None, dimension: int = 3, max_points: int = 12) -> st.SearchStrategy:
@@ -80,4 +87,4 @@ def domains(families: Optional[Sequence[str]] = None, dimension: int = 3, max_po
     for name in names:
         if name not in known:
             raise ValueError(f"expected a family of domains of dimension {dimension}, found {name!r}")
-    return drawn_domain(names, max_points)
+    return drawn_domain(names, max_points).filter(lambda drawn: drawn is not None)
