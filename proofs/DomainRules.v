@@ -93,9 +93,9 @@ Definition described (P : domain (dimension_of D)) : Prop :=
     In (a, b) (domain_segments P).
 End Refuted.
 
-(** ** That a domain in space has no triangulation, as it stands in a file
+(** ** That a domain in space has no triangulation, or no CDT, as it stands in a file
 
-    The domain is that of a certificate whose points are its vertices, and which has no simplices.  Candidates
+    Which of the two is what the certificate claims to the contrary.  The domain is that of a certificate whose points are its vertices, and which has no simplices.  Candidates
     are all sets of four vertices, in lexicographic order. *)
 
 (** A point of the domain: vertex K; the point q / w of segment K, or of triangle U of polygon K. *)
@@ -103,8 +103,12 @@ Inductive domain_point :=
   | AtCorner (k : positive)
   | AlongSegment (k : positive) (q : site) (w : Z)
   | InPiece (k u : positive) (q : site) (w : Z).
-(** The four points are in a plane; a cell with this point is no union of faces of the candidate; or neither. *)
-Inductive fate := Flat | Pierced (x : domain_point) | MayBeChosen.
+(** The four points are in a plane; a cell with this point is no union of faces of the candidate; it is not constrained
+    Delaunay, for from its point q / w one sees vertex V, in its ball (planes <n, p> = o part the way from all cells); or nothing of that. *)
+Inductive fate :=
+  | Flat | Pierced (x : domain_point)
+  | Encroached (v : positive) (q : site) (w : Z) (planes : list (list Z * Z))
+  | MayBeChosen.
 (** Why a clause holds of every triangulation: one of its simplices contains the point; two candidates overlap at
     the point q / w; or candidate S has a neighbour across its facet I, with the point q / w, in no wall: one of these. *)
 Inductive reason :=

@@ -90,13 +90,18 @@ Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D
   broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
 Proof. apply DomainRefuted.refute_domain_rule. Qed.
 
-(** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4): it has none, and
-    so no CDT. *)
+(** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT
+    (Definition 4.7): it has none. *)
 Theorem verified_impossible x : check_impossible x = Accepted ->
-  forall T, ~ plc_triangulation (domain_of_certificate 3 (about x)) T /\ ~ cdt (domain_of_certificate 3 (about x)) T.
+  let P := domain_of_certificate 3 (about x) in
+  match domain_claimed (about x) with
+  | Cdt => forall T, ~ cdt P T
+  | _ => forall T, ~ plc_triangulation P T
+  end.
 Proof.
-  intros A T. pose proof (ImpossibleSound.check_impossible_sound x A T) as N. split; [exact N|].
-  intros [Tr _]. exact (N Tr).
+  intros A. cbv zeta. pose proof (fun T => ImpossibleSound.check_impossible_sound x T A) as H.
+  destruct (domain_claimed (about x)); intros T; try (intros Tr; apply (H T Tr); discriminate).
+  intros [Tr Cd]. now apply (H T Tr).
 Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order

@@ -10,6 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 accepted=0
 refuted=0
+rejections=0
 compared=0
 without=0
 while IFS=$'\t' read -r mesh domain claim verdict; do
@@ -49,12 +50,16 @@ while IFS=$'\t' read -r mesh domain claim verdict; do
   fi
   if [ "${#own[@]}" -gt 0 ]; then compared=$((compared + 1)); fi
 done <expected.tsv
-# Domains without a triangulation, and what does not show it: a piece elsewhere, a candidate that is said to be free.
-for domain in figure-4-10-schonhardt exercise-5-5-closed figure-4-12-three-segments; do
-  "$circumspect" inspect $domain.poly --refutations "$scratch/$domain" --quiet
-  proof="$scratch/$domain-triangulation.proof"
-  found=$("$verified" "$proof" $domain.poly) || true
-  if [[ "$found" != "verified: no triangulation without Steiner points; domain: enclosed, "* ]]; then
+# Domains without a triangulation or a CDT, and what does not show it: a piece or a point elsewhere, a candidate
+# that is said to be free, another vertex, planes left out, the other claim.
+for none in triangulation:figure-4-10-schonhardt triangulation:exercise-5-5-closed \
+  triangulation:figure-4-12-three-segments CDT:figure-4-15-encircled-segment CDT:schonhardt-with-centre CDT:two-triangles; do
+  domain=${none#*:}
+  what=${none%%:*}
+  "$circumspect" inspect "$domain.poly" --refutations "$scratch/$domain" --quiet
+  proof="$scratch/$domain-${what,,}.proof"
+  found=$("$verified" "$proof" "$domain.poly") || true
+  if [[ "$found" != "verified: no $what without Steiner points; domain: enclosed, "* ]]; then
     echo "$domain: found '$found'" >&2
     exit 1
   fi
@@ -66,13 +71,18 @@ for domain in figure-4-10-schonhardt exercise-5-5-closed figure-4-12-three-segme
       echo "$domain with $2: expected 'rejected: $1', found '$found'" >&2
       exit 1
     fi
-    refuted=$((refuted + 1))
+    rejections=$((rejections + 1))
   }
   rejected fate-shown 's/^piece \([0-9]*\) 1 /piece \1 2 /'
   rejected fate-shown 's/^piece \([0-9]*\) /piece 1\1 /'
   rejected fate-shown 's/^\(piece .*\) \([0-9]*\)$/\1 1\2/'
   rejected clauses-refuted '/^segment [0-9]* [-0-9]* [-0-9]* [-0-9]* [0-9]*$/s/.*/free/'
+  rejected fate-shown '1s/ cdt / plc-triangulation /'
+  rejected fate-shown 's/^sees [0-9]*/sees 99/'
+  rejected fate-shown 's/^\(sees [0-9]*\) [-0-9]* /\1 9999999 /'
+  rejected fate-shown 's/^\(sees\( [-0-9]*\)\{5\}\) .*/\1/'
 done
+[ "$rejections" -ge 15 ]
 echo "domains: $accepted certificates and $refuted refutations verified, $compared of them about files that were compared; \
 of $without meshes there is none"
 [ "$accepted" -ge 100 ] && [ "$refuted" -ge 36 ] && [ "$compared" -ge 140 ]

@@ -186,11 +186,11 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
       path, [&](std::ostream& out) { certificate::write(out, *document); }, output);
 }
 
-std::string impossibility_file(const std::string& prefix) {
-  return prefix + "-triangulation.proof";
+std::vector<std::string> impossibility_files(const std::string& prefix) {
+  return {prefix + "-cdt.proof", prefix + "-triangulation.proof"};
 }
 
-std::string write_impossibility(const std::string& prefix, const LoadedDomain& loaded,
+std::string write_impossibility(const std::string& prefix, Claim claim, const LoadedDomain& loaded,
                                 Output& output) {
   constexpr std::size_t kMostVertices = 48;  // candidates grow with their fourth power
   if (loaded.domain.complex.points.size() > kMostVertices) {
@@ -198,13 +198,14 @@ std::string write_impossibility(const std::string& prefix, const LoadedDomain& l
         fmt::format("no proof for circumspect-verified: more than {} vertices", kMostVertices));
     return "";
   }
-  const auto proof =
-      certificate::impossibility_of(loaded.domain, listed_segments(loaded), fillers(), decide);
+  const auto proof = certificate::impossibility_of(loaded.domain, claim, listed_segments(loaded),
+                                                   fillers(), decide);
   if (!proof) {
     output.note("no proof for circumspect-verified: " + proof.error());
     return "";
   }
-  return write_file(impossibility_file(prefix),
+  const std::size_t which = claim == Claim::kCdt ? 0 : 1;
+  return write_file(impossibility_files(prefix)[which],
                     [&](std::ostream& out) { certificate::write(out, *proof); });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "command/input/domain_input.hpp"
 #include "command/output/output.hpp"
@@ -20,12 +21,13 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output);
 
-// The file in which circumspect-verified reads that a domain has no triangulation.
-std::string impossibility_file(const std::string& prefix);
+// The files in which circumspect-verified reads that a domain has no CDT, and no triangulation.
+std::vector<std::string> impossibility_files(const std::string& prefix);
 
-// Writes it for a domain in space that has none, and a note if there is nothing to write: what is proved of every
-// triangulation may not suffice. Returns what is wrong with the file, or an empty string.
-std::string write_impossibility(const std::string& prefix, const LoadedDomain& loaded,
+// Writes that a domain in space has no CDT or, if the claim is plc-triangulation, no triangulation at all; and a note
+// if there is nothing to write: what is proved of every triangulation may not suffice. Returns what is wrong with the
+// file, or an empty string.
+std::string write_impossibility(const std::string& prefix, Claim claim, const LoadedDomain& loaded,
                                 Output& output);
 
 }  // namespace circumspect::cli

@@ -319,7 +319,8 @@ std::string refutations_fault(const InspectOptions& options) {
   }
   std::vector<Written> proofs;
   for (const std::string& path : refutation_files(prefix)) proofs.push_back({"the proofs", path});
-  proofs.push_back({"the proofs", impossibility_file(prefix)});
+  for (const std::string& path : impossibility_files(prefix))
+    proofs.push_back({"the proofs", path});
   return overwriting_fault(proofs, files_of_domain(options.inputs.front()));
 }
 

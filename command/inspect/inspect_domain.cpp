@@ -225,8 +225,11 @@ class Inspection {
     if (wants(kCdt) && !options_.refutations.empty()) {
       output_.end_watch();
       std::string error = write_refutations(options_.refutations, loaded.domain, facts_);
-      if (error.empty() && facts_.no_triangulation) {
-        error = write_impossibility(options_.refutations, loaded, output_);
+      // That there is no triangulation says that there is no CDT.
+      if (error.empty() && (facts_.no_triangulation || facts_.no_cdt)) {
+        error = write_impossibility(
+            options_.refutations, facts_.no_triangulation ? Claim::kPlcTriangulation : Claim::kCdt,
+            loaded, output_);
       }
       if (!error.empty()) {
         output_.error(ExitCode::kInputFault, "file", options_.refutations, error);
@@ -328,7 +331,7 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
       .add_option("--refutations", options.refutations,
                   "Where there is no CDT or no triangulation, write the proofs for replay: "
                   "PREFIX-cdt.cnf and .drat, PREFIX-triangulation.cnf and .drat; and "
-                  "PREFIX-triangulation.proof for circumspect-verified")
+                  "PREFIX-triangulation.proof, or PREFIX-cdt.proof, for circumspect-verified")
       ->option_text("PREFIX");
 }
 

@@ -127,7 +127,7 @@ TEST_CASE("inspect --refutations: a proof does not replace the domain") {
   const std::string text = contents(kNoTriangulation);
   const std::string domain = folder.write("a.poly", text);
   for (const char* const name : {"p-cdt.cnf", "p-cdt.drat", "p-triangulation.cnf",
-                                 "p-triangulation.drat", "p-triangulation.proof"}) {
+                                 "p-triangulation.drat", "p-triangulation.proof", "p-cdt.proof"}) {
     fs::create_hard_link(domain, folder.path(name));
     const Run refused = run({"inspect", domain, "--refutations", folder.path("p")});
     CAPTURE(name);

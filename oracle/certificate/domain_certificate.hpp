@@ -153,7 +153,7 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);
 
 // ---- Impossibility ----
-// What proves that a domain in space has no triangulation: of each set of four vertices why it is no simplex of
+// What proves that a domain in space has no triangulation, or no CDT: of each set of four vertices why it is no simplex of
 // one, and clauses that hold of every triangulation and that nothing satisfies. Book: Section 4.5.
 
 // Variables v > 0 and their negations -v.
@@ -175,6 +175,7 @@ struct Decision {
 using Decide = std::function<std::optional<Decision>(int variables, const std::vector<Clause>&)>;
 
 struct Impossibility {
+  Claim claim = Claim::kPlcTriangulation;  // of which nothing holds
   DomainKind kind = DomainKind::kEnclosed;
   ScaledPoints points;  // the vertices of the domain
   std::vector<Simplex> segments = {};
@@ -185,8 +186,9 @@ struct Impossibility {
   std::vector<ProofStep> steps = {};
 };
 
-// Error: why there is none, for people. Requires: the domain is in space.
-tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain,
+// For the claims plc-triangulation and cdt. Error: why there is none, for people. Requires: the domain is in
+// space.
+tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, Claim claim,
                                                           const ListedSegments& listed,
                                                           const HullFillers& fillers,
                                                           const Decide& decide);

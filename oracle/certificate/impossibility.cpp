@@ -2,7 +2,6 @@
 // them, as proofs/existence/Necessary.v proves it; a solver says which of them are enough.
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +9,9 @@
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/predicates/in_ball.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::certificate {
 namespace {
@@ -38,8 +40,7 @@ std::vector<Point> clipped(const std::vector<Point>& corners, const Halfspace& h
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point& p = corners[i];
     const Point& q = corners[(i + 1) % corners.size()];
-    const Rational at_p = half(p);
-    const Rational at_q = half(q);
+    const Rational at_p = half(p), at_q = half(q);
     if (sgn(at_p) >= 0) left.push_back(p);
     if (sgn(at_p) * sgn(at_q) < 0) {
       const Rational t = at_p / (at_p - at_q);
@@ -58,8 +59,9 @@ struct CellPart {
 
 class Search {
  public:
-  Search(const PiecewiseLinearComplex& complex, const ScaledPoints& points)
-      : complex_(complex), points_(points) {
+  // Of triangulations, or of those that are CDTs.
+  Search(const PiecewiseLinearComplex& complex, const ScaledPoints& points, bool of_cdts)
+      : complex_(complex), points_(points), of_cdts_(of_cdts) {
     const auto add = [&](std::string name, const Simplex& simplex) {
       parts_.push_back({std::move(name), coordinates(complex_.points, simplex), simplex});
     };
@@ -96,8 +98,7 @@ class Search {
     const std::size_t before = reasons.size();
     for (std::size_t i = 0; i < free_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        const std::size_t s = free_[i];
-        const std::size_t u = free_[j];
+        const std::size_t s = free_[i], u = free_[j];
         if (!chosen[s] || !chosen[u]) continue;
         const auto point = improper_intersection(complex_.points, candidates_[s], candidates_[u]);
         if (!point) continue;
@@ -149,7 +150,7 @@ class Search {
   // Why a candidate is in no triangulation, or that it may be.
   std::string fate_of(const Simplex& candidate) const {
     if (side(candidate, 3, candidate[3]) == 0) return "flat";
-    std::optional<std::array<Halfspace, 4>> halves;
+    const std::array<Halfspace, 4> halves = facets(candidate);
     for (const CellPart& part : parts_) {
       if (is_beyond_a_facet(candidate, part)) continue;
       if (std::includes(candidate.begin(), candidate.end(), part.simplex.begin(),
@@ -157,20 +158,105 @@ class Search {
         continue;  // it is a face
       }
       if (part.simplex.size() == 1) return part.name;
-      if (!halves) halves = facets(candidate);
       std::vector<Point> common = part.corners;
-      for (const Halfspace& half : *halves) {
+      for (const Halfspace& half : halves) {
         if (!common.empty()) common = clipped(common, half);
       }
       if (common.empty()) continue;
       const Point point = circumspect::barycentre(common);
       for (std::size_t place = 0; place < 4; ++place) {
-        if (sgn((*halves)[place](point)) > 0 && is_off(part, candidate[place])) {
+        if (sgn(halves[place](point)) > 0 && is_off(part, candidate[place])) {
           return named(part, point);
         }
       }
     }
+    if (of_cdts_) {
+      if (const auto encroached = encroachment(candidate)) return *encroached;
+    }
     return "free";
+  }
+
+  // A vertex in the open ball of the candidate that some point inside can see, with planes that part the way there
+  // from all cells. All in integers.
+  std::optional<std::string> encroachment(const Simplex& candidate) const {
+    constexpr std::array<std::array<int, 4>, 3> kWeights = {
+        {{1, 1, 1, 1}, {1, 2, 3, 5}, {5, 3, 2, 1}}};
+    for (Vertex v = 0; complex_.points.names(v); ++v) {
+      if (contains(candidate, v)) continue;
+      if (in_ball(complex_.points.configuration(), kSpace, candidate, v) <= 0) continue;
+      for (const auto& weights : kWeights) {
+        Point sum = {0, 0, 0};
+        int total = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+          sum = sum + Rational(weights[i]) * whole(candidate[i]);
+          total += weights[i];
+        }
+        if (const auto planes = parting_planes(sum, total, whole(v))) {
+          return fmt::format("sees {} {} {} {} {}", v + 1, sum[0].get_str(), sum[1].get_str(),
+                             sum[2].get_str(), total) +
+                 *planes;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  Point whole(Vertex v) const {
+    return {points_.coordinate(v, 0), points_.coordinate(v, 1), points_.coordinate(v, 2)};
+  }
+
+  // Planes with the way from sum / total to v on one side, but perhaps for v, and each part of a cell on the other.
+  std::optional<std::string> parting_planes(const Point& sum, const Rational& total,
+                                            const Point& v) const {
+    std::vector<Plane> planes;
+    std::string words;
+    for (const CellPart& part : parts_) {
+      std::vector<Point> corners;
+      for (const Vertex corner : part.simplex) corners.push_back(whole(corner));
+      const auto parts_it = [&](const Plane& plane) {
+        return inner_product(plane.normal, sum) > total * plane.offset &&
+               inner_product(plane.normal, v) >= plane.offset &&
+               std::all_of(corners.begin(), corners.end(), [&](const Point& corner) {
+                 return inner_product(plane.normal, corner) <= plane.offset;
+               });
+      };
+      if (std::any_of(planes.begin(), planes.end(), parts_it)) continue;
+      const auto found = plane_beside(corners, total * v - sum, v, parts_it);
+      if (!found) return std::nullopt;
+      for (const Rational& x : found->normal) words += " " + x.get_str();
+      words += " " + found->offset.get_str();
+      planes.push_back(*found);
+    }
+    return words;
+  }
+
+  // A plane that touches the part and fulfils the condition; `way` leads to v.
+  static std::optional<Plane> plane_beside(const std::vector<Point>& corners, const Point& way,
+                                           const Point& v, const auto& condition) {
+    std::vector<Point> normals = {way};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Point from_v = corners[i] - v;
+      normals.push_back(cross(cross(from_v, way), from_v));
+      normals.push_back(cross(cross(from_v, way), way));
+      for (std::size_t j = 0; j < i; ++j) {
+        normals.push_back(cross(corners[i] - corners[j], way));
+        normals.push_back(cross(corners[i] - corners[j], from_v));
+      }
+    }
+    if (corners.size() == 3) {
+      normals.push_back(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    }
+    for (const Point& normal : normals) {
+      for (const int sign : {1, -1}) {
+        Plane plane{Rational(sign) * normal, 0};
+        plane.offset = inner_product(plane.normal, corners[0]);
+        for (const Point& corner : corners) {
+          plane.offset = std::max(plane.offset, inner_product(plane.normal, corner));
+        }
+        if (condition(plane)) return plane;
+      }
+    }
+    return std::nullopt;
   }
 
   // The planes of all triangles, and on which sides of them the vertices are.
@@ -278,24 +364,13 @@ class Search {
     return std::any_of(parts_.begin(), parts_.end(), [&](const CellPart& part) {
       return part.simplex.size() == 3 &&
              std::none_of(facet.begin(), facet.end(), [&](Vertex v) { return is_off(part, v); }) &&
-             !is_off_triangle(part, centre);
+             !intersection(part.corners, {centre}).empty();
     });
-  }
-
-  // Is a point of its plane off the triangle?
-  bool is_off_triangle(const CellPart& part, const Point& point) const {
-    const Point normal =
-        cross(part.corners[1] - part.corners[0], part.corners[2] - part.corners[0]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point& a = part.corners[i];
-      const Point& b = part.corners[(i + 1) % 3];
-      if (sgn(inner_product(normal, cross(b - a, point - a))) < 0) return true;
-    }
-    return false;
   }
 
   const PiecewiseLinearComplex& complex_;
   const ScaledPoints& points_;
+  bool of_cdts_;
   std::vector<CellPart> parts_;
   std::vector<Simplex> candidates_;
   std::map<Simplex, std::size_t> number_of_;
@@ -333,15 +408,17 @@ void trim(Impossibility& made, std::vector<ProofStep> proof) {
 
 }  // namespace
 
-tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain,
+tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, Claim claim,
                                                           const ListedSegments& listed,
                                                           const HullFillers& fillers,
                                                           const Decide& decide) {
   const PiecewiseLinearComplex& complex = domain.complex;
   auto points = scaled_to_integers(complex.points);
   if (!points) return tl::unexpected(points.error());
-  Impossibility made{
-      .kind = complex.kind, .points = std::move(*points), .segments = complex.segments};
+  Impossibility made{.claim = claim,
+                     .kind = complex.kind,
+                     .points = std::move(*points),
+                     .segments = complex.segments};
   for (const Point& seed : complex.hole_seeds) made.holes.push_back(scaled(made.points, seed));
   const PolygonPlace place{complex, complex.points, made.points, [](Vertex) { return true; },
                            [&](std::size_t segment) { return complex.segments[segment]; }};
@@ -351,7 +428,7 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain,
     if (!polygon) return tl::unexpected(polygon.error());
     made.polygons.push_back(std::move(*polygon));
   }
-  Search search(complex, made.points);
+  Search search(complex, made.points, claim == Claim::kCdt);
   search.add_clauses();
   for (;;) {
     auto decision = decide(search.variables(), search.clauses);

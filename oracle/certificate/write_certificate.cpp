@@ -264,7 +264,7 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
 
 void write(std::ostream& out, const Impossibility& impossibility) {
   Lines lines(out);
-  write_first_line(lines, "circumspect-impossibility 1", Claim::kPlcTriangulation, 3,
+  write_first_line(lines, "circumspect-impossibility 1", impossibility.claim, 3,
                    impossibility.kind == DomainKind::kHull ? "hull" : "enclosed");
   write_scale(lines, impossibility.points);
   begin_section(lines, "vertices", impossibility.points.size());

@@ -1,4 +1,4 @@
-(** * The checker of what shows that a domain has no triangulation
+(** * The checker of what shows that a domain has no triangulation, or no CDT
 
     [check_impossible] is extracted; [ImpossibleSound.v] proves what its acceptance means.  The domain is read as that of
     a certificate.  Candidates are all sets of four of its vertices; of each it is said why it is in no triangulation, or that it may
@@ -26,6 +26,9 @@ Definition in_tables (f : polygon_entry) : polygon_in_tables :=
   (f, Table.of_list id (simplices (plane_mesh f)), Table.of_list id (marks (plane_part f)),
    Table.of_list position (points (plane_mesh f))).
 
+(** A vertex, without a weight. *)
+Definition bare (e : point_entry) : site := Site (coordinates (position e)) 0.
+
 Section Impossible.
 Variable D : domain_certificate.
 Notation c := (whole_mesh D).
@@ -49,7 +52,7 @@ Definition check_hole_point (k : positive) (h : hole_entry) : result :=
 Definition check_about : result :=
   require scale by (0 <? numerator c) && (0 <? denominator c) at Nowhere;
   each_pair vertices_listed AtPoint check_corner 1 (points c) (roles (domain_part D)) ;;
-  each (check_ends (Table.of_list position (points c))) 1 (segments (domain_part D)) ;;
+  each (check_ends (Table.of_list bare (points c))) 1 (segments (domain_part D)) ;;
   each check_hole_point 1 (holes (domain_part D)) ;;
   each (fun k f => in_polygon k (check_shape c (mesh_of c) f)) 1 (polygons D).
 
@@ -102,6 +105,31 @@ Definition cell_point_of (x : domain_point) : option cell_point :=
       end
   end.
 
+(** ** What can be seen *)
+
+(** The plane has the points K on one side, or in it, and the way from q / w to v on the other, but perhaps for v. *)
+Definition parts_from (q : site) (w : Z) (v : site) (K : list site) (h : list Z * Z) : bool :=
+  Nat.eqb (length (fst h)) 3 && (w * snd h <? inner_product (fst h) (coordinates q)) &&
+  (snd h <=? inner_product (fst h) (coordinates v)) &&
+  forallb (fun k => inner_product (fst h) (coordinates k) <=? snd h) K.
+Fixpoint off_kept (off : list site -> bool) (above_of : Table.t positive) (l : list simplex_entry) (l' : list mark) : bool :=
+  match l, l' with
+  | e :: r, m :: r' =>
+      (negb (kept m) ||
+       match find_all S (named_above above_of (corners e)) with Some Y => off Y | None => false end) &&
+      off_kept off above_of r r'
+  | _, _ => true
+  end.
+Definition sees (v q : site) (w : Z) (planes : list (list Z * Z)) : bool :=
+  let off K := existsb (parts_from q w v K) planes in
+  forallb (fun e => off [bare e]) (points c) &&
+  forallb (fun s => match Table.find (from s) S, Table.find (last (map reached (links s)) (from s)) S with
+                    | Some a, Some b => off [a; b]
+                    | _, _ => false
+                    end) (segments (domain_part D)) &&
+  forallb (fun f => off_kept off (Table.of_list id (above f)) (simplices (plane_mesh f)) (marks (plane_part f)))
+    (polygons D).
+
 (** ** Candidates *)
 
 (** [fate-shown] *)
@@ -117,6 +145,13 @@ Definition fate_holds (K : list positive) (e : fate) : bool :=
           | None => false
           | Some y => in_simplex pr X (cell_site y) (cell_w y) &&
               existsb (beside y) (carrier_of pr X (cell_site y) (cell_w y))
+          end
+      | Encroached k q w planes =>
+          match domain_claimed D with Cdt => true | _ => false end &&
+          proper pr X && point_written pr q w && strictly_in_simplex pr X q w &&
+          match Table.find k S with
+          | Some v => (0 <? below_sign pr X v) && sees v q w planes
+          | None => false
           end
       end
   end.
@@ -164,7 +199,7 @@ Fixpoint all_beside (K : list positive) (X : list site) (i : nat) (l : list posi
     (points : list point_entry) : bool :=
   match points with
   | [] => true
-  | e :: r => listed_beside K X i l k (position e) && all_beside K X i l (Pos.succ k) r
+  | e :: r => listed_beside K X i l k (bare e) && all_beside K X i l (Pos.succ k) r
   end.
 (** The clause, if the reason is one. *)
 Definition clause_of (r : reason) : option clause :=
@@ -190,7 +225,7 @@ Definition clause_of (r : reason) : option clause :=
       | Some K, Some X =>
           if may_be_chosen s && Nat.ltb i 4 && point_written pr q w && inside_facet X i q w &&
              match kind D with
-             | Hull => existsb (fun e => beyond pr X (position e) 1 i) (points c)
+             | Hull => existsb (fun e => beyond pr X (bare e) 1 i) (points c)
              | Enclosed => forallb (off_polygon q w) polygons_listed
              end &&
              all_beside K X i l 1 (points c)
@@ -217,7 +252,7 @@ End Impossible.
     [reason-shown], [clauses-refuted] *)
 Definition check_impossible (x : impossibility) : result :=
   let D := about x in
-  let S := Table.of_list position (points (whole_mesh D)) in
+  let S := Table.of_list bare (points (whole_mesh D)) in
   let segments_of := Table.of_list id (segments (domain_part D)) in
   let polygons_listed := map in_tables (polygons D) in
   let polygons_of := Table.of_list id polygons_listed in
@@ -225,7 +260,7 @@ Definition check_impossible (x : impossibility) : result :=
   let candidates_of := Table.of_list id candidates in
   let fates_of := Table.of_list id (fates x) in
   check_about D ;;
-  each_pair fate_shown AtCandidate (check_fate S segments_of polygons_of) 1 candidates (fates x) ;;
+  each_pair fate_shown AtCandidate (check_fate D S segments_of polygons_of) 1 candidates (fates x) ;;
   match clauses_of D S segments_of polygons_listed polygons_of candidates candidates_of fates_of 1 (reasons x) with
   | inr k => Rejected reason_shown (AtReason k)
   | inl l => require clauses_refuted by refuted_clauses l (steps x) at Nowhere; Accepted

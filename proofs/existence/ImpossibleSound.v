@@ -4,7 +4,7 @@
     chosen.  Then each clause holds ([Necessary.v]), and nothing satisfies all of them ([Rup.v]). *)
 From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import ImpossibleChecker Numbering.
-From Circumspect Require Import Vectors Affine Frame Faces Facets Necessary Breach.
+From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Necessary Visible Breach.
 From Circumspect Require Import Orientation Integers Accepted RefutationSigns.
 From Circumspect Require Import Combinations KeptMesh KeptCells Polygons DomainRefuted PolygonPoints.
 From Circumspect Require Import Definitions Domains DomainRules.
@@ -47,7 +47,7 @@ Proof.
 Qed.
 Lemma all_beside_numbered candidates_of K X i l points : forall k, all_beside candidates_of K X i l k points = true ->
   forall j e, nth_error points j = Some e ->
-    listed_beside candidates_of K X i l (Pos.of_succ_nat j + k - 1)%positive (position e) = true.
+    listed_beside candidates_of K X i l (Pos.of_succ_nat j + k - 1)%positive (bare e) = true.
 Proof.
   induction points as [|x points IH]; intros k H j e E; [destruct j; discriminate|].
   cbn [all_beside] in H. apply andb_prop in H. destruct H as [H R]. destruct j as [|j]; cbn in E.
@@ -115,7 +115,7 @@ Notation P := (domain_of_certificate 3 D).
 Notation spot := (spot 3 c).
 Notation r := (unit_of c).
 Notation pr := space_predicates.
-Notation vertices_of := (Table.of_list position (points c)).
+Notation vertices_of := (Table.of_list bare (points c)).
 Notation segments_of := (Table.of_list Datatypes.id (segments (domain_part D))).
 Notation polygons_listed := (map in_tables (polygons D)).
 Notation polygons_of := (Table.of_list Datatypes.id polygons_listed).
@@ -126,7 +126,7 @@ Notation clause_of := (clause_of D vertices_of segments_of polygons_listed polyg
 Notation cell_point_of := (cell_point_of vertices_of segments_of polygons_of).
 
 Lemma parts : check_about D = Accepted /\
-  each_pair fate_shown AtCandidate (check_fate vertices_of segments_of polygons_of) 1 candidates (fates x) = Accepted /\
+  each_pair fate_shown AtCandidate (check_fate D vertices_of segments_of polygons_of) 1 candidates (fates x) = Accepted /\
   exists l, refuted_clauses l (steps x) = true /\ forall y, In y l -> exists s, In s (reasons x) /\ clause_of s = Some y.
 Proof.
   pose proof accepts as H. unfold check_impossible in H. cbv zeta in H.
@@ -176,17 +176,24 @@ Proof.
   destruct I as (k & K). exists k, e. split; [assumption|]. destruct ro; [|destruct H].
   destruct H as [<-|[]]. symmetry. now apply spot_numbered.
 Qed.
-Lemma find_vertex k e : numbered (points c) k = Some e -> Table.find k vertices_of = Some (position e).
+Lemma find_vertex k e : numbered (points c) k = Some e -> Table.find k vertices_of = Some (bare e).
 Proof. intros E. rewrite table_find, E. reflexivity. Qed.
+Lemma vertex_height k p : Table.find k vertices_of = Some p -> norm2 (place_of (d := 3) r p) = height_of (d := 3) r p.
+Proof.
+  rewrite table_find. destruct (numbered (points c) k) as [e|]; [|discriminate]. intros H. injection H as <-.
+  unfold height_of. cbn [bare weight]. ring.
+Qed.
 Lemma find_vertices K X : find_all vertices_of K = Some X ->
-  map (place_of r) X = map spot K /\ Forall (well_shaped 3) X /\ length X = length K.
+  map (place_of r) X = map spot K /\ Forall (well_shaped 3) X /\ length X = length K /\
+  forall p, In p X -> norm2 (place_of (d := 3) r p) = height_of (d := 3) r p.
 Proof.
   revert X. induction K as [|k K IH]; intros X E; cbn [find_all] in E.
-  - injection E as <-. repeat constructor.
+  - injection E as <-. repeat split; [constructor|]. intros p [].
   - destruct (Table.find k vertices_of) as [p|] eqn:Fp; [|discriminate].
     destruct (find_all vertices_of K) as [Y|]; [|discriminate]. injection E as <-.
-    destruct (IH Y eq_refl) as (Pl & Sh & L). destruct (vertex_spec k p Fp) as (S & W & _).
-    cbn [map length]. rewrite Pl, S, L. repeat split. now constructor.
+    destruct (IH Y eq_refl) as (Pl & Sh & L & Hy). destruct (vertex_spec k p Fp) as (S & W & _).
+    cbn [map length]. rewrite Pl, S, L. repeat split; [now constructor|].
+    intros y [<-|Iy]; [exact (vertex_height k p Fp)|auto].
 Qed.
 Lemma spots_of_mesh j q : Table.find j (points_of (mesh_of c)) = Some q -> spot j = place_of r q.
 Proof.
@@ -238,10 +245,77 @@ Proof.
       rewrite <- (place_over_one (r := r)) in F. rewrite (flat_in_plane D unit_positive f (shape f If) p 1 eq_refl Sp F) in B. discriminate.
 Qed.
 
+(** ** What can be seen *)
+
+Section Seen.
+Variables (v q : site) (w : Z) (planes : list (list Z * Z)).
+Hypothesis shape_v : well_shaped 3 v.
+Hypothesis shape_q : well_shaped 3 q.
+Hypothesis positive_w : (0 < w)%Z.
+Notation way s := (between (place_over (d := 3) r q w) (place_of (d := 3) r v) s).
+Lemma parted K s : Forall (well_shaped 3) K -> existsb (parts_from q w v K) planes = true -> 0 <= s < 1 ->
+  ~ conv (map (place_of r) K) (way s).
+Proof.
+  intros Sh H Hs C. apply existsb_exists in H. destruct H as ((n, o) & _ & H). unfold parts_from in H. cbn [fst snd] in H.
+  apply andb_prop in H. destruct H as [H Ks]. apply andb_prop in H. destruct H as [H Hv]. apply andb_prop in H.
+  destruct H as [Ln Hq]. apply Nat.eqb_eq in Ln. apply Z.ltb_lt, IZR_lt in Hq. apply Z.leb_le, IZR_le in Hv.
+  rewrite mult_IZR in Hq. apply IZR_lt in positive_w as Pw. pose proof unit_positive as Ru.
+  set (f y := inner (integer_point 3 n) y - r * IZR o).
+  assert (A : affine f). { exists (integer_point 3 n), (- (r * IZR o)). intros y. unfold f, plane. ring. }
+  assert (At : forall p, well_shaped 3 p -> f (place_of r p) = r * (IZR (inner_product n (coordinates p)) - IZR o)).
+  { intros p Sp. unfold f, place_of. rewrite inner_scale_r, (inner_integer _ _ Ln Sp). ring. }
+  assert (Fq : 0 < f (place_over r q w)).
+  { unfold f, place_over, place_of. rewrite inner_scale_r, (inner_integer _ _ Ln shape_q).
+    replace (r / IZR w * IZR (inner_product n (coordinates q)) - r * IZR o)
+      with (r / IZR w * (IZR (inner_product n (coordinates q)) - IZR w * IZR o)) by (field; lra).
+    apply Rmult_lt_0_compat; [now apply Rdiv_lt_0_compat|lra]. }
+  assert (Fv : 0 <= f (place_of r v)) by (rewrite At by assumption; apply Rmult_le_pos; lra).
+  assert (Fk : 0 <= - f (way s)).
+  { apply (affine_conv (fun y => - f y) (map (place_of r) K)); [now apply affine_opp| |assumption].
+    intros y Iy. apply in_map_iff in Iy. destruct Iy as (p & <- & Ip). rewrite forallb_forall in Ks. specialize (Ks p Ip).
+    apply Z.leb_le, IZR_le in Ks. rewrite Forall_forall in Sh. rewrite At by auto. nra. }
+  change (between (d := 3)) with (mix (d := 3)) in Fk. rewrite affine_mix in Fk by assumption. nra.
+Qed.
+Lemma off_kept_numbered off above_of l : forall l', off_kept vertices_of off above_of l l' = true ->
+  forall i e m, nth_error l i = Some e -> nth_error l' i = Some m -> kept m = true ->
+  exists Y, find_all vertices_of (named_above above_of (corners e)) = Some Y /\ off Y = true.
+Proof.
+  induction l as [|a l IH]; intros [|a' l'] H i e m E E' K; try (destruct i; discriminate).
+  cbn [off_kept] in H. apply andb_prop in H. destruct H as [H R]. destruct i as [|i]; cbn in E, E'.
+  - injection E as ->. injection E' as ->. rewrite K in H. cbn [negb orb] in H.
+    destruct (find_all vertices_of _) as [Y|]; [|discriminate]. eauto.
+  - now apply (IH l' R i e m).
+Qed.
+Lemma way_off X s : sees D vertices_of v q w planes = true -> In X (low_cells P) -> 0 <= s < 1 -> ~ X (way s).
+Proof.
+  intros H IX Hs. unfold sees in H. apply andb_prop in H. destruct H as [H Pg]. apply andb_prop in H. destruct H as [Vx Sg].
+  unfold low_cells in IX. apply in_app_or in IX. destruct IX as [IX|IX]; [|apply in_app_or in IX; destruct IX as [IX|IX]].
+  - apply in_map_iff in IX. destruct IX as (y & <- & Iy). destruct (vertex_found y Iy) as (k & e & Ee & ->).
+    destruct (vertex_spec k _ (find_vertex k e Ee)) as (Sp & W & _). rewrite forallb_forall in Vx.
+    intros E. apply (parted [bare e] s); [now repeat constructor| |assumption|].
+    + apply Vx. now apply numbered_in with k.
+    + cbn [map]. apply conv_singleton. congruence.
+  - apply in_map_iff in IX. destruct IX as (ab & <- & I). apply in_map_iff in I. destruct I as (g & <- & Ig).
+    rewrite forallb_forall in Sg. specialize (Sg g Ig).
+    destruct (Table.find (from g) vertices_of) as [a|] eqn:Ea; [|discriminate].
+    destruct (Table.find (last (map reached (links g)) (from g)) vertices_of) as [b|] eqn:Eb; [|discriminate].
+    destruct (vertex_spec _ a Ea) as (Pa & Sa & _). destruct (vertex_spec _ b Eb) as (Pb & Sb & _).
+    unfold segment_ends. cbn [fst snd]. rewrite Pa, Pb. apply (parted [a; b] s); [now repeat constructor|assumption..].
+  - apply in_map_iff in IX. destruct IX as (y & <- & I). apply in_map_iff in I. destruct I as (f & <- & If). intros C.
+    apply (polygon_covered c spots_of_mesh D eq_refl f (shape f If)) in C. destruct C as (u & e & E & K & C).
+    rewrite forallb_forall in Pg. specialize (Pg f If).
+    destruct (mark_of (plane_mesh f) (plane_part f) true Enclosed _
+      (plane_part_accepted _ _ _ (plane_ok c f (shape f If))) u e E) as (m & Em & Km & _).
+    unfold numbered in E, Em. destruct (off_kept_numbered _ _ _ _ Pg _ e m E Em) as (Y & FY & Off); [congruence|].
+    destruct (find_vertices _ Y FY) as (Pl & Sh & _). rewrite <- Pl in C. now apply (parted Y s) in C.
+Qed.
+End Seen.
+
 (** ** Candidates *)
 
 Variable T : list (simplex 3).
 Hypothesis triangulates : plc_triangulation P T.
+Hypothesis constrained : domain_claimed D = Cdt -> forall t, In t T -> constrained_delaunay (domain_vertices P) P t.
 
 Definition chosen k : Prop := exists K t, numbered candidates k = Some K /\ In t T /\ same t (map spot K).
 Lemma chosen_dec k : {chosen k} + {~ chosen k}.
@@ -280,13 +354,13 @@ Proof.
   intros E It S. destruct parts as (_ & Fa & _). apply each_pair_accepted in Fa. destruct Fa as [L Fa].
   destruct (numbered_beside _ _ _ _ L E) as (e & Ee). specialize (Fa k K e E Ee). unfold check_fate in Fa. accepted.
   unfold fate_holds in Heqb. destruct (find_all vertices_of K) as [X|] eqn:FX; [|discriminate].
-  destruct (find_vertices K X FX) as (Pl & Sh & LX).
+  destruct (find_vertices K X FX) as (Pl & Sh & LX & Hx).
   rewrite (sublists_length 4 _ K (numbered_in _ _ _ E)) in LX.
   destruct (Necessary.members P T triangulates t It) as [Nd Lt].
   assert (Frame : proper pr X = true -> exists g, framed X g /\ vertices g = map spot K).
   { intros Pr. destruct (proper_framed M X Sh LX Pr) as (g & G). exists g. split; [assumption|].
     now rewrite (framed_vertices X g G). }
-  destruct e as [|y|].
+  destruct e as [|y|v q w planes|].
   - exfalso. apply negb_true_iff in Heqb. apply (flat_dependent M X Sh LX Heqb). rewrite Pl.
     destruct (Independence.frame_of t Lt) as (h & Vh).
     { apply (proj1 (Necessary.meets P T triangulates)). now apply (Necessary.member_face P T triangulates). }
@@ -302,6 +376,22 @@ Proof.
     + rewrite Vg. destruct S. now split.
     + rewrite (framed_vertices X g G). now apply (in_simplex_conv M X g G).
     + apply (carrier_of_carrier M X g G (cell_site z) (cell_w z) Sq Pw). now apply in_map.
+  - exfalso. apply andb_prop in Heqb. destruct Heqb as [B V]. apply andb_prop in B. destruct B as [B In_].
+    apply andb_prop in B. destruct B as [B Wr]. apply andb_prop in B. destruct B as [Cl Pr].
+    destruct (domain_claimed D) eqn:Ecl; try discriminate. apply (written M) in Wr. destruct Wr as [Sq Pw].
+    destruct (Table.find v vertices_of) as [y|] eqn:Ev; [|discriminate]. apply andb_prop in V. destruct V as [Be Se].
+    apply Z.ltb_lt in Be. destruct (vertex_spec v y Ev) as (Py & Sy & Iy). destruct (Frame Pr) as (g & G & Vg).
+    destruct (constrained eq_refl t It) as (_ & _ & o & r2 & Ci & Em).
+    pose proof (strictly_in_simplex_inside M X g G q w Sq Pw In_) as [Cq Fq]. rewrite Pl in Cq, Fq.
+    assert (Ct : conv t (place_over r q w)) by now apply (conv_same t (map spot K)).
+    apply (Em (spot v) (place_over r q w) Iy).
+    + split; [assumption|]. intros f Hf Cf. apply incl_tran with (map spot K); [apply S|]. apply Fq; [|assumption].
+      apply incl_tran with t; [assumption|apply S].
+    + rewrite Py. apply (seen (le_n 3) P T triangulates t (place_over r q w) (place_of r y) It Ct); [now rewrite <- Py|].
+      intros X0 I0 s Hs. now apply (way_off y q w planes).
+    + rewrite Py. apply (below_in_balls (vertices g)); [|intros p Ip; apply Ci; rewrite Vg in Ip; now apply S].
+      apply below_all_planes. apply (below_witness M X g G norm2 y); [|assumption|now apply Z.ltb_lt].
+      intros p [<-|Ip]; [exact (vertex_height v y Ev)|now apply Hx].
   - split; [unfold may_be_chosen; now rewrite find_id, Ee|]. destruct (Frame Heqb) as (g & G & Vg).
     exists X, g. unfold candidate_at. rewrite find_id, E. auto.
 Qed.
@@ -370,14 +460,14 @@ Proof.
       destruct Kd as (e & Ie & Be). apply in_numbered in Ie. destruct Ie as (k & Ee).
       destruct (vertex_spec k _ (find_vertex k e Ee)) as (Sp & W & Iv). exists (spot k). split; [assumption|].
       rewrite Sp, place_of_over. unfold beyond in Be. apply andb_prop in Be. destruct Be as [_ Be].
-      now apply (coordinate_negative M X g G (position e) 1 i Hi' W eq_refl). }
+      now apply (coordinate_negative M X g G (bare e) 1 i Hi' W eq_refl). }
     { cbn [domain_of_certificate what_it_fills domain_polygons]. intros Ke f If. rewrite Ke in Kd.
       apply in_map_iff in If. destruct If as (f' & <- & If). rewrite forallb_forall in Kd.
       apply (off_polygon_sound D unit_positive spots_of_mesh f' (shape f' If) q w Sq Pw), Kd. now apply in_map. }
     destruct (vertex_found v Iv) as (k & e & Ee & ->).
     destruct (vertex_spec k _ (find_vertex k e Ee)) as (Sp & W & _).
-    assert (Be : beyond pr X (position e) 1 i = true).
-    { apply (negative_beyond M X g G (position e) 1 i W eq_refl Hi'). now rewrite <- place_of_over, <- Sp. }
+    assert (Be : beyond pr X (bare e) 1 i = true).
+    { apply (negative_beyond M X g G (bare e) 1 i W eq_refl Hi'). now rewrite <- place_of_over, <- Sp. }
     pose proof Ee as Ne. unfold numbered in Ne. pose proof (all_beside_numbered _ _ _ _ _ _ _ All _ e Ne) as Lb.
     replace (Pos.of_succ_nat (pred (Pos.to_nat k)) + 1 - 1)%positive with k in Lb by lia.
     unfold listed_beside in Lb. rewrite Be in Lb. cbn [negb orb] in Lb. apply existsb_exists in Lb.
@@ -411,10 +501,11 @@ Proof.
 Qed.
 End Impossible.
 
-Theorem check_impossible_sound x : check_impossible x = Accepted ->
-  forall T, ~ plc_triangulation (domain_of_certificate 3 (about x)) T.
+Theorem check_impossible_sound x T : check_impossible x = Accepted -> plc_triangulation (domain_of_certificate 3 (about x)) T ->
+  (domain_claimed (about x) = Cdt -> forall t, In t T ->
+     constrained_delaunay (domain_vertices (domain_of_certificate 3 (about x))) (domain_of_certificate 3 (about x)) t) -> False.
 Proof.
-  intros A T Tr. destruct (parts x A) as (_ & _ & l & R & H).
+  intros A Tr Cd. destruct (parts x A) as (_ & _ & l & R & H).
   apply (refuted_clauses_sound l (steps x) (truth x T) R). intros y Iy. destruct (H y Iy) as (s & _ & E).
-  now apply (reason_satisfied x A T Tr s).
+  now apply (reason_satisfied x A T Tr Cd s).
 Qed.

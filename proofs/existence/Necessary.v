@@ -18,6 +18,21 @@ Proof.
   - intros (X & IX & Q). apply in_map_iff in IX. destruct IX as (f & <- & If). eauto.
 Qed.
 
+(** What is enclosed does not end where there is no wall. *)
+Lemma enclosed_along {d} (W : point d -> Prop) holes x y : enclosed (fun _ => True) W holes x -> clear W x y ->
+  enclosed (fun _ => True) W holes y.
+Proof.
+  intros [_ [Wx|[Nu Nh]]] Cl.
+  { exfalso. apply (Cl 0); [lra|]. now rewrite between_start. }
+  assert (Co : forall z, connected (fun _ => True) W y z -> connected (fun _ => True) W x z).
+  { intros z C. induction C as [|u z C IH _ Cx].
+    - apply further with x; [apply here|exact I|exact Cl].
+    - now apply further with u. }
+  split; [exact I|]. right. split.
+  - intros Un. apply Nu. intros r. destruct (Un r) as (z & C & L). exists z. auto.
+  - intros h Ih C. apply (Nh h Ih). auto.
+Qed.
+
 Section Necessary.
 Context {d : nat}.
 Variables (P : domain d) (T : list (simplex d)).
@@ -266,17 +281,8 @@ Proof.
     apply (Clear (s * e)) with X; [nra|assumption|]. replace (mix z p (s * e)) with (between z y s); [assumption|].
     change (between (d := d)) with (mix (d := d)). apply affine_separate. intros f F. unfold y.
     rewrite !affine_mix by assumption. ring. }
-  assert (Co : forall x, connected (fun _ => True) (walls_of P) y x -> connected (fun _ => True) (walls_of P) z x).
-  { intros x C. induction C as [|x w C IH _ Cx].
-    - apply further with z; [apply here|exact I|exact Cl].
-    - now apply further with x. }
   assert (R' : region P y).
-  { unfold region in *. rewrite K in *. destruct R as [_ [W|[Nu Nh]]].
-    - exfalso. apply Walls in W. destruct W as (X & IX & Xz). apply in_map_iff in IX.
-      destruct IX as (f & <- & If). now apply (Off f If).
-    - split; [exact I|]. right. split.
-      + intros Un. apply Nu. intros r. destruct (Un r) as (x & C & L). exists x. auto.
-      + intros h Ih C. apply (Nh h Ih). auto. }
+  { unfold region in *. rewrite K in *. now apply (enclosed_along _ _ z). }
   destruct (proj1 (covers y)) as (s & Is & Cs).
   { exists (region P). split; [|assumption]. unfold cells.
     apply in_or_app. right. apply in_or_app. right. apply in_or_app. right. now left. }

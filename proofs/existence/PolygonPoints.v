@@ -10,6 +10,14 @@ From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
 
+Lemma inner_integer n p : length n = 3%nat -> length p = 3%nat ->
+  inner (integer_point 3 n) (integer_point 3 p) = IZR (inner_product n p).
+Proof.
+  destruct n as [|a [|b [|e [|? ?]]]]; try discriminate. destruct p as [|y1 [|y2 [|y3 [|? ?]]]]; try discriminate.
+  intros _ _. rewrite inner_3. cbn [inner_product]. rewrite ?plus_IZR, ?mult_IZR.
+  change (IZR a * IZR y1 + IZR b * IZR y2 + IZR e * IZR y3 = IZR a * IZR y1 + (IZR b * IZR y2 + (IZR e * IZR y3 + 0))). ring.
+Qed.
+
 Section Polygon.
 Variable D : domain_certificate.
 Notation c := (whole_mesh D).
@@ -38,12 +46,7 @@ Proof.
   intros Pw Sq F. destruct (Polygons.polygon_parts c f shape) as (_ & _ & Ln & _). apply IZR_lt in Pw.
   unfold in_plane, over, along_axis. rewrite same_integers_refl. unfold well_shaped in Sq. rewrite Sq. cbn [Nat.eqb andb].
   rewrite !andb_true_r. apply Z.eqb_eq, eq_IZR. unfold flat, place_over, place_of in F. rewrite inner_scale_r in F.
-  assert (E : inner n (integer_point 3 (coordinates q)) = IZR (inner_product (normal f) (coordinates q))).
-  { destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate Ln.
-    destruct (coordinates q) as [|y1 [|y2 [|y3 [|? ?]]]]; try discriminate Sq.
-    rewrite inner_3. cbn [inner_product]. rewrite ?plus_IZR, ?mult_IZR.
-    change (IZR a * IZR y1 + IZR b * IZR y2 + IZR e * IZR y3 = IZR a * IZR y1 + (IZR b * IZR y2 + (IZR e * IZR y3 + 0))). ring. }
-  rewrite E in F. rewrite mult_IZR. apply Rmult_eq_reg_l with (r / IZR w).
+  rewrite (inner_integer _ _ Ln Sq) in F. rewrite mult_IZR. apply Rmult_eq_reg_l with (r / IZR w).
   - rewrite F. field. lra.
   - apply Rgt_not_eq, Rlt_gt, Rdiv_lt_0_compat; [exact unit_positive|assumption].
 Qed.

@@ -184,6 +184,14 @@ domain "verified: not cdt, domain.segment-missing; domain: 4 vertices, 5 segment
 varied "rejected: another domain, varied-refuted.poly:11: found the segment from (2 0) to (0 2), which is none*" 's/^4 0 2/4 1 3/' refuted.poly
 varied "rejected: another domain, varied-refuted.poly:*: expected the segment from (0 0) to (2 2), found none" 's/^5$/4/;/^4 0 2/d' refuted.poly
 varied "rejected: another domain, varied-refuted.poly:5: found the vertex (0 3), which is none*" 's/^3 0 2/3 0 3/' refuted.poly
+# What shows that a domain has no triangulation is about the domain alone.
+certificate=sound--impossible.cert
+printf '8 3\n0 1 0 0\n1 -1 0 0\n2 0 1 0\n3 0 -1 0\n4 0 0 1\n5 0 0 -1\n6 1.5 1.5 1.5\n7 2 .5 .5\n2\n1\n2 0 1\n1\n2 2 3\n0\n' >octahedron.poly
+domain "verified: no triangulation*, 8 vertices, 2 segments: octahedron.poly" octahedron.poly
+sed 's/^2 2 3/2 2 4/' octahedron.poly >other.poly
+domain "rejected: another domain, other.poly:14: found the segment from (0 1 0) to (0 0 1), which is none*" other.poly
+sed 's/^7 2 /7 3 /' octahedron.poly >moved.poly
+domain "rejected: another domain, moved.poly:9: found the vertex (3 1/2 1/2), which is none*" --coordinates decimal moved.poly
 [ "$failures" -eq 0 ]
 cd - >/dev/null
 # Every condition of the checker has a mutant.

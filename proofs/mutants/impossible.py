@@ -119,7 +119,8 @@ def files():
             ("its-own-vertex", free, "vertex %d" % (CANDIDATES[free][0] + 1)),
             ("its-own-edge", number((0, 1, 2, 4)) - 1, "segment 1 0 0 0 1"),
             ("off-the-segment", pierced, "segment 1 0 0 1 1"), ("no-segment", pierced, "segment 3 0 0 0 1"),
-            ("no-point", pierced, "segment 1 0 0 0 0"), ("no-piece", pierced, "piece 1 1 0 0 0 1")]:
+            ("no-point", pierced, "segment 1 0 0 0 0"), ("no-piece", pierced, "piece 1 1 0 0 0 1"),
+            ("what-is-seen-from-a-triangulation", free, "sees %d %s" % (INNER[0] + 1, centre(CANDIDATES[free])))]:
         yield mutant("fate-shown--" + why, "candidates", k, line, "fate-shown, candidate %d" % (k + 1))
     both = SOUND["clauses"][2].split()
     shared = next(v for v in CANDIDATES[int(both[1]) - 1] if v in CANDIDATES[int(both[2]) - 1])

@@ -1,4 +1,4 @@
-(* What shows that a domain in space has no triangulation, as CERTIFICATE.md describes it, into the record that the
+(* What shows that a domain in space has no triangulation, or no CDT, as CERTIFICATE.md describes it, into the record that the
    proved checker reads: the domain is that of a certificate without simplices. *)
 open Extracted
 open Reading
@@ -21,10 +21,18 @@ let domain_point c expected = function
   | [] -> Text.fail c.source expected "the end of the line"
 
 let fate c =
-  let expected = "flat, free, or what pierces the candidate: vertex, segment or piece" in
+  let expected = "flat, free, or what pierces the candidate: vertex, segment or piece; or sees" in
   function
   | "flat" :: rest -> (Flat, rest)
   | "free" :: rest -> (MayBeChosen, rest)
+  | "sees" :: rest ->
+    let v, rest = number c expected rest in
+    let q, rest = site c expected false rest in
+    let w, rest = integer c expected rest in
+    let plane tokens = match take c Reading.integer 4 expected tokens with
+      | [ x; y; z; o ], rest -> (([ x; y; z ], o), rest)
+      | _ -> assert false in
+    (Encroached (v, q, w, all plane rest), [])
   | tokens -> let x, rest = domain_point c expected tokens in (Pierced x, rest)
 
 let reason c =
@@ -61,7 +69,7 @@ let candidates n =
   let product = List.fold_left (fun p k -> Big.mul p (Big.of_int (n - k))) (Big.of_int 1) [ 0; 1; 2; 3 ] in
   Big.div product (Big.of_int 24)
 
-let read c kind =
+let read c domain_claimed kind =
   let numerator, denominator = scale c in
   let expected = "the coordinates of a vertex" in
   let sites = section c "vertices" expected (site c expected false) in
@@ -92,4 +100,4 @@ let read c kind =
   let segments = List.map (fun (from, reached) ->
       { from; links = [ { reached; link_simplex = 1; link_facet = O } ] }) ends in
   let domain_part = { roles = List.map (fun _ -> Corner 1) sites; segments; holes; marks = [] } in
-  { about = { domain_claimed = PlcTriangulation; kind; whole_mesh; domain_part; polygons }; fates; reasons; steps }
+  { about = { domain_claimed; kind; whole_mesh; domain_part; polygons }; fates; reasons; steps }

@@ -10,7 +10,7 @@ open Extracted
 let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote, or a proof that a domain has no\n\
-triangulation, which `circumspect inspect DOMAIN --refutations PREFIX` writes; `-` is standard input.\n\
+triangulation or CDT, which `circumspect inspect DOMAIN --refutations PREFIX` writes; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
 the simplices in their order; and whether the domain is: its vertices by their exact coordinates, its segments,\n\
 polygons and hole points. Decimals mean the nearest double, unless they are taken at their word.\n\
@@ -158,8 +158,8 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
   { mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 (* There is no mesh: the points are the vertices. *)
-let impossibility (c : Reading.context) kind =
-  let impossibility = Impossibility_file.read c kind in
+let impossibility (c : Reading.context) claimed kind =
+  let impossibility = Impossibility_file.read c claimed kind in
   let about = impossibility.about in
   let whole = about.whole_mesh in
   let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
@@ -168,7 +168,7 @@ let impossibility (c : Reading.context) kind =
   let verdict () = match check_impossible impossibility with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
-      ("verified: no triangulation without Steiner points; " ^ described about ~is_complex:false, 0) in
+      ((if claimed = Cdt then "verified: no CDT" else "verified: no triangulation") ^ " without Steiner points; " ^ described about ~is_complex:false, 0) in
   { mesh; compare_domain = Some (Users_domain.compare_domain mesh about); verdict }
 
 let refutation (c : Reading.context) space claimed rule =
@@ -200,7 +200,7 @@ let domain_refutation (c : Reading.context) space claimed rule =
   { mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE' or 'circumspect-impossibility 1 plc-triangulation 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE' or 'circumspect-impossibility 1 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
@@ -221,9 +221,9 @@ let content source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
-  | [ "circumspect-impossibility"; "1"; "plc-triangulation"; "3"; kind ] when List.mem_assoc kind kinds ->
-    let c, _, _ = context source domain_claims "plc-triangulation" "3" in
-    impossibility c (List.assoc kind kinds)
+  | [ "circumspect-impossibility"; "1"; ("plc-triangulation" | "cdt" as claim); "3"; kind ] when List.mem_assoc kind kinds ->
+    let c, claimed, _ = context source domain_claims claim "3" in
+    impossibility c claimed (List.assoc kind kinds)
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
 (* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
@@ -246,20 +246,22 @@ let of_users_files ~exactly mesh poly content =
         Users_domain.points ~exactly (Text.of_string (read_file (Filename.remove_extension name ^ ".node"))) in
       compared "domain" name (compare_domain points_elsewhere ~exactly) in
   let ( let* ) = Result.bind in
-  let same =
+  let same () =
     let* () = match mesh with
       | None -> Ok ()
       | Some (node, ele) ->
         let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in
         compared "mesh" ele (Users_mesh.compare_simplices content.mesh number_of) in
     Option.fold ~none:(Ok ()) ~some:of_domain poly in
-  match same, content.verdict () with
-  | Error answer, (_, 0) -> answer
-  | Ok (), (line, 0) ->
-    let of_mesh = match mesh with Some (node, ele) -> [ node; ele ] | None -> [] in
-    let names = List.map String.escaped (of_mesh @ Option.to_list poly) in
-    (Printf.sprintf "%s: %s" line (String.concat " " names), 0)
-  | _, answer -> answer
+  (* What a rejected file says is looked at no further. *)
+  match content.verdict () with
+  | line, 0 -> (match same () with
+      | Error answer -> answer
+      | Ok () ->
+        let of_mesh = match mesh with Some (node, ele) -> [ node; ele ] | None -> [] in
+        let names = List.map String.escaped (of_mesh @ Option.to_list poly) in
+        (Printf.sprintf "%s: %s" line (String.concat " " names), 0))
+  | answer -> answer
 
 let () =
   (* Little of what is read becomes garbage: collect seldom. *)
