@@ -16,7 +16,9 @@ namespace {
 
 TEST_CASE("campaign: whatever stands in the folder of findings, nobody's files are touched") {
   const Program program("echo nonsense > \"$2\"\n");
-  const Arguments options = {"--cases", "2", "--families", "integers", "--minimize-runs", "1"};
+  // Quiet, since a slow machine is told how far the campaign is.
+  const Arguments options = {"--cases",         "2", "--families", "integers",
+                             "--minimize-runs", "1", "--quiet"};
   const std::string findings = program.output() + "/findings";
   const std::string mine = program.folder.path("mine");
   fs::create_directories(mine + "/output");
