@@ -17,7 +17,7 @@ import time
 import numpy as np
 import scipy.spatial
 
-ROUNDS = 5
+ROUNDS = 3
 MPIRUN = ["mpirun", "--quiet", "--allow-run-as-root", "--oversubscribe", "-n"]
 
 
