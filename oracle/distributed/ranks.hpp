@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <mpi.h>
+#include <sys/resource.h>
 
 namespace circumspect::distributed {
 
@@ -36,7 +37,14 @@ class Ranks {
  public:
   // Fewer items than `few` are never worth sending some at a time. Requires: MPI is initialized, and `communicator`
   // outlives this object; few > 0.
-  explicit Ranks(MPI_Comm communicator, std::size_t few = std::size_t{1} << 15);
+  explicit Ranks(MPI_Comm communicator, std::size_t few = std::size_t{1} << 15)
+      : communicator_(communicator), few_(few) {
+    int number = 0;
+    MPI_Comm_rank(communicator_, &number);
+    rank_ = static_cast<std::size_t>(number);
+    MPI_Comm_size(communicator_, &number);
+    size_ = static_cast<std::size_t>(number);
+  }
 
   std::size_t rank() const { return rank_; }
   std::size_t size() const { return size_; }
@@ -119,11 +127,25 @@ class Ranks {
   }
 
   // What was done since the phase before, or since the beginning.
-  void end_phase(const std::string& name);
+  void end_phase(const std::string& name) {
+    const auto now = std::chrono::steady_clock::now();
+    now_.name = {};
+    name.copy(now_.name.data(), now_.name.size() - 1);
+    now_.seconds = std::chrono::duration<double>(now - begin_).count();
+    rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    now_.memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+    phases_.push_back(std::exchange(now_, Phase{}));
+    begin_ = now;
+  }
   const std::vector<Phase>& phases() const { return phases_; }
 
  private:
-  std::uint64_t reduced(std::uint64_t own, MPI_Op operation) const;
+  std::uint64_t reduced(std::uint64_t own, MPI_Op operation) const {
+    std::uint64_t all = 0;
+    MPI_Allreduce(&own, &all, 1, MPI_UINT64_T, operation, communicator_);
+    return all;
+  }
   void count(std::uint64_t bytes, std::uint64_t messages) {
     now_.bytes_sent += bytes;
     now_.messages += messages;
