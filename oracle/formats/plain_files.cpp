@@ -146,6 +146,7 @@ std::optional<PlainRows> plan_rows(const RandomAccess& file, std::size_t begin, 
 
 bool for_each_block(const RandomAccess& file, const PlainRows& rows, unsigned threads,
                     const std::function<bool(PlainTokens&, const PlainBlock&)>& read_block) {
+  if (rows.blocks.empty()) return true;  // a part without rows
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t workers = std::min<std::size_t>(threads, rows.blocks.size());
   std::size_t largest = 0;
