@@ -9,6 +9,7 @@
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
@@ -29,10 +30,6 @@ struct Halfspace {
     return sign * (inner_product(plane->normal, p) - plane->offset);
   }
 };
-
-Point cross(const Point& u, const Point& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
 
 // What of a convex polygon (a segment, a point) is in a half-space.
 std::vector<Point> clipped(const std::vector<Point>& corners, const Halfspace& half) {
@@ -236,15 +233,15 @@ class Search {
     std::vector<Point> normals = {way};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point from_v = corners[i] - v;
-      normals.push_back(cross(cross(from_v, way), from_v));
-      normals.push_back(cross(cross(from_v, way), way));
+      normals.push_back(cross_product(cross_product(from_v, way), from_v));
+      normals.push_back(cross_product(cross_product(from_v, way), way));
       for (std::size_t j = 0; j < i; ++j) {
-        normals.push_back(cross(corners[i] - corners[j], way));
-        normals.push_back(cross(corners[i] - corners[j], from_v));
+        normals.push_back(cross_product(corners[i] - corners[j], way));
+        normals.push_back(cross_product(corners[i] - corners[j], from_v));
       }
     }
     if (corners.size() == 3) {
-      normals.push_back(cross(corners[1] - corners[0], corners[2] - corners[0]));
+      normals.push_back(cross_product(corners[1] - corners[0], corners[2] - corners[0]));
     }
     for (const Point& normal : normals) {
       for (const int sign : {1, -1}) {
@@ -272,7 +269,8 @@ class Search {
   }
   void find_sides_of(const std::array<Vertex, 3>& triangle) {
     const Point& p = complex_.points[triangle[0]];
-    Plane plane{cross(complex_.points[triangle[1]] - p, complex_.points[triangle[2]] - p), 0};
+    Plane plane{cross_product(complex_.points[triangle[1]] - p, complex_.points[triangle[2]] - p),
+                0};
     plane.offset = inner_product(plane.normal, p);
     const std::size_t number = number_of(triangle);
     for (Vertex v = 0; complex_.points.names(v); ++v) {

@@ -10,6 +10,7 @@
 
 #include "oracle/picture/surroundings.hpp"
 #include "oracle/report/wording.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::picture {
 namespace {
@@ -304,10 +305,6 @@ void Composer::add_ball() {
     at.push_back(axis < centre.size() ? in_frame(centre[axis], axis) : 0.0);
   }
   json_["ball"]["centre"] = at;
-}
-
-Point cross_product(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // Across the largest triangle (in the plane: the longest edge) of the witness's points.

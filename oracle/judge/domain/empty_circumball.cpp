@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {
 
@@ -74,10 +75,6 @@ std::vector<Vertex> VertexIndex::near(const Ball& ball) const {
 // ---- Empty circumball ----
 
 namespace {
-
-Point cross_product(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Directions that span what is orthogonal to the simplex.
 std::vector<Point> normals(const PointSet& points, const Simplex& simplex) {

@@ -5,12 +5,10 @@
 #include <map>
 #include <span>
 
+#include "reference/kernel/exact/point.hpp"
+
 namespace circumspect::check {
 namespace {
-
-Point cross_product(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // The edge or triangle of a patch, or nothing but the polygon, that a fault is about.
 Misplaced fault(const Cells& cells, Cell a, Cell b, const Simplex& face) {

@@ -6,16 +6,13 @@
 #include "oracle/judge/within/images.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
 #include "reference/kernel/exact/box_index.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {
 
 namespace {
 
 using Edge = std::pair<Vertex, Vertex>;  // directed
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 std::array<Edge, 3> edges(const Simplex& triangle) {
   return {{{triangle[0], triangle[1]}, {triangle[1], triangle[2]}, {triangle[2], triangle[0]}}};
@@ -172,7 +169,7 @@ class PatchSearch {
   // Is the second apex above (positive) or below the plane of edge and first apex?
   int side(const Edge& edge, Vertex first, Vertex second) const {
     const Point& from = points_[edge.first];
-    return sign(inner_product(cross(points_[edge.second] - from, points_[first] - from),
+    return sign(inner_product(cross_product(points_[edge.second] - from, points_[first] - from),
                               points_[second] - from));
   }
 

@@ -32,6 +32,11 @@ Rational inner_product(const Point& a, const Point& b) {
   return sum;
 }
 
+Point cross_product(const Point& a, const Point& b) {
+  assert(a.size() == 3 && b.size() == 3);
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 Rational squared_length(const Point& a) { return inner_product(a, a); }
 
 Rational squared_distance(const Point& a, const Point& b) { return squared_length(a - b); }

@@ -17,6 +17,8 @@ Point operator+(const Point& a, const Point& b);
 Point operator-(const Point& a, const Point& b);
 Point operator*(const Rational& factor, const Point& a);
 Rational inner_product(const Point& a, const Point& b);
+// Requires: three coordinates each.
+Point cross_product(const Point& a, const Point& b);
 Rational squared_length(const Point& a);
 Rational squared_distance(const Point& a, const Point& b);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "reference/kernel/exact/point.hpp"
+
 namespace circumspect {
 namespace {
 
@@ -53,16 +55,13 @@ void visit_from_outside(const std::vector<Beside>& beside, std::size_t regions,
   }
 }
 
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // Twice the area that a line encloses, along the normal about which it turns counterclockwise. (M. Newell's
 // formula: the sum of cross products of corners that follow each other.)
 Point area_of(const std::vector<Vertex>& line, const PointSet& points) {
   Point area = {0, 0, 0};
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    area = area + cross(points[line[i]] - points[line[0]], points[line[i + 1]] - points[line[0]]);
+    area = area +
+           cross_product(points[line[i]] - points[line[0]], points[line[i + 1]] - points[line[0]]);
   }
   return area;
 }
@@ -83,7 +82,7 @@ Point point_before(const Regions& regions, const OrientedFacet& side) {
   const Point centre = barycentre(corners);
   const Point u = corners[1] - corners[0];
   Point step = {-u[1], u[0]};  // on the left, where the front of an edge is
-  if (corners.size() == 3) step = cross(corners[2] - corners[0], u);
+  if (corners.size() == 3) step = cross_product(corners[2] - corners[0], u);
   if (side.reversed) step = Rational(-1) * step;
   for (;; step = Rational(1, 2) * step) {
     const auto crossed = walls.crossings(centre, centre + step);
