@@ -25,16 +25,59 @@ std::optional<Rows<Value>> in_plane(const Rows<Value>& points) {
 // Where labels are listed in a message, no more are begun behind so many bytes.
 constexpr std::size_t kLongestListOfLabels = 60;
 
-// Calls `visit` for each proper face with two vertices or more. Requires: at most four vertices.
-template <class Visit>
-void for_each_face(const Simplex& simplex, const Visit& visit) {
-  for (std::size_t i = 0; i < simplex.size(); ++i) {
-    const Simplex facet = facet_opposite(simplex, i);
-    if (facet.size() < 2) return;
-    visit(facet);
-    for_each_face(facet, visit);
+// Which of some listed faces are faces of cells that are kept, and of cells that are not.
+class ListedFaces {
+ public:
+  ListedFaces(const std::vector<Simplex>& listed, std::size_t points) : is_listed_at_(points) {
+    for (const Simplex& face : listed) {
+      faces_.push_back(sorted(face));
+      for (const Vertex v : face) {
+        if (names(v)) is_listed_at_[static_cast<std::size_t>(v)] = true;
+      }
+    }
+    std::sort(faces_.begin(), faces_.end());
+    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    of_kept_.resize(faces_.size());
+    of_left_.resize(faces_.size());
   }
-}
+
+  // Requires: at most four vertices.
+  void see(const Simplex& cell, bool is_kept) {
+    // Most cells have no listed face, and show it by their vertices.
+    Simplex vertices;
+    for (const Vertex v : cell) {
+      if (!names(v) || is_listed_at_[static_cast<std::size_t>(v)]) vertices.push_back(v);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    std::vector<bool>& seen = is_kept ? of_kept_ : of_left_;
+    Simplex face;
+    for (unsigned bits = 1; bits < 1U << vertices.size(); ++bits) {
+      face.clear();
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if ((bits >> i & 1U) != 0) face.push_back(vertices[i]);
+      }
+      if (face.size() < 2 || face.size() == cell.size()) continue;
+      const auto at = std::lower_bound(faces_.begin(), faces_.end(), face);
+      if (at != faces_.end() && *at == face) {
+        seen[static_cast<std::size_t>(at - faces_.begin())] = true;
+      }
+    }
+  }
+
+  // Of no cell that is kept, and of one that is not.
+  bool is_lost(const Simplex& face) const {
+    const auto at = std::lower_bound(faces_.begin(), faces_.end(), sorted(face));
+    const auto place = static_cast<std::size_t>(at - faces_.begin());
+    return of_left_[place] && !of_kept_[place];
+  }
+
+ private:
+  bool names(Vertex v) const { return v >= 0 && v < static_cast<Vertex>(is_listed_at_.size()); }
+
+  std::vector<Simplex> faces_;  // each ascending, all ascending
+  std::vector<bool> of_kept_, of_left_;
+  std::vector<bool> is_listed_at_;  // by vertex: has a listed face
+};
 
 template <class Value>
 Rows<Value> some_rows(const Rows<Value>& rows, const std::vector<Vertex>& places) {
@@ -122,19 +165,22 @@ Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>&
   const auto is_kept = [&](std::size_t i) {
     return std::find(kept.begin(), kept.end(), labels[i]) != kept.end();
   };
-  const std::vector<Simplex> all = mesh.simplices.lists();
+  const std::size_t count = mesh.simplices.size();
   std::vector<Simplex> simplices;
-  std::set<Vertex> used;   // by what is kept
-  std::set<Vertex> left;   // by what is not
-  std::set<Simplex> lost;  // faces of what is not kept
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (is_kept(i)) {
-      simplices.push_back(all[i]);
-      used.insert(all[i].begin(), all[i].end());
-      continue;
+  // By vertex: is it of what is kept, and of what is not? What names no point is not left out.
+  std::vector<bool> used(mesh.points(), false), left(mesh.points(), false);
+  const auto mark = [&](const Simplex& simplex, std::vector<bool>& vertices) {
+    for (const Vertex v : simplex) {
+      if (mesh.names(v)) vertices[static_cast<std::size_t>(v)] = true;
     }
-    left.insert(all[i].begin(), all[i].end());
-    for_each_face(sorted(all[i]), [&](const Simplex& face) { lost.insert(face); });
+  };
+  ListedFaces faces(mesh.faces, mesh.points());
+  for (std::size_t i = 0; i < count; ++i) {
+    Simplex cell = mesh.simplices[i];
+    const bool keep = is_kept(i);
+    mark(cell, keep ? used : left);
+    if (!mesh.faces.empty()) faces.see(cell, keep);
+    if (keep) simplices.push_back(std::move(cell));
   }
   if (simplices.empty()) {
     const std::set<Vertex> known(labels.begin(), labels.end());
@@ -149,16 +195,14 @@ Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>&
     return tl::unexpected(FormatError{file.mesh_name, 0, "a cell with a label of --keep-label",
                                       "the labels " + text});
   }
-  for (const Simplex& simplex : simplices) {
-    if (lost.empty()) break;
-    for_each_face(sorted(simplex), [&](const Simplex& face) { lost.erase(face); });
-  }
-  std::erase_if(mesh.faces, [&](const Simplex& face) { return lost.contains(sorted(face)); });
-  for (const Simplex& face : mesh.faces) used.insert(face.begin(), face.end());
+  std::erase_if(mesh.faces, [&](const Simplex& face) { return faces.is_lost(face); });
+  for (const Simplex& face : mesh.faces) mark(face, used);
   file.notes.push_back(file.mesh_name + ": " + std::to_string(simplices.size()) + " of " +
-                       std::to_string(all.size()) + " cells have a label that is kept");
+                       std::to_string(count) + " cells have a label that is kept");
   mesh.simplices = IndexLists(std::move(simplices));
-  leave_out_points(mesh, [&](Vertex v) { return left.contains(v) && !used.contains(v); });
+  leave_out_points(mesh, [&](Vertex v) {
+    return left[static_cast<std::size_t>(v)] && !used[static_cast<std::size_t>(v)];
+  });
   file.face_markers.clear();  // of points that have other places now
   return {};
 }

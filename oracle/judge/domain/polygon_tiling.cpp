@@ -258,6 +258,27 @@ class Tiling {
   std::vector<std::size_t> reached_;
 };
 
+// A polygon that is one triangle whose edges are edges of the mesh, with no other triangle of the mesh
+// near it: then it is this one, and nothing has to be tiled.
+std::optional<WallPiece> whole_triangle(const MeshedDomain& in, std::size_t p,
+                                        const std::vector<Simplex>& candidates) {
+  const Polygon& polygon = in.complex.polygons[p];
+  const bool is_triangle =
+      polygon.triangles.size() == 1 && polygon.vertices.size() == 3 && polygon.segments.size() == 3;
+  if (!is_triangle || candidates.size() != 1) return std::nullopt;
+  const Simplex& own = polygon.triangles.front();
+  Simplex image;
+  for (const Vertex v : own) image.push_back(in.in_mesh(v));
+  const OrientedFacet facet = OrientedFacet::of(image);
+  if (facet.vertices != candidates.front()) return std::nullopt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!in.chains.is_link(image[i], image[(i + 1) % 3])) return std::nullopt;
+  }
+  const OrientedFacet front{own, facet.reversed};
+  return WallPiece{
+      facet.vertices, p, {in.regions.in_front_of(front.reverse()), in.regions.in_front_of(front)}};
+}
+
 std::vector<WallPiece> pieces_of_segments(const MeshedDomain& in) {
   std::vector<WallPiece> pieces;
   for (std::size_t s = 0; s < in.chains.size(); ++s) {
@@ -286,6 +307,10 @@ std::optional<std::vector<WallPiece>> wall_pieces(const MeshedDomain& in, Verdic
   } else {
     const auto candidates = triangles_at_polygons(in);
     for (std::size_t p = 0; p < candidates.size(); ++p) {
+      if (auto piece = whole_triangle(in, p, candidates[p])) {
+        pieces.push_back(*std::move(piece));
+        continue;
+      }
       tiled &= Tiling(in, p, candidates[p]).add_pieces(pieces, verdict);
     }
   }
