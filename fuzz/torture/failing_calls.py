@@ -9,7 +9,7 @@ The n-th call of a group fails, for n = 1, 2, 3, ... until there is no n-th; of 
 
   - the command ends by itself, in time, with an exit code of its own, and no signal ends it;
   - where it gives an answer, this is the one of an undisturbed run, and so is each byte that it wrote;
-  - where it gives none, it says why in one line, and an output has all its bytes, or its former ones, or is not there;
+  - where it gives none, it says why in one line for each file, and an output has all its bytes, or its former ones, or is not there;
   - of unfinished files, scratch folders and processes nothing is left.
 
 It prints each breach, with the command that shows it again, and a table of how the runs ended.
@@ -65,7 +65,7 @@ RUNS = [
     Run("certify", ["certify", "CORPUS/peers/tetgen/cube-3d.1.ele", "-o", "OUT/certificate"], ["certificate"],
         in_slice=SLICE),
     Run("build", ["build", "delaunay", "CORPUS/peers/inputs/flat-faces-3d.node", "-o", "OUT/x.1.ele"],
-        ["x.1.ele", "x.1.node"]),
+        ["x.1.ele"]),
     Run("compare", ["compare", "CORPUS/peers/cgal/flat-faces-3d.ele", "CORPUS/peers/tetgen/flat-faces-3d.1.ele"]),
     Run("inspect", ["inspect", "CORPUS/peers/inputs/flat-faces-3d.node"]),
     Run("inspect-domain", ["inspect", "CORPUS/domains/two-rooms.poly"]),
@@ -156,8 +156,9 @@ class Torture:
                 faults.append("answered, and wrote something else: " + repr(outputs)[:300])
             return faults
         lines = err.decode(errors="replace").splitlines()
-        if len(lines) != 1 or not lines[0].startswith("circumspect: ") or "internal error" in lines[0]:
-            faults.append(f"exit code {code}, and not one line that says why: {lines}")
+        told = [line for line in lines if line.startswith("circumspect: ") and "internal error" not in line]
+        if not lines or told != lines or len(lines) > 2:  # compare has two inputs, and an output and stdout may fail
+            faults.append(f"exit code {code}, and not one line for each file that says why: {lines}")
         for name, output in outputs.items():
             if name == "findings" and not set(output) <= set(undisturbed[3][name]):
                 faults.append(f"found {output}")
