@@ -1,5 +1,6 @@
 // circumspect: the exact oracle for Delaunay triangulations.
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -110,12 +111,28 @@ ExitCode run(int argc, char** argv) {
   _exit(static_cast<int>(ExitCode::kInternalError));
 }
 
+std::terminate_handler usual_end = nullptr;
+
+// Destructors must not throw, and some of nlohmann::json ask for memory: where it is exhausted, they come here.
+[[noreturn]] void end_where_nobody_catches() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  } catch (...) {
+    usual_end();
+  }
+  usual_end();
+  std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   circumspect::cli::keep_standard_files_apart();
   circumspect::formats::let_writing_fail_at_file_limits();
   circumspect::end_where_numbers_exhaust_memory(end_without_memory);
+  usual_end = std::set_terminate(end_where_nobody_catches);
   try {
     return static_cast<int>(circumspect::cli::when_written(run(argc, argv)));
   } catch (const std::bad_alloc&) {

@@ -100,11 +100,10 @@ LongWork::LongWork(std::string command, std::optional<double> seconds, bool show
 LongWork::~LongWork() {
   if (!thread_.joinable()) return;
   is_over_ = true;
-  wake();
-  thread_.join();
   set_meaning(false);
+  // The end of the pipe wakes the thread, as a byte in it would; only it cannot fail to.
   close(wake_up.exchange(-1));
-  // Not before the last wake(): a pipe that nobody can read from ends the process with SIGPIPE.
+  thread_.join();
   close(listening_);
   clear();
 }

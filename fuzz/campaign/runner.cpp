@@ -9,6 +9,7 @@
 #include <sstream>
 #include <system_error>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -52,6 +53,17 @@ std::string new_scratch_folder(const Limits& limits) {
 bool is_plain_file(const std::string& path) {
   struct stat status {};
   return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// What keeps us from reading any file, or this one: not what a program may do to its own files.
+std::string why_not_read(const std::string& path) {
+  char byte = 0;
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  const bool reads = file >= 0 && read(file, &byte, 1) >= 0;
+  const int reason = reads ? 0 : errno;
+  if (file >= 0) close(file);
+  const bool ours = reason == EMFILE || reason == ENFILE || reason == ENOMEM || reason == EIO;
+  return ours ? path + ": " + std::strerror(reason) : "";
 }
 
 // The beginning of a file, about as much of it as a person reads.
@@ -177,6 +189,13 @@ Outcome Runner::run_on(const Input& input, const std::string& text) {
   request.stderr_file = scratch_ + "/stderr";
   const Ended ended = supervisor_.run(request, subject_.limits);
   Outcome outcome = outcome_of(ended, input);
+  if (outcome.kind == OutcomeKind::kUnreadable || outcome.kind == OutcomeKind::kNoMesh) {
+    // The program is to blame for what is no mesh twice, and not for a call of our own that failed.
+    const std::string reason = why_not_read(
+        subject_.writes_stdout ? request.stdout_file : work_ + "/" + subject_.mesh_name);
+    if (!reason.empty()) return not_run(reason);
+    outcome = outcome_of(ended, input);
+  }
   outcome.text = on_one_line(without_places(std::move(outcome.text)));
   outcome.explanation = on_lines(without_places(std::move(outcome.explanation)));
   return outcome;
