@@ -13,6 +13,7 @@
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
+#include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/mesh_files.hpp"
@@ -31,6 +32,7 @@ struct CompareOptions {
   std::string a;
   std::string b;
   std::string output_file;  // for what differs; empty: none
+  std::string html;         // likewise, to look at
   std::size_t most = 20;    // differences of each kind that are shown; 0: all
   InputOptions input;
   OutputOptions output;
@@ -143,30 +145,36 @@ std::string counts(const Side& side) {
                      on_one_line(side.name));
 }
 
-void report_comparison(const CompareOptions& options, const Comparison& comparison,
-                       const std::vector<std::string>& notes, Output& output) {
-  const bool same = comparison.is_same();
-  output.exit_with(same ? ExitCode::kHolds : ExitCode::kFails);
-  for (const std::string& note : notes) output.note(note);
-  if (output.wants_text()) {
-    output.text(text_of(comparison.only_in_a) + text_of(comparison.only_in_b));
-    output.text(
-        same ? fmt::format("same: {} {} {} {}{}\n", on_one_line(options.a), on_one_line(options.b),
+std::string line_of(const CompareOptions& options, const Comparison& comparison) {
+  return comparison.is_same()
+             ? fmt::format("same: {} {} {} {}{}", on_one_line(options.a), on_one_line(options.b),
                            report::counted(comparison.points_of_a, "point"),
                            report::counted(comparison.simplices_of_a, "simplex", "simplices"),
                            comparison.weighted ? " weighted" : "")
-             : fmt::format("differ: {}, {}\n", counts(comparison.only_in_a),
-                           counts(comparison.only_in_b)));
+             : fmt::format("differ: {}, {}", counts(comparison.only_in_a),
+                           counts(comparison.only_in_b));
+}
+
+report::Json json_of(const CompareOptions& options, const Comparison& comparison,
+                     const std::vector<std::string>& notes) {
+  return {{"a", options.a},
+          {"b", options.b},
+          {"same", comparison.is_same()},
+          {"weighted", comparison.weighted},
+          {"notes", notes},
+          {"only_in_a", json_of(comparison.only_in_a)},
+          {"only_in_b", json_of(comparison.only_in_b)}};
+}
+
+void report_comparison(const CompareOptions& options, const Comparison& comparison,
+                       const std::vector<std::string>& notes, Output& output) {
+  output.exit_with(comparison.is_same() ? ExitCode::kHolds : ExitCode::kFails);
+  for (const std::string& note : notes) output.note(note);
+  if (output.wants_text()) {
+    output.text(text_of(comparison.only_in_a) + text_of(comparison.only_in_b));
+    output.text(line_of(options, comparison) + "\n");
   }
-  if (output.wants_json()) {
-    output.json({{"a", options.a},
-                 {"b", options.b},
-                 {"same", same},
-                 {"weighted", comparison.weighted},
-                 {"notes", notes},
-                 {"only_in_a", json_of(comparison.only_in_a)},
-                 {"only_in_b", json_of(comparison.only_in_b)}});
-  }
+  if (output.wants_json()) output.json(json_of(options, comparison, notes));
 }
 
 // The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the plane or
@@ -233,21 +241,23 @@ bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
   return fault.empty();
 }
 
-// What is wrong with the name of the file to be written; empty if nothing is.
+// What is wrong with the names of the files to be written; empty if nothing is.
 std::string output_fault(const CompareOptions& options) {
-  if (options.output_file.empty()) return "";
-  if (writer_of_difference(options.output_file) == nullptr) {
+  std::vector<Written> written;
+  if (!options.output_file.empty()) written.push_back({"what differs", options.output_file});
+  if (!written.empty() && writer_of_difference(options.output_file) == nullptr) {
     return fmt::format("expected -o OUT.vtu, OUT.msh, OUT.obj or OUT.ply, found {}",
                        options.output_file);
   }
   std::vector<std::string> read = files_of_mesh(options.a);
   for (std::string& path : files_of_mesh(options.b)) read.push_back(std::move(path));
-  return overwriting_fault({{"what differs", options.output_file}}, read);
+  return page_fault(options.html, written, read);
 }
 
 void compare(const CompareOptions& options, Output& output) {
   if (const std::string fault = output_fault(options); !fault.empty()) {
-    output.error(ExitCode::kUsage, "file", options.output_file, fault);
+    output.error(ExitCode::kUsage, "file",
+                 options.output_file.empty() ? options.html : options.output_file, fault);
     return;
   }
   if (options.a == "-" && options.b == "-") {
@@ -276,8 +286,15 @@ void compare(const CompareOptions& options, Output& output) {
       return;
     }
   }
-  report_comparison(options, compared(*a, *b, found.value(), options.most), notes_of(*a, *b),
-                    output);
+  const Comparison comparison = compared(*a, *b, found.value(), options.most);
+  const std::vector<std::string> notes = notes_of(*a, *b);
+  if (!options.html.empty()) {
+    picture::Page page;
+    page.add_difference(a->mesh, b->mesh, found.value(), json_of(options, comparison, notes),
+                        line_of(options, comparison));
+    write_page(options.html, page, output);
+  }
+  report_comparison(options, comparison, notes, output);
 }
 
 }  // namespace
@@ -310,6 +327,8 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
           ".msh with the label 1 for those of A and 2 for those of B, .obj and .ply their "
           "surfaces")
       ->option_text("OUT.vtu");
+  add_page_option(*command, options->html,
+                  "the simplices that differ, those of A and those of B in colours of their own");
   command
       ->add_option("--max-errors", options->most,
                    "Show at most N differences of each kind (default: 20; 0: all)")

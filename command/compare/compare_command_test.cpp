@@ -1,4 +1,6 @@
 // circumspect compare, as its users run it.
+#include <set>
+
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
@@ -134,6 +136,124 @@ TEST_CASE("compare: a file that cannot be read, and two on one standard input") 
   CHECK(is_error_line(missing.err));
   CHECK(run({"compare", "-", "-"}).exit_code == 2);
   CHECK(run({"compare", a}).exit_code == 2);
+}
+
+// What the page in this file is made of.
+nlohmann::json shown(const std::string& path) {
+  const std::string page = contents(path);
+  const std::size_t data = page.find("id=\"data\">") + 10;
+  return nlohmann::json::parse(
+      page.substr(data, page.find("</script>", data) - data))["results"][0];
+}
+
+TEST_CASE("compare: a page has a card for each place at which the meshes differ") {
+  const ScratchFolder folder;
+  // Two squares apart, counted from 1 and from 0; a triangle that both have; a point that only B has.
+  const std::string square = "1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 8 0\n6 9 0\n7 8 1\n8 9 1\n9 2 0\n";
+  const std::string a =
+      mesh(folder, "a", "9 2\n" + square, "5 3\n1 1 2 4\n2 1 4 3\n3 5 6 8\n4 5 8 7\n5 2 9 4\n");
+  const std::string b =
+      mesh(folder, "<script>alert(1)<!--",
+           "10 2\n0 0 0\n1 1 0\n2 0 1\n3 1 1\n4 8 0\n5 9 0\n6 8 1\n7 9 1\n8 2 0\n9 5 5\n",
+           "5 3\n0 0 1 2\n1 1 2 3\n2 4 5 6\n3 5 6 7\n4 1 8 3\n");
+  const std::string page = folder.path("page.html");
+  const Run plain = run({"compare", a, b});
+  const Run differ = run({"compare", a, b, "--html", page});
+  CHECK(differ.exit_code == 1);
+  CHECK(differ.out == plain.out);
+  CHECK(!has(contents(page), "<script>alert"));
+  const auto result = shown(page);
+  CHECK(has(plain.out, result["line"].get<std::string>()));
+  REQUIRE(result["cards"].size() == 3);
+  const auto& card = result["cards"][0];
+  CHECK(card["meaning"] == "2 simplices only in A, and 2 simplices only in B");
+  CHECK(card["simplices"] == nlohmann::json({{1, 2, 4}, {1, 4, 3}, {0, 1, 2}, {1, 2, 3}}));
+  CHECK(card["groups"][1]["count"] == 2);
+  CHECK(card["coordinates"]["A4 B3"] == nlohmann::json({"1", "1"}));
+  CHECK(result["pictures"][0]["names"][0] == "A1 B0");
+  CHECK(result["pictures"][0]["near"].size() == 1);
+  CHECK(result["pictures"][1]["near"].empty());
+  CHECK(result["cards"][2]["meaning"] == "1 point only in B");
+  CHECK(result["pictures"][2]["core"] == 1);
+  CHECK(result["pictures"][2]["names"][0] == "B9");
+  // Each simplex is drawn once, by the same places of points where both meshes have them.
+  std::set<int> places;
+  for (const auto& simplex : result["pictures"][0]["simplices"]) {
+    for (const auto& place : simplex) places.insert(place.get<int>());
+  }
+  CHECK(places.size() == 4);
+}
+
+TEST_CASE("compare: meshes of one cube that have no facet in common share a card") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string peers = CIRCUMSPECT_CORPUS_DIR "/peers/";
+  CHECK(run({"compare", peers + "tetgen/cube-3d.1.ele", peers + "cgal/cube-3d.ele", "--html", page})
+            .exit_code == 1);
+  CHECK(shown(page)["cards"].size() == 1);
+  CHECK(shown(page)["cards"][0]["meaning"] == "6 simplices only in A, and 6 simplices only in B");
+}
+
+TEST_CASE("compare: a page of meshes that are the same, or that no picture shows, has words") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);
+  CHECK(run({"compare", a, a, "--html", page}).exit_code == 0);
+  CHECK(shown(page)["verdict"] == "holds");
+  CHECK(shown(page)["cards"].empty());
+  const std::string space =
+      mesh(folder, "space", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", "1 4\n1 1 2 3 4\n");
+  CHECK(run({"compare", a, space, "--html", page}).exit_code == 1);
+  CHECK(shown(page)["cards_note"] ==
+        "The points of A have 2 coordinates, and those of B have 3 coordinates, so no picture "
+        "shows both.");
+}
+
+TEST_CASE("compare: of very many differences the first are in the page, which says so") {
+  const ScratchFolder folder;
+  std::string points = "606 2\n";
+  std::string rising = "404 3\n";
+  std::string falling = rising;
+  for (int i = 0; i < 202; ++i) {
+    for (int row = 0; row < 3; ++row) {
+      points += std::to_string(3 * i + row + 1) + " " + std::to_string(i) + " " +
+                std::to_string(row) + "\n";
+    }
+  }
+  int number = 0;
+  for (int i = 0; i < 202; ++i) {
+    // Squares apart from each other: every other column.
+    if (i % 2 == 1) continue;
+    for (int row = 0; row < 2; ++row) {
+      const auto at = [i, row](int x, int y) { return std::to_string(3 * (i + x) + row + y + 1); };
+      for (std::string* both : {&rising, &falling}) {
+        const bool rises = both == &rising;
+        *both += std::to_string(number + 1) + " " + at(0, 0) + " " + at(1, 0) + " " +
+                 at(rises ? 1 : 0, 1) + "\n" + std::to_string(number + 2) + " " +
+                 at(rises ? 0 : 1, 0) + " " + at(1, 1) + " " + at(0, 1) + "\n";
+      }
+      number += 2;
+    }
+  }
+  const std::string a = mesh(folder, "a", points, rising);
+  const std::string b = mesh(folder, "b", points, falling);
+  const std::string page = folder.path("page.html");
+  CHECK(run({"compare", a, b, "--html", page}).exit_code == 1);
+  CHECK(shown(page)["cards"].size() == 100);
+  CHECK(shown(page)["cards_note"] == "800 of 808 simplices that differ are in a card here.");
+}
+
+TEST_CASE("compare: a page never replaces a mesh, and has a name") {
+  const ScratchFolder folder;
+  const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);
+  const std::string before = contents(a);
+  const Run over = run({"compare", a, a, "--html", a});
+  CHECK(over.exit_code == 2);
+  CHECK(has(over.err, "expected another name for the page"));
+  CHECK(contents(a) == before);
+  CHECK(has(run({"compare", a, a, "--html", "-"}).err, "expected a file for --html, found -"));
+  const std::string out = folder.path("out.vtu");
+  CHECK(run({"compare", a, a, "--html", out, "-o", out}).exit_code == 2);
 }
 
 }  // namespace

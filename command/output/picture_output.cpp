@@ -8,6 +8,27 @@
 
 namespace circumspect::cli {
 
+void add_page_option(CLI::App& command, std::string& html, const std::string& what) {
+  command
+      .add_option(
+          "--html", html,
+          "Also write a page that shows " + what + "; it opens in any browser and loads nothing")
+      ->option_text("FILE");
+}
+
+std::string page_fault(const std::string& html, std::vector<Written> others,
+                       const std::vector<std::string>& read) {
+  if (html == "-") return "expected a file for --html, found -";
+  if (!html.empty()) others.push_back({"the page", html});
+  return overwriting_fault(others, read);
+}
+
+void write_page(const std::string& html, const picture::Page& page, Output& output) {
+  if (html.empty()) return;
+  const std::string fault = write_file(html, [&page](std::ostream& out) { page.write(out); });
+  if (!fault.empty()) output.error(ExitCode::kUsage, "html", html, fault);
+}
+
 void add_picture_options(CLI::App& command, PictureOptions& options) {
   command
       .add_option(
@@ -62,10 +83,7 @@ void Pictures::add(const Verdict& verdict, const Mesh& mesh, const std::string& 
 }
 
 void Pictures::finish(Output& output) const {
-  if (!options_.html || !has_verdict_) return;
-  const std::string fault =
-      write_file(*options_.html, [this](std::ostream& out) { page_.write(out); });
-  if (!fault.empty()) output.error(ExitCode::kUsage, "html", *options_.html, fault);
+  if (has_verdict_) write_page(options_.html.value_or(""), page_, output);
 }
 
 }  // namespace circumspect::cli

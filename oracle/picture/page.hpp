@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/judge/points/cells.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
@@ -33,6 +34,12 @@ class Page {
   void add_finding(report::Json finding, const Verdict* verdict = nullptr,
                    const Mesh* mesh = nullptr, const std::string& mesh_name = {},
                    const Domain* domain = nullptr);
+
+  // What only one of two meshes has, a card for each place at which they differ.
+  // `report`: `a` and `b`, their names, and the notes of the command; `line`: what it says of them. Requires: `found`
+  // is their difference.
+  void add_difference(const Mesh& a, const Mesh& b, const check::Difference& found,
+                      const report::Json& report, const std::string& line);
 
   // Texts are escaped, so that no name of a file, whatever it holds, is read as markup.
   void write(std::ostream& out) const;

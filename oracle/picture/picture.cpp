@@ -28,8 +28,8 @@ double shortened(double x) { return std::round(x * 1e7) / 1e7; }
 // One picture as it grows.
 class Composer {
  public:
-  Composer(const Violation& violation, const Mesh& mesh, const Domain* domain)
-      : witness_(violation.witness), mesh_(mesh), domain_(domain) {}
+  Composer(const Witness& witness, const Mesh& mesh, const Domain* domain)
+      : witness_(witness), mesh_(mesh), domain_(domain) {}
 
   Json compose(const Surroundings& around, const std::vector<Simplex>& boundary);
 
@@ -383,17 +383,23 @@ Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& b
 std::vector<Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
                            std::size_t most) {
   const std::vector<Violation>& all = verdict.violations();
-  const std::span<const Violation> shown(all.data(), std::min(all.size(), most));
+  std::vector<Witness> witnesses;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) witnesses.push_back(all[i].witness);
+  return pictures(witnesses, mesh, domain);
+}
+
+std::vector<Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
+                           const Domain* domain) {
   std::vector<Json> found;
-  if (shown.empty()) return found;
+  if (witnesses.empty()) return found;
   const bool has_pictures = mesh.dimension() >= 1 && mesh.dimension() <= 3;
   const std::vector<Surroundings> around = has_pictures
-                                               ? surroundings(shown, mesh, domain, kMostNear)
-                                               : std::vector<Surroundings>(shown.size());
+                                               ? surroundings(witnesses, mesh, domain, kMostNear)
+                                               : std::vector<Surroundings>(witnesses.size());
   const std::vector<Simplex> outer =
       has_pictures && mesh.simplices.size() <= kSmallMesh ? boundary(mesh) : std::vector<Simplex>();
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    found.push_back(Composer(shown[i], mesh, domain).compose(around[i], outer));
+  for (std::size_t i = 0; i < witnesses.size(); ++i) {
+    found.push_back(Composer(witnesses[i], mesh, domain).compose(around[i], outer));
   }
   return found;
 }

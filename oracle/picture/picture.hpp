@@ -6,6 +6,7 @@
 // as far as the size of the witness allows.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "oracle/model/domain.hpp"
@@ -30,5 +31,8 @@ namespace circumspect::picture {
 //   left_out         a sentence, if something near is not drawn
 std::vector<report::Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
                                    std::size_t most);
+// Likewise of witnesses that no verdict has; `mesh` is what may be drawn around them.
+std::vector<report::Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
+                                   const Domain* domain = nullptr);
 
 }  // namespace circumspect::picture

@@ -129,11 +129,10 @@ TEST_CASE(
   ExactMesh mesh{
       PointSet({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {-4, 4}, {-4, 0}, {9, 9}, {9, 10}, {10, 9}}),
       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {6, 7, 8}}};
-  const std::vector<Violation> violations = {
-      {Rule::kOverlap, {.simplices = {{0, 1, 2}}}},
-      {Rule::kUncovered, {.point = Point{Rational(19, 2), Rational(19, 2)}}}};
+  const std::vector<Witness> witnesses = {{.simplices = {{0, 1, 2}}},
+                                          {.point = Point{Rational(19, 2), Rational(19, 2)}}};
   const Mesh rows = in_rows(mesh);
-  const auto found = surroundings(violations, rows, nullptr, 2);
+  const auto found = surroundings(witnesses, rows, nullptr, 2);
   CHECK(found[0].near == std::vector<Simplex>{{0, 2, 3}, {0, 3, 4}});
   CHECK(found[0].left_out == 1);
   CHECK(found[1].near == std::vector<Simplex>{{6, 7, 8}});

@@ -146,12 +146,12 @@ class Places {
 
 }  // namespace
 
-std::vector<Surroundings> surroundings(std::span<const Violation> violations, const Mesh& mesh,
+std::vector<Surroundings> surroundings(std::span<const Witness> witnesses, const Mesh& mesh,
                                        const Domain* domain, std::size_t room) {
   std::vector<Search> searches;
   std::unordered_map<Vertex, std::vector<std::size_t>> searches_of;
-  for (const Violation& violation : violations) {
-    searches.emplace_back(violation.witness, mesh, domain, room);
+  for (const Witness& witness : witnesses) {
+    searches.emplace_back(witness, mesh, domain, room);
     for (const Vertex v : searches.back().vertices()) {
       searches_of[v].push_back(searches.size() - 1);
     }

@@ -18,9 +18,9 @@ struct Surroundings {
   std::size_t left_out = 0;  // how many more there are
 };
 
-// Of each violation, in their order. It takes the mesh once from end to end, however many there are. Places
+// Of each witness, in their order. It takes the mesh once from end to end, however many there are. Places
 // are compared in doubles: what is near decides nothing.
-std::vector<Surroundings> surroundings(std::span<const Violation> violations, const Mesh& mesh,
+std::vector<Surroundings> surroundings(std::span<const Witness> witnesses, const Mesh& mesh,
                                        const Domain* domain, std::size_t room);
 
 // The facets that belong to one simplex alone. Simplices with indices that name no point are left out.

@@ -66,10 +66,11 @@ export class Drawing {
   compose() {
     const { v, picture } = this;
     const bad = picture.simplices;
+    const groups = (v.groups ?? []).flatMap((group) => Array(group.count).fill(group));
     bad.forEach((simplex, i) => {
       const drawn = simplex.every((one) => one !== null);
       const indices = simplex.filter((one) => one !== null);
-      this.simplex(indices, ['first', 'second', 'third'][Math.min(i, 2)],
+      this.simplex(indices, groups[i]?.role ?? ['first', 'second', 'third'][Math.min(i, 2)], groups[i]?.words ??
         `${noun(v.simplices[i])} ${list(v.simplices[i])}${i === 2 && bad.length > 3 ? ' and others' : ''}`,
         drawn && !NO_FACES.includes(v.rule));
     });
@@ -84,9 +85,8 @@ export class Drawing {
     }
     if (picture.point !== undefined) this.dot(picture.point, 'point', 'the point of the witness');
     this.domainCell();
-    const tell = RULES[v.rule] ?? (() => '');
-    this.caption = tell(this, v, picture) ?? '';
-    for (const simplex of picture.near) this.simplexOutline(simplex, 'near', 'simplices around it');
+    this.caption = v.caption ?? RULES[v.rule]?.(this, v, picture) ?? '';
+    for (const simplex of picture.near) this.simplexOutline(simplex, 'near', v.around ?? 'simplices around it');
     for (const facet of picture.boundary) this.facet(facet, 'boundary', 'boundary of the mesh');
     for (const segment of picture.walls.segments) {
       this.line(...this.all(segment), 'wall', 'segments and polygons of the domain');

@@ -46,7 +46,8 @@ const point = (coordinates) => [coordinates.join(', '),
 // What the witness consists of, exactly and rounded.
 function exactTable(v, title) {
   const rows = [];
-  v.simplices.forEach((simplex) => rows.push(['simplex', simplex.join(' '), '']));
+  const groups = (v.groups ?? []).flatMap((group) => Array(group.count).fill(group));
+  v.simplices.forEach((simplex, i) => rows.push([groups[i]?.words ?? 'simplex', simplex.join(' '), '']));
   if (v.face) rows.push(['face', v.face.length ? v.face.join(' ') : 'the empty one', '']);
   if (v.vertices.length) rows.push([v.vertices.length > 1 ? 'vertices' : 'vertex', v.vertices.join(' '), '']);
   for (const [index, at] of Object.entries(v.coordinates)) rows.push([`point ${index}`, ...point(at)]);
@@ -103,12 +104,14 @@ function copyButton(words, text) {
 }
 
 function card(v, picture, id, title) {
-  const heading = element('h3', {}, `${title}: `, element('a', { href: `#rule-${v.rule}` }, v.rule));
+  const name = v.rule ? `${title}, ${v.rule}` : title;
+  const heading = v.rule
+    ? element('h3', {}, `${title}: `, element('a', { href: `#rule-${v.rule}` }, v.rule)) : element('h3', {}, title);
   const parts = [element('p', { class: 'meaning' }, `${v.meaning[0].toUpperCase()}${v.meaning.slice(1)}.`)];
   if (picture?.why_none) {
     parts.push(element('p', { class: 'note' }, picture.why_none));
   } else if (picture) {
-    const view = new View(v, picture, stage, `${title}, ${v.rule}`);
+    const view = new View(v, picture, stage, name);
     views.push(view);
     parts.push(element('p', { class: 'caption' }, view.drawing.caption), view.node);
     if (picture.left_out) parts.push(element('p', { class: 'note' }, picture.left_out));
@@ -116,7 +119,7 @@ function card(v, picture, id, title) {
   }
   parts.push(element('details', { open: '' }, element('summary', {}, 'Exact values'), exactTable(v, title)),
     copyButton('Copy as JSON', JSON.stringify(v, null, 2)));
-  return element('article', { id, class: 'card', tabindex: '-1', 'aria-label': `${title}, ${v.rule}` }, heading,
+  return element('article', { id, class: 'card', tabindex: '-1', 'aria-label': name }, heading,
     ...parts.filter(Boolean));
 }
 
@@ -158,24 +161,26 @@ function finding({ signature, count, text, minimal, reproduce }) {
   return parts;
 }
 
+// The cards of a verdict are its violations; a page that shows no verdict brings its own.
+const cardsOf = (result) => result.report?.violations ?? result.cards ?? [];
+
 function section(result, first) {
   const { report } = result;
-  if (!report) return element('section', { 'aria-label': result.finding.signature }, ...finding(result.finding));
-  const parts = [...(result.finding ? finding(result.finding) : []), element('h2', {}, report.mesh),
-    element('p', { class: `verdict ${report.verdict}` }, result.line)];
+  const heading = report?.mesh ?? result.heading;
+  if (!heading) return element('section', { 'aria-label': result.finding.signature }, ...finding(result.finding));
+  const parts = [...(result.finding ? finding(result.finding) : []), element('h2', {}, heading),
+    element('p', { class: `verdict ${report?.verdict ?? result.verdict}` }, result.line)];
   for (const note of result.notes ?? []) parts.push(element('p', { class: 'note' }, note));
   if (result.cards_note) parts.push(element('p', { class: 'note' }, result.cards_note));
-  report.violations.forEach((v, i) => parts.push(
-    card(v, result.pictures[i], `violation-${first + i}`, `Violation ${first + i}`)));
-  parts.push(element('details', {}, element('summary', {}, 'Facts'), facts(report)));
-  return element('section', { 'aria-label': result.finding?.signature ?? report.mesh }, ...parts);
+  cardsOf(result).forEach((v, i) => parts.push(
+    card(v, result.pictures[i], `violation-${first + i}`, `${result.noun ?? 'Violation'} ${first + i}`)));
+  if (report) parts.push(element('details', {}, element('summary', {}, 'Facts'), facts(report)));
+  return element('section', { 'aria-label': result.finding?.signature ?? heading }, ...parts);
 }
 
 function rules() {
   const broken = new Map();
-  for (const { report } of data.results) {
-    for (const v of report?.violations ?? []) broken.set(v.rule, v.meaning);
-  }
+  for (const v of data.results.flatMap(cardsOf)) if (v.rule) broken.set(v.rule, v.meaning);
   if (broken.size === 0) return undefined;
   return element('section', { 'aria-label': 'Rules' }, element('h2', {}, 'Rules'),
     ...[...broken].map(([rule, meaning]) => element('p', { id: `rule-${rule}` },
@@ -205,14 +210,15 @@ function compose() {
   let first = 1;
   const sections = data.results.map((result) => {
     const node = section(result, first);
-    first += result.report?.violations.length ?? 0;
+    first += cardsOf(result).length;
     return node;
   });
   const dark = matchMedia('(prefers-color-scheme: dark)').matches;
   const bar = element('div', { class: 'bar' }, button(dark ? 'Light' : 'Dark', theme));
   if (first > 1) {
-    bar.prepend(button('Previous violation', () => step(-1)), button('Next violation', () => step(1)));
-    bar.append(element('span', { class: 'note' }, 'Keys: n next, p previous violation'));
+    const noun = data.results.find((result) => result.noun)?.noun.toLowerCase() ?? 'violation';
+    bar.prepend(button(`Previous ${noun}`, () => step(-1)), button(`Next ${noun}`, () => step(1)));
+    bar.append(element('span', { class: 'note' }, `Keys: n next, p previous ${noun}`));
   }
   main.replaceChildren(bar, ...[data.campaign && campaign(data.campaign), ...sections, rules()].filter(Boolean));
   document.addEventListener('keydown', (event) => {

@@ -20,12 +20,12 @@ const root = resolve(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
 const corpus = join(root, 'corpus');
 mkdirSync(folder, { recursive: true });
 
-// Writes a page; verdicts that fail are what is wanted.
-function written(name, words, where = root) {
+// Writes a page; verdicts that fail are what is wanted, and inputs that are at fault.
+function written(name, words, subcommand = 'check') {
   const file = join(folder, `${name}.html`);
-  const found = execFileSync('bash', ['-c', '"$@" >/dev/null; echo $?', 'run', command, 'check', ...words,
-    '--html', file], { cwd: where, encoding: 'utf8' });
-  assert.ok(['0', '1'].includes(found.trim()), `circumspect check ${words.join(' ')} ended with ${found}`);
+  const found = execFileSync('bash', ['-c', '"$@" >/dev/null; echo $?', 'run', command, subcommand, ...words,
+    '--html', file], { cwd: root, encoding: 'utf8' });
+  assert.ok(['0', '1', '3'].includes(found.trim()), `circumspect ${subcommand} ${words.join(' ')} ended with ${found}`);
   return file;
 }
 
@@ -140,6 +140,22 @@ async function inThePlane(browser) {
   await opened.done();
 }
 
+// Two meshes of one cube: cells that differ, in the colours of the meshes.
+async function ofTwoMeshes(browser) {
+  const opened = await Opened.at(browser, written('compare',
+    ['corpus/peers/tetgen/cube-3d.1.ele', 'corpus/peers/cgal/cube-3d.ele'], 'compare'));
+  const { page } = opened;
+  assert.equal(await page.locator('.legend .key.first').count(), 1);
+  assert.equal(await page.locator('.legend .key.second').count(), 1);
+  assert.equal(await page.locator('.caption:empty').count(), 0);
+  assert.match(await page.locator('.legend').first().textContent(), /only in A: .*only in B: /);
+  await page.getByRole('button', { name: 'Next difference' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'violation-1');
+  await opened.accessible();
+  await opened.shot('compare');
+  await opened.done();
+}
+
 // What the corpus says that is wrong on purpose: the words of `check` for each of its meshes.
 function rejected() {
   const rows = (file) => readFileSync(join(corpus, file), 'utf8').trim().split('\n').map((line) => line.split('\t'));
@@ -202,6 +218,7 @@ const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', arg
 try {
   await inSpace(browser);
   await inThePlane(browser);
+  await ofTwoMeshes(browser);
   if (mode === '--all') {
     await everything(browser);
     await withoutWebGl();
