@@ -1,8 +1,6 @@
 #include "reference/kernel/predicates/orientation.hpp"
 
-#include <array>
 #include <cassert>
-#include <utility>
 
 namespace circumspect {
 
@@ -10,11 +8,12 @@ namespace {
 
 // Row i is p_i − p_k on the axes. With x/W − y/V in mind it is scaled by W·V > 0, or by W alone if
 // all points have denominator W.
-void set_differences(const Configuration& points, std::span<const std::size_t> axes,
-                     std::span<const Vertex> simplex, SquareMatrix& matrix) {
-  assert(simplex.size() == axes.size() + 1 && matrix.order() == axes.size());
+SquareMatrix difference_matrix(const Configuration& points, std::span<const std::size_t> axes,
+                               std::span<const Vertex> simplex) {
+  assert(simplex.size() == axes.size() + 1);
   const std::size_t k = axes.size();
   const Vertex last = simplex[k];
+  SquareMatrix matrix(k);
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = 0; j < k; ++j) {
       const Integer& x = points.numerator(simplex[i], axes[j]);
@@ -26,35 +25,19 @@ void set_differences(const Configuration& points, std::span<const std::size_t> a
       }
     }
   }
-}
-
-// Of the plane and of space: kept, as an allocation of an entry takes as long as a product.
-SquareMatrix* kept_matrix(std::size_t order) {
-  thread_local std::array<SquareMatrix, 2> kept = {SquareMatrix(2), SquareMatrix(3)};
-  return order == 2 || order == 3 ? &kept[order - 2] : nullptr;
-}
-
-Integer determinant_of_differences(const Configuration& points, std::span<const std::size_t> axes,
-                                   std::span<const Vertex> simplex) {
-  if (SquareMatrix* const kept = kept_matrix(axes.size())) {
-    set_differences(points, axes, simplex, *kept);
-    return determinant_by_laplace(*kept);
-  }
-  SquareMatrix matrix(axes.size());
-  set_differences(points, axes, simplex, matrix);
-  return determinant(std::move(matrix));
+  return matrix;
 }
 
 }  // namespace
 
 int orientation(const Configuration& points, std::span<const std::size_t> axes,
                 std::span<const Vertex> simplex) {
-  return sign(determinant_of_differences(points, axes, simplex));
+  return sign(determinant(difference_matrix(points, axes, simplex)));
 }
 
 Rational orientation_determinant(const Configuration& points, std::span<const std::size_t> axes,
                                  std::span<const Vertex> simplex) {
-  Rational value(determinant_of_differences(points, axes, simplex));
+  Rational value(determinant(difference_matrix(points, axes, simplex)));
   for (std::size_t i = 0; i + 1 < simplex.size(); ++i) {
     value /= points.denominator(simplex[i]);
     if (!points.has_common_denominator()) value /= points.denominator(simplex.back());
