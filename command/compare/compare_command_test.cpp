@@ -194,6 +194,15 @@ TEST_CASE("compare: meshes of one cube that have no facet in common share a card
   CHECK(shown(page)["cards"][0]["meaning"] == "6 simplices only in A, and 6 simplices only in B");
 }
 
+TEST_CASE("compare: a page names a point by both meshes' index where one simplex alone differs") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string a = mesh(folder, "a", kUnitSquare, "1 3\n1 1 2 3\n");
+  const std::string b = mesh(folder, "b", kUnitSquare, kFallingDiagonal);
+  CHECK(run({"compare", a, b, "--html", page}).exit_code == 1);
+  CHECK(shown(page)["pictures"][0]["names"] == nlohmann::json({"2", "3", "4", ""}));
+}
+
 TEST_CASE("compare: a page of meshes that are the same, or that no picture shows, has words") {
   const ScratchFolder folder;
   const std::string page = folder.path("page.html");
