@@ -30,7 +30,7 @@ TABLES = [
      r"\{BreachKind"),
 ]
 # How the names of files begin that the examples write.
-SCRATCH = ("reference", "proof", "drawn", "certificate")
+SCRATCH = ("reference", "proof", "drawn", "certificate", "differences")
 SESSION = "/tmp/try$ "
 # What differs from run to run.
 SECONDS = re.compile(r"\bin \d+\.\d s$", re.MULTILINE)
