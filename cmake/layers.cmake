@@ -32,7 +32,7 @@ function(circumspect_layer name folder)
     set(visibility INTERFACE)
   elseif(sources)
     add_library(circumspect_${name} STATIC ${sources})
-    circumspect_compile_together(circumspect_${name} 8)
+    circumspect_compile_together(circumspect_${name} 16)
     circumspect_compile_for_sharing(circumspect_${name})
     set(visibility PUBLIC)
   else()
@@ -119,8 +119,8 @@ function(circumspect_compile_for_sharing target)
                                              VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled eight at a time, those of a test program
-# sixteen: they instantiate much the same templates. Two files of one target that have a name each for
+# Under CIRCUMSPECT_QUICK_BUILD the sources of a layer are compiled sixteen at a time, those of a test program
+# thirty-two: they instantiate much the same templates. Two files of one target that have a name each for
 # themselves, in namespaces without a name, may then meet in one translation unit: name one of the two
 # more exactly.
 function(circumspect_compile_together target at_a_time)
@@ -143,19 +143,22 @@ function(circumspect_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
 endfunction()
 
-# What a test does itself takes no time to speak of, so the release does not spend it on optimizing.
+# What a test does itself takes no time to speak of, so the release does not spend it on optimizing, nor on a
+# handler of exceptions around each assertion: one that is thrown there ends its test case.
 function(circumspect_compile_test target)
   if(NOT CIRCUMSPECT_QUICK_BUILD)
     return()
   endif()
-  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
+  target_compile_definitions(${target} PRIVATE DOCTEST_CONFIG_SUPER_FAST_ASSERTS
+                                               DOCTEST_CONFIG_NO_TRY_CATCH_IN_ASSERTS)
 endfunction()
 
 # `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
 # values: numbers, points and containers of them. `make soak-sanitize` has them look everywhere.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
 set(sanitized_folders "(oracle/(formats|report|picture|judge|judge/fast|judge/arrays)|c|fuzz/[a-z]+|corpus)")
-set(values_folders "^(reference|inputs|properties|oracle/certificate|oracle/judge/within)(/|$)")
+set(values_folders "^(reference|inputs|properties|oracle/certificate|oracle/judge/(points|domain|within))(/|$)")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)
@@ -193,9 +196,12 @@ function(circumspect_test target)
   add_executable(${target} ${ARG_SOURCES})
   add_dependencies(circumspect_tests ${target})
   circumspect_compile_quickly(${target})
-  circumspect_compile_test(${target})
-  circumspect_precompile(${target} tests)
-  circumspect_compile_together(${target} 16)
+  # The linker takes a test's own copies of the engine's templates: slow ones would make fast_test slow.
+  if(NOT target STREQUAL "fast_test")
+    circumspect_compile_test(${target})
+    circumspect_precompile(${target} tests)
+  endif()
+  circumspect_compile_together(${target} 32)
   target_link_libraries(${target} PRIVATE ${ARG_LINKS} circumspect_test_main)
   circumspect_link_quickly(${target})
   target_compile_definitions(${target} PRIVATE

@@ -14,7 +14,7 @@ namespace circumspect::delaunay {
 namespace {
 
 // Is there an open circumball of the simplex that contains no point of S? Book: Section 4.2.
-bool is_delaunay(const PointSet& points, const Simplex& simplex) {
+bool is_perturbed_delaunay(const PointSet& points, const Simplex& simplex) {
   for (Vertex q = 0; points.names(q); ++q) {
     if (contains(simplex, q)) continue;
     if (perturbed_in_ball(points.configuration(), simplex, q) > 0) return false;
@@ -31,7 +31,7 @@ Triangulation by_definition(const PointSet& points) {
   Simplex subset = first_subset(static_cast<std::size_t>(k) + 1);
   do {
     if (orientation(points.configuration(), subset) == 0) continue;
-    if (is_delaunay(points, subset)) simplices.push_back(subset);
+    if (is_perturbed_delaunay(points, subset)) simplices.push_back(subset);
   } while (next_subset(subset, points.size()));
   return Triangulation(k, std::move(simplices));
 }
