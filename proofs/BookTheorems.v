@@ -7,9 +7,9 @@
       [coefficients S h t p]: of the polynomial in e that [above] is for these heights; [lead]: the
       first of them that is not zero, the symbolic sign. *)
 From Coq Require Import Reals List.
-From Circumspect Require Import Definitions.
+From Circumspect Require Import Definitions Domains DomainRules.
 From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
-  Existence Optimality.
+  Existence Optimality ConstrainedLemma.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -117,6 +117,23 @@ Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
   forall t c r2, In t T -> min_containment_ball t c r2 ->
     exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
 Proof. apply Optimality.proposition_4_7. Qed.
+
+(** Lemma 4.10, the Constrained Delaunay Lemma, of what walls enclose: the three statements are equivalent.  The vertices [V] are those
+    of the mesh; of a triangulation without Steiner points they are those of the domain.  (Nothing dangles.  The domain need not be
+    a piecewise linear complex.) *)
+Theorem constrained_delaunay_lemma P (T : list (simplex d)) V : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Enclosed ->
+  steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  ((forall t, In t T -> constrained_delaunay V P t) <->
+   (forall f, facet T f -> in_no_wall P f -> constrained_delaunay V P f)) /\
+  ((forall t, In t T -> constrained_delaunay V P t) <->
+   (forall f, facet T f -> in_no_wall P f -> locally_delaunay T f)).
+Proof.
+  intros D Pr K St Ve.
+  pose proof (ConstrainedLemma.constrained_local D P T V Pr St Ve) as A.
+  pose proof (ConstrainedLemma.local_constrained D P T V Pr St Ve K) as B.
+  pose proof (ConstrainedLemma.local_facets D P T V Pr St Ve K) as C.
+  pose proof (ConstrainedLemma.facets_local D P T V Pr St Ve) as E. split; split; auto.
+Qed.
 
 (** The convex hull by convex combinations is the convex hull by half-spaces. *)
 Theorem conv_halfspaces S T : (1 <= d)%nat -> fills S T -> T <> [] -> forall q, conv S q <->

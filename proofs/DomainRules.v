@@ -25,8 +25,46 @@ Record domain_refutation := DomainRefutation {
   domain_because : domain_evidence
 }.
 
+(** Some rules speak of the whole domain: it is that of a certificate whose points are its vertices, and which has no
+    simplices.  A point of it: vertex K; the point q / w of segment K, or of triangle U of polygon K. *)
+Inductive domain_point :=
+  | AtCorner (k : positive)
+  | AlongSegment (k : positive) (q : site) (w : Z)
+  | InPiece (k u : positive) (q : site) (w : Z).
+(** How one gets from a point out of the domain: along straight legs, each with planes <n, p> = o that part it from all
+    cells but what is filled, to a hole point, or beyond a plane <n, p> = o that all vertices are behind. *)
+Record leg := Leg { leg_end : site; leg_w : Z; leg_planes : list (list Z * Z) }.
+Inductive way_off := IntoHole (h : positive) | Beyond (n : list Z) (o : Z).
+Inductive whole_evidence :=
+  (* q / w is inside facet I of simplex T, which is facet J of U, and in no wall *)
+  | FacetInNoWall (t : positive) (i : nat) (u : positive) (j : nat) (q : site) (w : Z)
+  (* from q / w, inside simplex T, one looks at vertex V of the mesh *)
+  | BallSeen (t v : positive) (q : site) (w : Z) (planes : list (list Z * Z))
+  | NotTiled (k u : positive) (q : site) (w : Z)
+  | NotCovered (x : domain_point)
+  (* q / w, in simplex T, is outside *)
+  | Strays (t : positive) (q : site) (w : Z) (legs : list leg) (out : way_off)
+  (* q / w is in simplex T, and the end of the leg in none *)
+  | Gap (t : positive) (q : site) (w : Z) (l : leg).
+Record whole_refutation := WholeRefutation {
+  mesh_against : refutation;          (* the caller's points and simplices; its evidence is not read *)
+  about_domain : domain_certificate;  (* and the claim that is refuted *)
+  shown_by : whole_evidence
+}.
+
 Inductive domain_rule :=
-  | domain_vertex_missing | domain_steiner_forbidden | domain_segment_missing | mesh_rule (r : rule).
+  | domain_vertex_missing | domain_steiner_forbidden | domain_segment_missing | domain_polygon_not_tiled
+  | domain_uncovered | domain_outside | domain_uncovered_or_outside
+  | cdt_facet_not_local | cdt_visible_vertex_in_ball | mesh_rule (r : rule).
+Definition whole_rule_of (c : whole_refutation) : domain_rule :=
+  match shown_by c with
+  | FacetInNoWall _ _ _ _ _ _ => cdt_facet_not_local
+  | BallSeen _ _ _ _ _ => cdt_visible_vertex_in_ball
+  | NotTiled _ _ _ _ => domain_polygon_not_tiled
+  | NotCovered _ => domain_uncovered
+  | Strays _ _ _ _ _ => domain_outside
+  | Gap _ _ _ _ => domain_uncovered_or_outside
+  end.
 Definition domain_rule_of (c : domain_refutation) : domain_rule :=
   match domain_because c with
   | VertexMissing _ => domain_vertex_missing
@@ -39,6 +77,12 @@ Definition domain_rule_name (r : domain_rule) : string :=
   | domain_vertex_missing => "domain.vertex-missing"
   | domain_steiner_forbidden => "domain.steiner-forbidden"
   | domain_segment_missing => "domain.segment-missing"
+  | domain_polygon_not_tiled => "domain.polygon-not-tiled"
+  | domain_uncovered => "domain.uncovered"
+  | domain_outside => "domain.outside"
+  | domain_uncovered_or_outside => "domain.uncovered or domain.outside"
+  | cdt_facet_not_local => "cdt.facet-not-local"
+  | cdt_visible_vertex_in_ball => "cdt.visible-vertex-in-ball"
   | mesh_rule r => rule_name r
   end%string.
 
@@ -69,12 +113,42 @@ Definition steiner_forbidden P L : Prop := exists (r : list (option (point d))) 
 Definition segment_missing P L : Prop := exists a b q, In (a, b) (domain_segments P) /\ conv [a; b] q /\
   forall s f, listed L s -> incl f s -> conv f q -> ~ within (conv f) (conv [a; b]).
 
+(** A point of a polygon is in no face, of a simplex of the mesh, that is in the polygon. *)
+Definition polygon_not_tiled P L : Prop := exists f q, In f (domain_polygons P) /\ polygon_points f q /\
+  forall s g, listed L s -> incl g s -> conv g q -> ~ within (conv g) (polygon_points f).
+(** A point of the domain is in no simplex; a point of a simplex is not in the domain. *)
+Definition uncovered P L : Prop := exists q, underlying P q /\ forall s, listed L s -> ~ conv s q.
+Definition outside P L : Prop := exists s q, listed L s /\ conv s q /\ ~ underlying P q.
+(** The facet is in no wall. *)
+Definition in_no_wall P (f : simplex d) : Prop := forall X, In X (wall_cells P) -> ~ within (conv f) X.
+(** Two simplices share a facet that is in no wall, and the apex of the second, on the other side of it, is in every
+    open circumball of the first. *)
+Definition constrained_facet_not_local P L : Prop := exists s t f p v, listed_simplex L s /\ listed L t /\
+  NoDup f /\ length f = d /\ incl f s /\ incl f t /\ In p s /\ In v t /\
+  on_opposite_sides f p v /\ (forall c r2, circumball s c r2 -> dist2 c v < r2) /\ in_no_wall P f.
+(** The cells but for what the domain fills. *)
+Definition low_cells P : list (point d -> Prop) :=
+  map (fun v q => q = v) (domain_vertices P) ++
+  map (fun ab q => conv [fst ab; snd ab] q) (domain_segments P) ++ map polygon_points (domain_polygons P).
+(** A vertex of the mesh is in every open circumball of a simplex, and on the way to it from a point inside there is no
+    vertex, no segment and no polygon but at its end.  (So it is visible, if the simplex is in the domain.) *)
+Definition visible_vertex_in_ball P L : Prop := exists s v x, listed_simplex L s /\
+  (exists r : list (option (point d)), In r L /\ In (Some v) r) /\ strictly_inside s x /\
+  (forall X e, In X (low_cells P) -> 0 <= e < 1 -> ~ X (between x v e)) /\
+  forall c r2, circumball s c r2 -> dist2 c v < r2.
+
 (** The rule is broken; of the mesh's own rules those of simplices alone are used, and one about balls. *)
 Definition broken_of_domain P L (r : domain_rule) : Prop :=
   match r with
   | domain_vertex_missing => vertex_missing P L
   | domain_steiner_forbidden => steiner_forbidden P L
   | domain_segment_missing => segment_missing P L
+  | domain_polygon_not_tiled => polygon_not_tiled P L
+  | domain_uncovered => uncovered P L
+  | domain_outside => outside P L
+  | domain_uncovered_or_outside => ~ (~ uncovered P L /\ ~ outside P L)
+  | cdt_facet_not_local => constrained_facet_not_local P L
+  | cdt_visible_vertex_in_ball => visible_vertex_in_ball P L
   | mesh_rule r => broken Delaunay norm2 [] L r
   end.
 End Rules.
@@ -98,11 +172,6 @@ End Refuted.
     Which of the two is what the certificate claims to the contrary.  The domain is that of a certificate whose points are its vertices, and which has no simplices.  Candidates
     are all sets of four vertices, in lexicographic order. *)
 
-(** A point of the domain: vertex K; the point q / w of segment K, or of triangle U of polygon K. *)
-Inductive domain_point :=
-  | AtCorner (k : positive)
-  | AlongSegment (k : positive) (q : site) (w : Z)
-  | InPiece (k u : positive) (q : site) (w : Z).
 (** The four points are in a plane; a cell with this point is no union of faces of the candidate; it is not constrained
     Delaunay, for from its point q / w one sees vertex V, in its ball (planes <n, p> = o part the way from all cells); or nothing of that. *)
 Inductive fate :=

@@ -139,6 +139,16 @@ Definition walls_of (P : domain) (q : point d) : Prop :=
   | 2%nat => on_segments (domain_segments P) q
   | _ => exists f, In f (domain_polygons P) /\ polygon_points f q
   end.
+(** The same, one by one. *)
+Definition wall_cells (P : domain) : list (point d -> Prop) :=
+  match d with
+  | 2%nat => map (fun ab q => conv [fst ab; snd ab] q) (domain_segments P)
+  | _ => map polygon_points (domain_polygons P)
+  end.
+(** In the plane there are no polygons; a polygon has a plane.  (The domain of every certificate that is accepted
+    is one of these.) *)
+Definition proper_domain (P : domain) : Prop :=
+  (d = 2%nat -> domain_polygons P = []) /\ forall f, In f (domain_polygons P) -> plane_normal f <> origin.
 (** The polyhedra (in the plane, the polygons), as one cell: linear cells need not be connected. *)
 Definition region (P : domain) : point d -> Prop :=
   match what_it_fills P with

@@ -15,9 +15,9 @@
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
 From Circumspect Require Import Honest.
-From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation ImpossibleChecker.
+From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted ImpossibleSound Completeness
+From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted WholeRefuted ImpossibleSound Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -89,6 +89,16 @@ Proof. apply DomainRefuted.refute_domain_sound. Qed.
 Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
   broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
 Proof. apply DomainRefuted.refute_domain_rule. Qed.
+
+(** The same of refutations that speak of the whole domain: it is that of the refutation. *)
+Theorem verified_not_whole_domain D x : refute_whole D x = true ->
+  ~ claims_of_domain (domain_claimed (about_domain x)) (domain_of_certificate (dimension_of D) (about_domain x))
+      (refuted_simplices D (mesh_against x)).
+Proof. apply WholeRefuted.refute_whole_sound. Qed.
+Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
+  broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x))
+    (refuted_simplices D (mesh_against x)) (whole_rule_of x).
+Proof. apply WholeRefuted.refute_whole_rule. Qed.
 
 (** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT
     (Definition 4.7): it has none. *)

@@ -8,47 +8,9 @@ From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap DelaunayLemma.
 From Circumspect Require Import Adjacency Enclosed Combinations Sight.
 From Circumspect Require Import Orientation Integers Incidence Accepted CertifiedMesh Soundness.
-From Circumspect Require Import KeptMesh KeptCells Definitions Domains.
+From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
-
-(** ** Simplices respect what is a union of simplices *)
-
-Lemma union_respected {d} (T : list (simplex d)) X t : simplicial_complex (faces_of T) ->
-  union_of_simplices T X -> faces_of T t -> union_of_faces (fun q => X q /\ conv t q) t.
-Proof.
-  intros (_ & _ & M) (L & HL & E) Ht.
-  assert (K : exists F, (forall f, In f F -> incl f t) /\
-    forall q, (exists s, In s L /\ conv s q) /\ conv t q <-> exists f, In f F /\ conv f q).
-  { clear E. induction L as [|s L IH].
-    - exists []. split; [intros f []|]. intros q. split; [intros [(s & [] & _) _]|intros (f & [] & _)].
-    - destruct IH as (F & IF & E); [intros; apply HL; now right|].
-      destruct (M s t (HL s (or_introl eq_refl)) Ht) as (f & Is & It & C). exists (f :: F). split.
-      + intros g [<-|Hg]; auto.
-      + intros q. split.
-        * intros [(r & [<-|Hr] & Cr) Ct]; [exists f; split; [now left|auto]|].
-          destruct (proj1 (E q)) as (g & Hg & Cg); [split; eauto|]. exists g. split; [now right|assumption].
-        * intros (g & [<-|Hg] & Cg).
-          -- split; [|now apply (conv_incl f)]. exists s. split; [now left|now apply (conv_incl f)].
-          -- destruct (proj2 (E q)) as [(r & Hr & Cr) Ct]; [eauto|]. split; [|assumption].
-             exists r. split; [now right|assumption]. }
-  destruct K as (F & IF & K). exists F. split; [assumption|]. intros q. rewrite <- K, E. tauto.
-Qed.
-Lemma simplices_respect {d} (P : domain d) T t : steiner_triangulation P T -> In t T -> respects P t.
-Proof.
-  intros (Nd & _ & Cx & _ & Un & Eq) It. split.
-  - intros q C. apply Eq. eauto.
-  - intros X IX. apply (union_respected T); auto. destruct (Nd t It) as [N L].
-    split; [assumption|]. split; [intros ->; discriminate|]. exists t. split; [assumption|apply incl_refl].
-Qed.
-
-Lemma strictly_inside_frame {d} (t : frame d) q : strictly_inside (vertices t) q -> inside t q.
-Proof.
-  intros [C N]. apply conv_vertices in C. pose proof (conv_carrier t q C) as K.
-  pose proof (N _ (carrier_incl t q) K) as I. intros i Hi.
-  assert (V : In (vertex t i) (Faces.carrier t q)) by (apply I, in_vertices; eauto).
-  apply in_carrier in V. destruct V as (k & Hk & L & E). apply vertex_inj in E; auto. now subst.
-Qed.
 
 Section Constrained.
 Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
@@ -188,7 +150,7 @@ Theorem kept_constrained (P : domain d) (V : list (point d)) : steiner_triangula
 Proof.
   intros St Wa HV t It. split; [|split].
   - intros v Iv. apply HV. eauto.
-  - now apply (simplices_respect P T).
+  - now apply (simplices_respect P T), (member_face P T).
   - pose proof It as It'. apply (in_kept c p planar (kind D) shown part_accepts geo frames) in It'.
     destruct It' as (u & e & E & K & ->). rewrite <- (entry_vertices c geo frames u e E).
     destruct (circumball_frame (geo u)) as (o & r2 & C & _). exists o, r2. split; [assumption|].
@@ -196,7 +158,7 @@ Proof.
     apply (in_ball_below_witness _ _ _ _ C) in L. apply (Rlt_not_le _ _ L).
     assert (Hu : In u kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
     apply (visible_vertex_above kept_tets geo positive_d agreeing' different' (wall_at p) kept_outer_wall
-      norm2 kept_local u x v Hu Xi).
+      norm2 kept_local u x v Hu (fun k Hk => Rlt_le _ _ (Xi k Hk))).
     + apply HV in Iv. destruct Iv as (s & Is & Iv).
       apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Is.
       destruct Is as (b & e' & E' & K' & ->). rewrite <- (entry_vertices c geo frames b e' E') in Iv.

@@ -2,7 +2,7 @@
 
     A complex of d-simplices, in which some facets are walls ([wall]): at least all facets that have no
     neighbour.  Heights are arbitrary; across every facet that is no wall the neighbour's apex is not below
-    the witness plane.  If the vertex p can be seen from a point x in the interior of simplex t - the
+    the witness plane.  If the vertex p can be seen from a point x of simplex t - the
     segment stays in the complex and touches no wall before p - then p is not below t's witness plane. *)
 From Coq Require Import Reals Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Walk Generic Mesh.
@@ -148,7 +148,7 @@ Hypothesis local : forall t i u j, In t tets -> adj t i u j -> ~ wall t i ->
 Let mesh := complex_matched tets geo positive agreeing different.
 
 (** What can be seen from inside a simplex is not below its witness plane. *)
-Theorem visible_vertex_above t x p : In t tets -> inside (geo t) x -> vertex_of tets geo p ->
+Theorem visible_vertex_above t x p : In t tets -> inside_closed (geo t) x -> vertex_of tets geo p ->
   sees x p -> witness h (geo t) p <= h p.
 Proof.
   intros Ht Xt (a0 & i0 & Ha0 & Hi0 & Ep) See.
@@ -194,7 +194,7 @@ Proof.
   intros (G & G1 & G2).
   (* a generic segment near it *)
   destruct (generic_near mesh G x t []) as (x' & Xt' & Gx' & _ & Nx & _).
-  { assumption. } { intros k Hk. left. now apply Xt. }
+  { assumption. } { assumption. }
   { intros f Hf. split; apply (G1 f Hf). } { intros f []. }
   destruct (generic_near mesh (g :: G) p1 u [x']) as (y & Yu & Gy & _ & Ny & Nxy).
   { assumption. } { assumption. }

@@ -148,3 +148,45 @@ let read c domain_claimed kind ~is_complex =
   let complex = if is_complex then Some (complex c (List.length polygons)) else None in
   ending c;
   ({ domain_claimed; kind; whole_mesh; domain_part; polygons }, complex, labels)
+
+(* A vertex; a point on a segment; or one in a piece of a polygon. *)
+let domain_point c expected = function
+  | "vertex" :: rest -> let k, rest = number c expected rest in (AtCorner k, rest)
+  | "segment" :: rest ->
+    let k, rest = number c expected rest in
+    let q, rest = site c expected false rest in
+    let w, rest = integer c expected rest in
+    (AlongSegment (k, q, w), rest)
+  | "piece" :: rest ->
+    let (k, u), rest = pair (number c expected) (number c expected) rest in
+    let q, rest = site c expected false rest in
+    let w, rest = integer c expected rest in
+    (InPiece (k, u, q, w), rest)
+  | token :: _ -> Text.fail c.source expected (Text.quote token)
+  | [] -> Text.fail c.source expected "the end of the line"
+
+(* A domain without a mesh: the certificate has no simplices. *)
+let alone c domain_claimed kind (numerator, denominator) =
+  let expected = "the coordinates of a vertex" in
+  let sites = section c "vertices" expected (site c expected false) in
+  let expected = "two vertices" in
+  let ends = section c "segments" expected (pair (number c expected) (number c expected)) in
+  let expected = "coordinates and a denominator" in
+  let holes = section c "holes" expected (fun tokens ->
+      let hole_point, rest = site c expected false tokens in
+      let hole_w, rest = integer c expected rest in
+      ({ hole_point; hole_w; hole_simplex = 1 }, rest)) in
+  let header, tokens = line c "polygons" "COUNT" in
+  let counts, rest = take c count 1 header tokens in
+  no_more c header rest;
+  let rec several n found = if n = 0 then List.rev found else several (n - 1) (polygon c :: found) in
+  let polygons = several (List.hd counts) [] in
+  let nowhere = { coordinates = []; weight = Big.zero } in
+  let whole_mesh =
+    { claimed = Triangulation; numerator; denominator;
+      points = List.map (fun position -> { position; home = 1; home_vertex = None }) sites;
+      simplices = []; hull = []; sample_simplex = 1; sample = nowhere; sample_denominator = Big.of_int 1 } in
+  let segments = List.map (fun (from, reached) ->
+      { from; links = [ { reached; link_simplex = 1; link_facet = O } ] }) ends in
+  let domain_part = { roles = List.map (fun _ -> Corner 1) sites; segments; holes; marks = [] } in
+  { domain_claimed; kind; whole_mesh; domain_part; polygons }

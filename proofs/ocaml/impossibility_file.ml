@@ -4,22 +4,6 @@ open Extracted
 open Reading
 open Domain_file
 
-(* A vertex; a point on a segment; or one in a piece of a polygon. *)
-let domain_point c expected = function
-  | "vertex" :: rest -> let k, rest = number c expected rest in (AtCorner k, rest)
-  | "segment" :: rest ->
-    let k, rest = number c expected rest in
-    let q, rest = site c expected false rest in
-    let w, rest = integer c expected rest in
-    (AlongSegment (k, q, w), rest)
-  | "piece" :: rest ->
-    let (k, u), rest = pair (number c expected) (number c expected) rest in
-    let q, rest = site c expected false rest in
-    let w, rest = integer c expected rest in
-    (InPiece (k, u, q, w), rest)
-  | token :: _ -> Text.fail c.source expected (Text.quote token)
-  | [] -> Text.fail c.source expected "the end of the line"
-
 let fate c =
   let expected = "flat, free, or what pierces the candidate: vertex, segment or piece; or sees" in
   function
@@ -70,34 +54,12 @@ let candidates n =
   Big.div product (Big.of_int 24)
 
 let read c domain_claimed kind =
-  let numerator, denominator = scale c in
-  let expected = "the coordinates of a vertex" in
-  let sites = section c "vertices" expected (site c expected false) in
-  let expected = "two vertices" in
-  let ends = section c "segments" expected (pair (number c expected) (number c expected)) in
-  let expected = "coordinates and a denominator" in
-  let holes = section c "holes" expected (fun tokens ->
-      let hole_point, rest = site c expected false tokens in
-      let hole_w, rest = integer c expected rest in
-      ({ hole_point; hole_w; hole_simplex = 1 }, rest)) in
-  let header, tokens = line c "polygons" "COUNT" in
-  let counts, rest = take c count 1 header tokens in
-  no_more c header rest;
-  let rec several n found = if n = 0 then List.rev found else several (n - 1) (polygon c :: found) in
-  let polygons = several (List.hd counts) [] in
+  let about = alone c domain_claimed kind (scale c) in
   let fates = section c "candidates" "what becomes of a candidate" (fate c) in
-  let expected = candidates (List.length sites) in
+  let expected = candidates (List.length about.whole_mesh.points) in
   if not (Big.equal expected (Big.of_int (List.length fates))) then
     Text.fail c.source (Big.to_string expected ^ " candidates") (string_of_int (List.length fates));
   let reasons = section c "clauses" "a reason" (reason c) in
   let steps = section c "steps" "a step" (step c) in
   ending c;
-  let nowhere = { coordinates = []; weight = Big.zero } in
-  let whole_mesh =
-    { claimed = Triangulation; numerator; denominator;
-      points = List.map (fun position -> { position; home = 1; home_vertex = None }) sites;
-      simplices = []; hull = []; sample_simplex = 1; sample = nowhere; sample_denominator = Big.of_int 1 } in
-  let segments = List.map (fun (from, reached) ->
-      { from; links = [ { reached; link_simplex = 1; link_facet = O } ] }) ends in
-  let domain_part = { roles = List.map (fun _ -> Corner 1) sites; segments; holes; marks = [] } in
-  { about = { domain_claimed; kind; whole_mesh; domain_part; polygons }; fates; reasons; steps }
+  { about; fates; reasons; steps }

@@ -157,14 +157,17 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
          (counts c.d (List.length whole.points) (List.length simplices)) (described certificate ~is_complex), 0) in
   { mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
-(* There is no mesh: the points are the vertices. *)
+(* The points of a domain that is given without a mesh: its vertices. *)
+let vertices_of d (about : domain_certificate) =
+  let whole = about.whole_mesh in
+  let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
+  { Users_mesh.unit = (whole.numerator, whole.denominator); d; weighted = false;
+    labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites; simplices = [] }
+
 let impossibility (c : Reading.context) claimed kind =
   let impossibility = Impossibility_file.read c claimed kind in
   let about = impossibility.about in
-  let whole = about.whole_mesh in
-  let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
-  let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
-               labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites; simplices = [] } in
+  let mesh = vertices_of c.d about in
   let verdict () = match check_impossible impossibility with
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
@@ -199,8 +202,21 @@ let domain_refutation (c : Reading.context) space claimed rule =
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
 
+let whole_refutation (c : Reading.context) space claimed rule kind =
+  let refutation, labels = Refutation_file.read_whole c claimed rule kind in
+  let against = refutation.mesh_against and about = refutation.about_domain in
+  let mesh = { Users_mesh.unit = (against.unit_numerator, against.unit_denominator); d = c.d; weighted = false;
+               labels = Array.of_list labels; ordered = true; sites = Array.of_list against.sites;
+               simplices = against.rows } in
+  let verdict () =
+    let rule = domain_rule_name (whole_rule_of refutation) in
+    if refute_whole space refutation then
+      (Printf.sprintf "verified: not %s, %s; %s" (domain_claim_name claimed) rule (described about ~is_complex:false), 0)
+    else ("rejected: the evidence does not show " ^ rule, 1) in
+  { mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
+
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE' or 'circumspect-impossibility 1 plc-triangulation or cdt 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 1 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
@@ -218,6 +234,10 @@ let content source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] when List.mem_assoc claim domain_claims ->
     let c, claimed, space = context source domain_claims claim dimension in
     domain_refutation c space claimed rule
+  | [ "circumspect-refutation"; "2"; claim; dimension; rule; kind ]
+    when List.mem_assoc claim domain_claims && List.mem_assoc kind kinds ->
+    let c, claimed, space = context source domain_claims claim dimension in
+    whole_refutation c space claimed rule (List.assoc kind kinds)
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule

@@ -146,3 +146,60 @@ let read_domain c domain_refuted rule =
   ending c;
   ({ domain_refuted; mesh_refuted = { mesh with because }; vertices_given; segments_given; domain_because },
    labels)
+
+(* The same of a claim about a domain that is wholly in the file, of this kind. *)
+let read_whole c claimed rule kind =
+  let mesh_against, labels = mesh c Delaunay in
+  let about_domain = Domain_file.alone c claimed kind (mesh_against.unit_numerator, mesh_against.unit_denominator) in
+  let expected = "what CERTIFICATE.md asks for as evidence of " ^ rule in
+  let number = Domain_file.number c expected and integer = Domain_file.integer c expected in
+  let place = Domain_file.place c expected and pair = Domain_file.pair in
+  let point tokens = pair (site c expected false) integer tokens in
+  let plane tokens =
+    let normal, rest = take c Reading.integer c.d expected tokens in
+    let offset, rest = integer rest in
+    ((normal, offset), rest) in
+  let leg tokens =
+    let (leg_end, leg_w), rest = point tokens in
+    let counts, rest = take c count 1 expected rest in
+    let rec planes n found tokens =
+      if n = 0 then (List.rev found, tokens)
+      else let one, rest = plane tokens in planes (n - 1) (one :: found) rest in
+    let leg_planes, rest = planes (List.hd counts) [] rest in
+    ({ leg_end; leg_w; leg_planes }, rest) in
+  let _, tokens = line c "because" "EVIDENCE" in
+  let shown_by, rest = match rule with
+    | "cdt.facet-not-local" ->
+      let (t, i), rest = pair number place tokens in
+      let (u, j), rest = pair number place rest in
+      let (q, w), rest = point rest in
+      (FacetInNoWall (t, i, u, j, q, w), rest)
+    | "cdt.visible-vertex-in-ball" ->
+      let (t, v), rest = pair number number tokens in
+      let (q, w), rest = point rest in
+      (BallSeen (t, v, q, w, Domain_file.all plane rest), [])
+    | "domain.polygon-not-tiled" ->
+      let (k, u), rest = pair number number tokens in
+      let (q, w), rest = point rest in
+      (NotTiled (k, u, q, w), rest)
+    | "domain.uncovered" -> let x, rest = Domain_file.domain_point c expected tokens in (NotCovered x, rest)
+    | "domain.outside" ->
+      let (t, (q, w)), rest = pair number point tokens in
+      let counts, rest = take c count 1 expected rest in
+      let rec legs n found tokens =
+        if n = 0 then (List.rev found, tokens)
+        else let one, rest = leg tokens in legs (n - 1) (one :: found) rest in
+      let legs, rest = legs (List.hd counts) [] rest in
+      (match rest with
+       | "hole" :: rest -> let h, rest = number rest in (Strays (t, q, w, legs, IntoHole h), rest)
+       | "beyond" :: rest -> let (n, o), rest = plane rest in (Strays (t, q, w, legs, Beyond (n, o)), rest)
+       | token :: _ -> Text.fail c.source expected (Text.quote token)
+       | [] -> Text.fail c.source expected "the end of the line")
+    | "domain.uncovered-or-outside" ->
+      let (t, (q, w)), rest = pair number point tokens in
+      let l, rest = leg rest in
+      (Gap (t, q, w, l), rest)
+    | _ -> Text.fail c.source "a rule of CERTIFICATE.md that speaks of the whole domain" (Text.quote rule) in
+  no_more c expected rest;
+  ending c;
+  ({ mesh_against; about_domain; shown_by }, labels)

@@ -302,9 +302,14 @@ Proof.
   apply (below_witness M X a FX); [now apply heights_among|now apply shaped_in|assumption].
 Qed.
 
-Lemma not_local_breach X Y a b i j : framed X a -> framed Y b -> incl X P -> incl Y P ->
-  listed caller_rows (places X) -> listed caller_rows (places Y) ->
-  not_local pr X i Y j = true -> facet_below_plane h caller_rows.
+(** Of [facet_below_plane] the simplices, the facet and the apexes. *)
+Lemma not_local_found X Y a b i j : framed X a -> framed Y b -> incl X P -> incl Y P ->
+  listed caller_rows (places X) -> listed caller_rows (places Y) -> not_local pr X i Y j = true ->
+  let f := places (remove i X) in exists u v,
+  listed_simplex caller_rows (places X) /\ listed caller_rows (places Y) /\
+  NoDup f /\ length f = d /\ incl f (places X) /\ incl f (places Y) /\
+  In u (places X) /\ In v (places Y) /\ on_opposite_sides f u v /\
+  forall e o, (forall q, In q (places X) -> plane e o q = h q) -> h v < plane e o v.
 Proof.
   intros FX FY IX IY LX LY N. unfold not_local in N. apply andb_true_iff in N.
   destruct N as [SF B]. destruct (nth_error Y j) as [v|] eqn:Ev; [|discriminate].
@@ -312,12 +317,19 @@ Proof.
   apply nth_error_In in Ev. apply (same_facet_shared M X Y a b FX FY) in SF.
   destruct SF as (N & Len & JX & JY & _).
   destruct (beyond_opposite X a i v FX (IY v Ev) Be) as (u & Hu & _ & O).
-  exists (places X), (places Y), (places (remove i X)), u, (place v).
+  exists u, (place v).
   split; [now apply (framed_simplex X a)|].
   repeat (split; [assumption || now apply in_map|]).
   rewrite <- (framed_vertices X a FX). apply below_all_planes.
   apply (below_witness M X a FX); [|apply (shaped_in v), IY; assumption|assumption].
   apply heights_among; [now apply IY|assumption].
+Qed.
+Lemma not_local_breach X Y a b i j : framed X a -> framed Y b -> incl X P -> incl Y P ->
+  listed caller_rows (places X) -> listed caller_rows (places Y) ->
+  not_local pr X i Y j = true -> facet_below_plane h caller_rows.
+Proof.
+  intros FX FY IX IY LX LY N. destruct (not_local_found X Y a b i j FX FY IX IY LX LY N) as (u & v & H).
+  exists (places X), (places Y), (places (remove i X)), u, v. exact H.
 Qed.
 
 Lemma submerged_breach Y i v X a : listed caller_rows (places Y) -> nth_error Y i = Some v ->

@@ -3,28 +3,16 @@
     If on the way from a point of a simplex to a vertex of the domain there is no point of a vertex, segment or polygon, but at its end,
     then the way is in what the domain fills, and it respects the domain. *)
 From Coq Require Import Reals Lra Psatz List Arith Lia.
-From Circumspect Require Import Definitions Domains Vectors Affine Frame Faces Independence.
+From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces Independence.
 From Circumspect Require Import Combinations Lists Necessary.
 Import ListNotations.
 Open Scope R_scope.
 
 Section Visible.
 Context {d : nat}.
-Hypothesis three : (3 <= d)%nat.
 Variables (P : domain d) (T : list (simplex d)).
-Hypothesis triangulates : plc_triangulation P T.
-Variables (t : simplex d) (x v : point d).
-Hypothesis member_t : In t T.
-Hypothesis x_in : conv t x.
-Hypothesis v_in : In v (domain_vertices P).
-(** The cells but for the region. *)
-Definition low_cells : list (point d -> Prop) :=
-  map (fun v q => q = v) (domain_vertices P) ++
-  map (fun ab q => conv [fst ab; snd ab] q) (domain_segments P) ++ map polygon_points (domain_polygons P).
-Hypothesis off : forall X, In X low_cells -> forall s, 0 <= s < 1 -> ~ X (between x v s).
+Hypothesis triangulates : steiner_triangulation P T.
 
-Lemma low_or_region X : In X (cells P) <-> In X low_cells \/ X = region P.
-Proof. unfold cells, low_cells. rewrite !in_app_iff. cbn [In]. intuition. Qed.
 Lemma face_dec f q : faces_of T f -> conv f q \/ ~ conv f q.
 Proof.
   intros (_ & _ & s & Is & If). destruct (all_framed P T triangulates) as (ts & are).
@@ -46,7 +34,14 @@ Proof.
   - right. intros Xq. now apply N, E.
 Qed.
 
-Lemma start_low X : In X low_cells -> ~ X x.
+
+Variables (t : simplex d) (x v : point d).
+Hypothesis member_t : In t T.
+Hypothesis x_in : conv t x.
+Hypothesis v_in : what_it_fills P = Hull -> conv (domain_vertices P) v.
+Hypothesis off : forall X, In X (low_cells P) -> forall s, 0 <= s < 1 -> ~ X (between x v s).
+
+Lemma start_low X : In X (low_cells P) -> ~ X x.
 Proof. intros I H. apply (off X I 0); [lra|]. now rewrite between_start. Qed.
 Lemma start_in_region : region P x.
 Proof.
@@ -56,24 +51,21 @@ Qed.
 Lemma way_in_region s : 0 <= s <= 1 -> region P (between x v s).
 Proof.
   intros Hs. pose proof start_in_region as R. unfold region in *. destruct (what_it_fills P) eqn:K.
-  2: { change (between x v s) with (mix x v s). now apply conv_mix. }
-  assert (Walls := fun q => walls_are_polygons P q three).
-  assert (Low : forall X, In X (map polygon_points (domain_polygons P)) -> In X low_cells).
-  { intros X IX. unfold low_cells. apply in_or_app. right. apply in_or_app. now right. }
+  2: { apply conv_conv with [x; v]; [|apply conv_two; eauto]. intros p [<-|[<-|[]]]; auto. }
   assert (Off : forall r, 0 <= r < 1 -> ~ walls_of P (between x v r)).
-  { intros r Hr W. apply Walls in W. destruct W as (X & IX & Xr). exact (off X (Low X IX) r Hr Xr). }
+  { intros r Hr W. apply walls_are_cells in W. destruct W as (X & IX & Xr). exact (off X (walls_low P X IX) r Hr Xr). }
   assert (Far : forall r e, between x (between x v r) e = between x v (e * r)).
   { intros r e. change (between (d := d)) with (mix (d := d)). apply affine_separate. intros f F.
     rewrite !affine_mix by assumption. ring. }
   destruct (Rlt_dec s 1) as [L|N].
   - apply (enclosed_along _ _ x); [assumption|]. intros e He. rewrite Far. apply Off. nra.
   - replace s with 1 by lra. rewrite between_end.
-    destruct (finite_dec (fun X : point d -> Prop => X v) (map polygon_points (domain_polygons P))) as [Y|N'].
-    + intros X IX. apply cell_dec, low_or_region. left. now apply Low.
-    + split; [exact I|]. left. now apply Walls.
+    destruct (finite_dec (fun X : point d -> Prop => X v) (wall_cells P)) as [Y|N'].
+    + intros X IX. apply cell_dec, low_or_region. left. now apply walls_low.
+    + split; [exact I|]. left. now apply walls_are_cells.
     + apply (enclosed_along _ _ x); [assumption|]. intros e He W. destruct (Rlt_dec e 1) as [Le|Ne].
       * apply (Off e); [lra|assumption].
-      * replace e with 1 in W by lra. rewrite between_end in W. apply Walls in W. now apply N'.
+      * replace e with 1 in W by lra. rewrite between_end in W. apply walls_are_cells in W. now apply N'.
 Qed.
 
 Theorem seen : visible P x v.

@@ -3,19 +3,19 @@
     A polygon is the union of the kept triangles of its domain in the plane ([Polygons.v]): so a point of space is in it if it is in
     its plane and seen in one of them ([in_piece]), and is not if it is seen in none ([off_polygon_sound]). *)
 From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
-From Circumspect Require Import ImpossibleChecker Numbering.
+From Circumspect Require Import GivenDomain Numbering.
 From Circumspect Require Import Vectors Frame Orientation Integers Accepted RefutationSigns.
 From Circumspect Require Import Shadow KeptMesh KeptCells Polygons DomainRefuted.
 From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma inner_integer n p : length n = 3%nat -> length p = 3%nat ->
-  inner (integer_point 3 n) (integer_point 3 p) = IZR (inner_product n p).
+Lemma inner_of_integers d : forall n p, length n = d -> length p = d ->
+  inner (integer_point d n) (integer_point d p) = IZR (inner_product n p).
 Proof.
-  destruct n as [|a [|b [|e [|? ?]]]]; try discriminate. destruct p as [|y1 [|y2 [|y3 [|? ?]]]]; try discriminate.
-  intros _ _. rewrite inner_3. cbn [inner_product]. rewrite ?plus_IZR, ?mult_IZR.
-  change (IZR a * IZR y1 + IZR b * IZR y2 + IZR e * IZR y3 = IZR a * IZR y1 + (IZR b * IZR y2 + (IZR e * IZR y3 + 0))). ring.
+  induction d as [|d IH]; intros [|x n] [|y p] Ln Lp; try discriminate; [reflexivity|].
+  injection Ln as Ln. injection Lp as Lp. cbn [inner_product integer_point hd tl].
+  rewrite plus_IZR, mult_IZR, <- (IH n p Ln Lp). reflexivity.
 Qed.
 
 Section Polygon.
@@ -46,7 +46,7 @@ Proof.
   intros Pw Sq F. destruct (Polygons.polygon_parts c f shape) as (_ & _ & Ln & _). apply IZR_lt in Pw.
   unfold in_plane, over, along_axis. rewrite same_integers_refl. unfold well_shaped in Sq. rewrite Sq. cbn [Nat.eqb andb].
   rewrite !andb_true_r. apply Z.eqb_eq, eq_IZR. unfold flat, place_over, place_of in F. rewrite inner_scale_r in F.
-  rewrite (inner_integer _ _ Ln Sq) in F. rewrite mult_IZR. apply Rmult_eq_reg_l with (r / IZR w).
+  rewrite (inner_of_integers 3 _ _ Ln Sq) in F. rewrite mult_IZR. apply Rmult_eq_reg_l with (r / IZR w).
   - rewrite F. field. lra.
   - apply Rgt_not_eq, Rlt_gt, Rdiv_lt_0_compat; [exact unit_positive|assumption].
 Qed.

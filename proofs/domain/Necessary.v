@@ -5,17 +5,31 @@
     ([carriers_agree]).  Across a facet that is in no wall of what is enclosed, or that is not on the hull, there
     is another simplex ([neighbour]).  Nothing is said of what suffices: a refutation does not need it. *)
 From Coq Require Import Reals Lra Psatz List Arith Lia.
-From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched Faces Facets Independence Adjacency.
+From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Independence Adjacency.
 From Circumspect Require Import Combinations.
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma walls_are_polygons {d} (P : domain d) q : (3 <= d)%nat ->
-  walls_of P q <-> exists X, In X (map polygon_points (domain_polygons P)) /\ X q.
+Lemma walls_are_cells {d} (P : domain d) q : walls_of P q <-> exists X, In X (wall_cells P) /\ X q.
 Proof.
-  intros D. unfold walls_of. destruct d as [|[|[|n]]]; [lia|lia|lia|]. split.
-  - intros (f & If & Q). exists (polygon_points f). split; [now apply in_map|assumption].
-  - intros (X & IX & Q). apply in_map_iff in IX. destruct IX as (f & <- & If). eauto.
+  assert (S : on_segments (domain_segments P) q <->
+    exists X, In X (map (fun ab q => conv [fst ab; snd ab] q) (domain_segments P)) /\ X q).
+  { split.
+    - intros (a & b & I & C). exists (fun q => conv [a; b] q). split; [|assumption].
+      apply in_map_iff. exists (a, b). auto.
+    - intros (X & IX & C). apply in_map_iff in IX. destruct IX as ((a, b) & <- & I). exists a, b. auto. }
+  assert (F : (exists f, In f (domain_polygons P) /\ polygon_points f q) <->
+    exists X, In X (map polygon_points (domain_polygons P)) /\ X q).
+  { split.
+    - intros (f & If & Q). exists (polygon_points f). split; [now apply in_map|assumption].
+    - intros (X & IX & Q). apply in_map_iff in IX. destruct IX as (f & <- & If). eauto. }
+  unfold walls_of, wall_cells. destruct d as [|[|[|n]]]; assumption.
+Qed.
+Lemma low_or_region {d} (P : domain d) X : In X (cells P) <-> In X (low_cells P) \/ X = region P.
+Proof. unfold cells, low_cells. rewrite !in_app_iff. cbn [In]. intuition. Qed.
+Lemma walls_low {d} (P : domain d) X : In X (wall_cells P) -> In X (low_cells P).
+Proof.
+  unfold wall_cells, low_cells. rewrite !in_app_iff. destruct d as [|[|[|n]]]; auto.
 Qed.
 
 (** What is enclosed does not end where there is no wall. *)
@@ -36,7 +50,7 @@ Qed.
 Section Necessary.
 Context {d : nat}.
 Variables (P : domain d) (T : list (simplex d)).
-Hypothesis triangulates : plc_triangulation P T.
+Hypothesis triangulates : steiner_triangulation P T.
 
 Lemma members t : In t T -> NoDup t /\ length t = S d.
 Proof. apply triangulates. Qed.
@@ -51,22 +65,23 @@ Lemma covers q : underlying P q <-> exists t, In t T /\ conv t q.
 Proof. apply triangulates. Qed.
 Lemma union_of_cell X : In X (cells P) -> union_of_simplices T X.
 Proof. apply triangulates. Qed.
-Lemma vertex_of_domain t v : In t T -> In v t -> In v (domain_vertices P).
-Proof. apply triangulates. Qed.
 
 (** ** Cells and pairs of simplices *)
 
-Theorem cell_respected X t (g : frame d) q : In X (cells P) -> X q -> In t T -> same (vertices g) t ->
-  conv (vertices g) q -> forall v, In v (carrier g q) -> X v.
+Theorem cell_has_face X t (g : frame d) q : In X (cells P) -> X q -> In t T -> same (vertices g) t ->
+  conv (vertices g) q -> forall y, conv (carrier g q) y -> X y.
 Proof.
-  intros IX Xq It [GT TG] C v Iv. destruct (union_of_cell X IX) as (F & HF & E).
+  intros IX Xq It [GT TG] C y Cy. destruct (union_of_cell X IX) as (F & HF & E).
   apply E in Xq. destruct Xq as (s & Is & Cs). destruct meets as (_ & _ & M).
   destruct (M s t (HF s Is) (member_face t It)) as (f & Fs & Ft & Cf).
   assert (C' : conv f q) by (apply Cf; [assumption|now apply (conv_incl (vertices g))]).
   apply (conv_face g f q) in C'; [|now apply incl_tran with t].
-  apply in_carrier in Iv. destruct Iv as (i & Hi & Pi & ->). apply E. exists s. split; [assumption|].
-  apply conv_point, Fs, C'; assumption.
+  apply E. exists s. split; [assumption|]. apply (conv_incl (carrier g q)); [|assumption].
+  intros v Iv. apply in_carrier in Iv. destruct Iv as (i & Hi & Pi & ->). apply Fs, C'; assumption.
 Qed.
+Theorem cell_respected X t (g : frame d) q : In X (cells P) -> X q -> In t T -> same (vertices g) t ->
+  conv (vertices g) q -> forall v, In v (carrier g q) -> X v.
+Proof. intros IX Xq It G C v Iv. apply (cell_has_face X t g q IX Xq It G C). now apply conv_point. Qed.
 Theorem carriers_agree t u (g h : frame d) q : In t T -> In u T -> same (vertices g) t -> same (vertices h) u ->
   conv (vertices g) q -> conv (vertices h) q -> incl (carrier g q) (carrier h q).
 Proof.
@@ -146,16 +161,99 @@ Proof.
     pose proof (Lead j Hj Zu) as Pj. pose proof (M p) as Mp. nra.
 Qed.
 
+(** ** Cells of lower dimension *)
+
+Lemma three_off_a_line (t : frame d) k l m a b : (k <= d)%nat -> (l <= d)%nat -> (m <= d)%nat ->
+  k <> l -> k <> m -> l <> m -> ~ (conv [a; b] (vertex t k) /\ conv [a; b] (vertex t l) /\ conv [a; b] (vertex t m)).
+Proof.
+  intros Hk Hl Hm Nkl Nkm Nlm (Ck & Cl & Cm). apply conv_two in Ck, Cl, Cm.
+  destruct Ck as (r & _ & Er), Cl as (s & _ & Es), Cm as (w & _ & Ew).
+  change (between (d := d)) with (mix (d := d)) in *.
+  assert (F := bary_affine t k Hk). pose proof (bary_own t k Hk) as O. rewrite Er, affine_mix in O by assumption.
+  pose proof (bary_other t k l Hk Hl Nkl) as Zl. rewrite Es, affine_mix in Zl by assumption.
+  pose proof (bary_other t k m Hk Hm Nkm) as Zm. rewrite Ew, affine_mix in Zm by assumption.
+  assert (Nsw : s <> w) by (intros ->; apply Nlm, (vertex_inj t l m Hl Hm); congruence).
+  set (x := bary t k a) in *. set (y := bary t k b) in *.
+  assert (Z : (s - w) * (y - x) = 0) by lra. apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|].
+  assert (y = x) by lra. nra.
+Qed.
+
+Hypothesis two : (2 <= d)%nat.
+Hypothesis proper : proper_domain P.
+
+(** They miss the interiors of the simplices, *)
+Theorem low_misses_interior X t x : In X (low_cells P) -> In t ts -> inside t x -> ~ X x.
+Proof.
+  intros IX It Ix Xx. assert (All : forall k, (k <= d)%nat -> X (vertex t k)).
+  { intros k Hk. apply (cell_respected X (vertices t) t x); try assumption.
+    - apply low_or_region. now left.
+    - now apply framed_member.
+    - split; apply incl_refl.
+    - apply conv_vertices. intros j Hj. left. now apply Ix.
+    - apply in_carrier. exists k. split; [assumption|]. split; [now apply Ix|reflexivity]. }
+  unfold low_cells in IX. apply in_app_or in IX. destruct IX as [IX|IX]; [|apply in_app_or in IX; destruct IX as [IX|IX]].
+  - apply in_map_iff in IX. destruct IX as (v & <- & _).
+    assert (0 = 1)%nat; [|discriminate]. apply (vertex_inj t 0 1); [lia|lia|].
+    now rewrite (All 0%nat), (All 1%nat) by lia.
+  - apply in_map_iff in IX. destruct IX as ((a, b) & <- & _).
+    apply (three_off_a_line t 0 1 2 a b); try lia; [discriminate..|]. repeat split; apply All; lia.
+  - apply in_map_iff in IX. destruct IX as (f & <- & If). apply (proj2 proper f If).
+    set (g y := inner (plane_normal f) y + - plane_offset f).
+    assert (A : affine g) by (exists (plane_normal f), (- plane_offset f); intros y; reflexivity).
+    assert (Z : forall y, g y = 0).
+    { intros y. rewrite (interpolation t g y A). unfold sum. rewrite (sum_ext _ _ (fun _ => 0 * 0)).
+      - rewrite sum_scale. ring.
+      - intros k Hk. apply in_seq_d in Hk. destruct (All k Hk) as [F _]. unfold g. rewrite F. ring. }
+    apply norm2_zero. unfold norm2. pose proof (Z (plane_normal f)) as Z1. pose proof (Z origin) as Z0.
+    unfold g in Z0, Z1. rewrite inner_origin_r in Z0. lra.
+Qed.
+(** and of those that meet the inside of a facet only walls do, which have it all. *)
+Theorem low_in_facet X t i z : In X (low_cells P) -> In t ts -> (i <= d)%nat -> in_facet t i z -> X z ->
+  In X (wall_cells P) /\ within (conv (facet_of t i)) X.
+Proof.
+  intros IX It Hi Fz Xz.
+  assert (Sub : within (conv (facet_of t i)) X).
+  { intros y Cy. apply (cell_has_face X (vertices t) t z); try assumption.
+    - apply low_or_region. now left.
+    - now apply framed_member.
+    - split; apply incl_refl.
+    - now apply conv_vertices, in_facet_closed with i.
+    - apply (conv_incl (facet_of t i)); [|assumption]. intros v Iv. apply in_facet_of in Iv; [|assumption].
+      destruct Iv as (k & Hk & N & ->). apply in_carrier. exists k. split; [assumption|]. split; [now apply Fz|reflexivity]. }
+  split; [|assumption].
+  assert (Res : forall k, (k <= d)%nat -> k <> i -> X (vertex t k)).
+  { intros k Hk N. apply Sub, conv_point, in_facet_of; [assumption|]. exists k. auto. }
+  assert (Two : exists k l, (k <= d)%nat /\ (l <= d)%nat /\ k <> i /\ l <> i /\ k <> l).
+  { destruct i as [|[|n]]; [exists 1%nat, 2%nat|exists 0%nat, 2%nat|exists 0%nat, 1%nat]; lia. }
+  destruct Two as (k & l & Hk & Hl & Nk & Nl & Nkl).
+  unfold low_cells in IX. apply in_app_or in IX. destruct IX as [IX|IX]; [|apply in_app_or in IX; destruct IX as [IX|IX]].
+  - apply in_map_iff in IX. destruct IX as (v & <- & _). exfalso. apply Nkl, (vertex_inj t k l Hk Hl).
+    now rewrite (Res k Hk Nk), (Res l Hl Nl).
+  - unfold wall_cells. destruct (Nat.eq_dec d 2) as [E|N2].
+    { clear - IX E. destruct d as [|[|[|n]]]; try discriminate E. assumption. }
+    exfalso. apply in_map_iff in IX. destruct IX as ((a, b) & <- & _).
+    assert (Three : exists m, (m <= d)%nat /\ m <> i /\ m <> k /\ m <> l).
+    { assert (exists m, (m <= 3)%nat /\ m <> i /\ m <> k /\ m <> l) as (m & Hm & H); [|exists m; split; [lia|assumption]].
+      destruct (Nat.eq_dec 0 i), (Nat.eq_dec 0 k), (Nat.eq_dec 0 l); try (exists 0%nat; lia);
+      destruct (Nat.eq_dec 1 i), (Nat.eq_dec 1 k), (Nat.eq_dec 1 l); try (exists 1%nat; lia);
+      destruct (Nat.eq_dec 2 i), (Nat.eq_dec 2 k), (Nat.eq_dec 2 l); try (exists 2%nat; lia); exists 3%nat; lia. }
+    destruct Three as (m & Hm & Nm & Nmk & Nml).
+    apply (three_off_a_line t k l m a b); auto.
+  - unfold wall_cells. destruct (Nat.eq_dec d 2) as [E|N2].
+    { rewrite (proj1 proper E) in IX. destruct IX. }
+    clear - IX N2. destruct d as [|[|[|n]]]; [assumption|assumption|lia|assumption].
+Qed.
+
 (** ** On the hull *)
 
-Hypothesis positive : (1 <= d)%nat.
-Lemma neighbour_in_hull t i p : what_it_fills P = Hull -> In t ts -> (i <= d)%nat -> In p (domain_vertices P) ->
+Lemma neighbour_in_hull t i p : (forall t v, In t T -> In v t -> In v (domain_vertices P)) ->
+  what_it_fills P = Hull -> In t ts -> (i <= d)%nat -> In p (domain_vertices P) ->
   bary t i p < 0 -> exists u j, tri_adjacent t i u j.
 Proof.
-  intros K It Hi Ip Np. destruct (adjacent_dec ts (fun t => t) t i It) as [A|O]; [assumption|exfalso].
+  intros Vertices K It Hi Ip Np. destruct (adjacent_dec ts (fun t => t) t i It) as [A|O]; [assumption|exfalso].
   assert (0 <= bary t i p); [|lra].
-  apply (facet_supports ts (fun t => t) (domain_vertices P) positive frames_agree); try assumption.
-  - intros u Iu v Iv. now apply (vertex_of_domain (vertices u)); [apply framed_member|].
+  apply (facet_supports ts (fun t => t) (domain_vertices P) ltac:(lia) frames_agree); try assumption.
+  - intros u Iu v Iv. now apply (Vertices (vertices u)); [apply framed_member|].
   - intros q C. destruct (proj1 (covers q)) as (s & Is & Cs).
     { exists (region P). split; [|unfold region; now rewrite K]. unfold cells.
       apply in_or_app. right. apply in_or_app. right. apply in_or_app. right. now left. }
@@ -215,89 +313,49 @@ Proof.
   intros Y [<-|I]; [apply K1; lra|apply K0; [lra|assumption]].
 Qed.
 
-(** The vertices of a facet are in no vertex and on no segment. *)
-Lemma three_off_a_line (t : frame d) k l m a b : (k <= d)%nat -> (l <= d)%nat -> (m <= d)%nat ->
-  k <> l -> k <> m -> l <> m -> ~ (conv [a; b] (vertex t k) /\ conv [a; b] (vertex t l) /\ conv [a; b] (vertex t m)).
+Theorem neighbour_in_enclosed t i z : what_it_fills P = Enclosed -> In t ts -> (i <= d)%nat -> in_facet t i z ->
+  (forall X, In X (wall_cells P) -> ~ X z) -> exists u j, tri_adjacent t i u j.
 Proof.
-  intros Hk Hl Hm Nkl Nkm Nlm (Ck & Cl & Cm). apply conv_two in Ck, Cl, Cm.
-  destruct Ck as (r & _ & Er), Cl as (s & _ & Es), Cm as (w & _ & Ew).
-  change (between (d := d)) with (mix (d := d)) in *.
-  assert (F := bary_affine t k Hk). pose proof (bary_own t k Hk) as O. rewrite Er, affine_mix in O by assumption.
-  pose proof (bary_other t k l Hk Hl Nkl) as Zl. rewrite Es, affine_mix in Zl by assumption.
-  pose proof (bary_other t k m Hk Hm Nkm) as Zm. rewrite Ew, affine_mix in Zm by assumption.
-  assert (Nsw : s <> w) by (intros ->; apply Nlm, (vertex_inj t l m Hl Hm); congruence).
-  set (x := bary t k a) in *. set (y := bary t k b) in *.
-  assert (Z : (s - w) * (y - x) = 0) by lra. apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|].
-  assert (y = x) by lra. nra.
-Qed.
-
-Theorem neighbour_in_enclosed t i z : (3 <= d)%nat -> what_it_fills P = Enclosed -> In t ts -> (i <= d)%nat -> in_facet t i z ->
-  (forall f, In f (domain_polygons P) -> ~ polygon_points f z) -> exists u j, tri_adjacent t i u j.
-Proof.
-  intros D K It Hi Fz Off. pose proof (in_facet_closed t i z Fz) as Cz. set (p := mix (vertex t i) z 2).
+  intros K It Hi Fz Off. pose proof (in_facet_closed t i z Fz) as Cz. set (p := mix (vertex t i) z 2).
   assert (Np : bary t i p < 0).
   { unfold p. rewrite affine_mix by now apply bary_affine. rewrite bary_own by assumption. destruct Fz as [-> _]. lra. }
   destruct (towards (fun t => t) z p ts) as [(u & Iu & I & Lead)|(e0 & He & Out)].
   { destruct (leads_to_neighbour t i z p u It Iu Hi Fz Np I Lead) as (j & A). eauto. }
   exfalso.
-  assert (Walls := fun q => walls_are_polygons P q D).
-  assert (In_cells : forall X, In X (map polygon_points (domain_polygons P)) -> In X (cells P)).
-  { intros X IX. unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. now left. }
   assert (R : region P z).
   { assert (U : underlying P z).
     { apply covers. exists (vertices t). split; [now apply framed_member|now apply conv_vertices]. }
-    destruct U as (X & IX & Xz).
-    assert (Res : forall k, (k <= d)%nat -> k <> i -> X (vertex t k)).
-    { intros k Hk N. apply (cell_respected X (vertices t) t z IX Xz (framed_member t It)).
-      - split; apply incl_refl.
-      - now apply conv_vertices.
-      - apply in_carrier. exists k. split; [assumption|]. split; [now apply Fz|reflexivity]. }
-    assert (Three : exists k l m, (k <= d)%nat /\ (l <= d)%nat /\ (m <= d)%nat /\ k <> i /\ l <> i /\ m <> i /\
-      k <> l /\ k <> m /\ l <> m).
-    { destruct i as [|[|[|n]]].
-      - exists 1%nat, 2%nat, 3%nat. lia.
-      - exists 0%nat, 2%nat, 3%nat. lia.
-      - exists 0%nat, 1%nat, 3%nat. lia.
-      - exists 0%nat, 1%nat, 2%nat. lia. }
-    destruct Three as (k & l & m & Hk & Hl & Hm & Nk & Nl & Nm & Nkl & Nkm & Nlm).
-    unfold cells in IX. apply in_app_or in IX. destruct IX as [IX|IX].
-    { apply in_map_iff in IX. destruct IX as (v & <- & _). exfalso. apply Nkl, (vertex_inj t k l Hk Hl).
-      now rewrite (Res k Hk Nk), (Res l Hl Nl). }
-    apply in_app_or in IX. destruct IX as [IX|IX].
-    { apply in_map_iff in IX. destruct IX as ((a, b) & <- & _). exfalso.
-      apply (three_off_a_line t k l m a b Hk Hl Hm Nkl Nkm Nlm). auto. }
-    apply in_app_or in IX. destruct IX as [IX|IX].
-    { apply in_map_iff in IX. destruct IX as (f & <- & If). exfalso. now apply (Off f If). }
-    destruct IX as [<-|[]]. assumption. }
-  destruct (off_all (map polygon_points (domain_polygons P)) z p) as (e1 & P1 & Clear).
-  { intros X IX. now apply union_of_cell, In_cells. }
-  { intros X IX. apply in_map_iff in IX. destruct IX as (f & <- & If). now apply Off. }
+    destruct U as (X & IX & Xz). apply low_or_region in IX. destruct IX as [IX| ->]; [exfalso|assumption].
+    apply (Off X); [|assumption]. now apply (low_in_facet X t i z). }
+  destruct (off_all (wall_cells P) z p) as (e1 & P1 & Clear).
+  { intros X IX. apply union_of_cell, low_or_region. left. now apply walls_low. }
+  { assumption. }
   set (e := Rmin e0 e1). assert (E : 0 < e /\ e <= e0 /\ e <= e1).
   { unfold e. pose proof (Rmin_l e0 e1). pose proof (Rmin_r e0 e1).
     split; [apply Rmin_glb_lt; lra|lra]. }
   set (y := mix z p e).
   assert (Cl : clear (walls_of P) z y).
-  { intros s Hs W. apply Walls in W. destruct W as (X & IX & Xs).
+  { intros s Hs W. apply walls_are_cells in W. destruct W as (X & IX & Xs).
     apply (Clear (s * e)) with X; [nra|assumption|]. replace (mix z p (s * e)) with (between z y s); [assumption|].
     change (between (d := d)) with (mix (d := d)). apply affine_separate. intros f F. unfold y.
     rewrite !affine_mix by assumption. ring. }
   assert (R' : region P y).
   { unfold region in *. rewrite K in *. now apply (enclosed_along _ _ z). }
   destruct (proj1 (covers y)) as (s & Is & Cs).
-  { exists (region P). split; [|assumption]. unfold cells.
-    apply in_or_app. right. apply in_or_app. right. apply in_or_app. right. now left. }
+  { exists (region P). split; [|assumption]. apply low_or_region. now right. }
   rewrite <- are in Is. apply in_map_iff in Is. destruct Is as (u & <- & Iu).
   apply (Out e) with u; [lra|assumption|]. now apply conv_vertices.
 Qed.
 End Framed.
 
 (** What is across, as simplices: [g] has the vertices of a member, and its facet i has another. *)
-Theorem neighbour t (g : frame d) i z : (3 <= d)%nat -> In t T -> same (vertices g) t -> (i <= d)%nat -> in_facet g i z ->
+Theorem neighbour t (g : frame d) i z : (2 <= d)%nat -> proper_domain P ->
+  (forall t v, In t T -> In v t -> In v (domain_vertices P)) -> In t T -> same (vertices g) t -> (i <= d)%nat -> in_facet g i z ->
   (what_it_fills P = Hull -> exists p, In p (domain_vertices P) /\ bary g i p < 0) ->
-  (what_it_fills P = Enclosed -> forall f, In f (domain_polygons P) -> ~ polygon_points f z) ->
+  (what_it_fills P = Enclosed -> forall X, In X (wall_cells P) -> ~ X z) ->
   exists u w, In u T /\ In w (domain_vertices P) /\ bary g i w < 0 /\ same u (w :: facet_of g i).
 Proof.
-  intros D It E Hi [Fz Fp] InHull InEnclosed. destruct all_framed as (ts & are).
+  intros Two Pr Given It E Hi [Fz Fp] InHull InEnclosed. destruct all_framed as (ts & are).
   rewrite <- are in It. apply in_map_iff in It. destruct It as (h & <- & Ih).
   assert (V : In (vertex g i) (vertices h)) by (apply E, in_vertices; eauto).
   apply in_vertices in V. destruct V as (m & Hm & Vm).
@@ -309,12 +367,12 @@ Proof.
     intros ->. apply N, (vertex_inj h); congruence. }
   assert (A : exists u j, adjacent ts (fun t => t) h m u j).
   { destruct (what_it_fills P) eqn:K.
-    - apply (neighbour_in_enclosed ts are ltac:(lia) h m z D K Ih Hm Fh). auto.
-    - destruct (InHull eq_refl) as (p & Ip & Np). apply (neighbour_in_hull ts are ltac:(lia) h m p K Ih Hm Ip).
+    - apply (neighbour_in_enclosed ts are Two Pr h m z K Ih Hm Fh). auto.
+    - destruct (InHull eq_refl) as (p & Ip & Np). apply (neighbour_in_hull ts are Two h m p Given K Ih Hm Ip).
       now rewrite <- B. }
   destruct A as (u & j & _ & Iu & O). pose proof O as (_ & Hj & _).
   exists (vertices u), (vertex u j). split; [now apply framed_member with ts|]. split; [|split].
-  - apply (vertex_of_domain (vertices u)); [now apply framed_member with ts|]. apply in_vertices. eauto.
+  - apply (Given (vertices u)); [now apply framed_member with ts|]. apply in_vertices. eauto.
   - rewrite B. apply O.
   - destruct O as (_ & _ & HU & UH & _). split.
     + intros v Iv. apply in_vertices in Iv. destruct Iv as (l & Hl & ->).

@@ -1,0 +1,88 @@
+(** * The checker of refutations that speak of the whole domain
+
+    [refute_whole] is extracted; [WholeRefuted.v] proves what its acceptance means. *)
+From Coq Require Import ZArith List Bool.
+From Circumspect Require Export GivenDomain.
+Import ListNotations.
+Open Scope Z_scope.
+
+Section Whole.
+Variable pr : predicates.
+Variable D : domain_certificate.
+Variable S : Table.t site.                      (* the caller's points *)
+Variable rows_of : Table.t row.
+Variable l : list row.
+Notation c := (whole_mesh D).
+Definition given_vertices : Table.t site := Table.of_list bare (points c).
+Definition given_polygons : list polygon_in_tables := map in_tables (polygons D).
+Definition given_point : domain_point -> option cell_point :=
+  cell_point_of pr given_vertices (Table.of_list id (segments (domain_part D))) (Table.of_list id given_polygons).
+
+(** The simplex does not contain the point; or it does, and of the least face that does a vertex is off the cell. *)
+Definition misses (q : site) (w : Z) (x : row) : bool :=
+  match proper_simplex_of pr S x with Some X => negb (in_simplex pr X q w) | None => false end.
+Definition leaves (y : cell_point) (x : row) : bool :=
+  match proper_simplex_of pr S x with
+  | Some X => negb (in_simplex pr X (cell_site y) (cell_w y)) ||
+      existsb (beside y) (carrier_of pr X (cell_site y) (cell_w y))
+  | None => false
+  end.
+
+(** Where the legs lead, if nothing is in their way. *)
+Fixpoint at_the_end (q : site) (w : Z) (legs : list leg) : option (site * Z) :=
+  match legs with
+  | [] => Some (q, w)
+  | a :: rest => if clear_leg pr D given_vertices q w (leg_end a) (leg_w a) (leg_planes a)
+                 then at_the_end (leg_end a) (leg_w a) rest else None
+  end.
+Definition behind (n : list Z) (o : Z) (K : list site) : bool :=
+  forallb (fun k => inner_product n (coordinates k) <=? o) K.
+Definition is_outside (q : site) (w : Z) (legs : list leg) (out : way_off) : bool :=
+  match out, legs, at_the_end q w legs with
+  | IntoHole h, _ :: _, Some (e, v) =>
+      match kind D with Enclosed => true | Hull => false end &&
+      match Table.find h (Table.of_list id (holes (domain_part D))) with
+      | Some x => same_place (times (hole_w x) e) (times v (hole_point x))
+      | None => false
+      end
+  | Beyond n o, _, Some (e, v) =>
+      match kind D, legs with Hull, _ :: _ => false | _, _ => true end &&
+      Nat.eqb (length n) (dimension pr) && (0 <? inner_product n n) && (v * o <? inner_product n (coordinates e)) &&
+      all_off D given_vertices (behind n o)
+  | _, _, _ => false
+  end.
+
+Definition whole_holds (e : whole_evidence) : bool :=
+  match e with
+  | FacetInNoWall t i u j q w =>
+      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && point_written pr q w &&
+      proper_at pr S rows_of t (fun X => Nat.ltb i (Datatypes.S (dimension pr)) && inside_facet pr X i q w &&
+        proper_at pr S rows_of u (fun Y => not_local pr X i Y j)) &&
+      off_walls pr D given_vertices given_polygons q w
+  | BallSeen t v q w planes =>
+      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && point_written pr q w &&
+      proper_at pr S rows_of t (fun X => strictly_in_simplex pr X q w &&
+        point_at S v (fun p => (0 <? below_sign pr X p) && existsb (lists S p) l && sees pr D given_vertices p q w planes))
+  | NotTiled k u q w =>
+      match given_point (InPiece k u q w) with Some y => forallb (leaves y) l | None => false end
+  | NotCovered z =>
+      match given_point z with Some y => forallb (misses (cell_site y) (cell_w y)) l | None => false end
+  | Strays t q w legs out =>
+      point_written pr q w && proper_at pr S rows_of t (fun X => in_simplex pr X q w) && is_outside q w legs out
+  | Gap t q w a =>
+      match kind D with Enclosed => true | Hull => false end && point_written pr q w &&
+      proper_at pr S rows_of t (fun X => in_simplex pr X q w) &&
+      clear_leg pr D given_vertices q w (leg_end a) (leg_w a) (leg_planes a) && forallb (misses (leg_end a) (leg_w a)) l
+  end.
+End Whole.
+
+(** The points of the mesh and of the domain are in the same unit. *)
+Definition refute_whole_in (pr : predicates) (x : whole_refutation) : bool :=
+  let m := mesh_against x in
+  let D := about_domain x in
+  match refuted m with Delaunay => true | _ => false end &&
+  (unit_numerator m =? numerator (whole_mesh D)) && (unit_denominator m =? denominator (whole_mesh D)) &&
+  match check_about pr D with Accepted => true | Rejected _ _ => false end &&
+  forallb (shaped pr) (sites m) &&
+  whole_holds pr D (Table.of_list (site_for Delaunay) (sites m)) (Table.of_list id (rows m)) (rows m) (shown_by x).
+Definition refute_whole (D : plane_or_space) (x : whole_refutation) : bool := refute_whole_in (predicates_of D) x.
