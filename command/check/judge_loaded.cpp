@@ -34,7 +34,7 @@ namespace {
 constexpr std::uint64_t kMega = std::uint64_t{1} << 20;
 constexpr std::uint64_t kLeastMemory = 64 * kMega;
 constexpr std::uint64_t kProgram = 32 * kMega;  // of it, what the command takes with any mesh
-constexpr std::uint64_t kSimplex = 96;  // bytes that a part takes for a simplex, at most at a time
+constexpr std::uint64_t kSimplex = 80;  // bytes that a part takes for a simplex, at most at a time
 
 // Bytes, as "2G" says them; nothing for other words.
 std::optional<std::uint64_t> bytes_said(const std::string& text) {
@@ -95,10 +95,10 @@ tl::expected<JudgedInParts, NotJudged> judge_in_parts(Claim claim, const std::st
   const auto fail = [](ExitCode code, std::string message) {
     return tl::unexpected(NotJudged{code, std::move(message)});
   };
-  // A half for simplices, a fourth for what is on its way; the rest is what allocators keep.
+  // Three fourths for simplices, and one for what is on its way.
   const std::uint64_t usable = memory - kProgram;
   const std::uint64_t threads = std::max(1U, options.threads);
-  const std::uint64_t at_a_time = usable / 2 / threads / kSimplex;
+  const std::uint64_t at_a_time = usable / 4 * 3 / threads / kSimplex;
   const std::uint64_t parts = expected_simplices(mesh) / at_a_time + 1;
   if (parts > kMostParts) {
     const std::uint64_t needed = memory / kMega * (parts / kMostParts + 1);

@@ -259,7 +259,8 @@ void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
   const auto expected = static_cast<std::size_t>(dealt_.simplices / ranks.size() * 9 / 8 + 64);
   rows->reserve(expected * kVertices);
   places.reserve(expected);
-  const std::size_t at_a_time = ranks.some(4 * sizeof(Moved) + 4 * sizeof(Key));
+  const std::size_t at_a_time =
+      std::min<std::size_t>(ranks.some(4 * sizeof(Moved) + 4 * sizeof(Key)), expected / 16 + 1);
   const std::uint64_t rounds = ranks.most((own + at_a_time - 1) / at_a_time);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const std::uint64_t first = std::min(own, round * at_a_time);
