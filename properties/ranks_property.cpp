@@ -12,6 +12,8 @@
 
 #include "inputs/in_doubles.hpp"
 #include "oracle/distributed/judge.hpp"
+#include "oracle/distributed/mpi.hpp"
+#include "oracle/distributed/turns.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/report/text.hpp"
@@ -29,7 +31,8 @@ distributed::Ranks& world() {
   static const std::unique_ptr<distributed::Ranks> ranks = [] {
     MPI_Init(nullptr, nullptr);
     std::atexit([] { MPI_Finalize(); });
-    return std::make_unique<distributed::Ranks>(MPI_COMM_WORLD, 5);
+    static distributed::MpiCommunicator communicator(MPI_COMM_WORLD);
+    return std::make_unique<distributed::Ranks>(communicator, 5);
   }();
   return *ranks;
 }
@@ -88,19 +91,21 @@ std::vector<std::vector<std::size_t>> dealt_places(const ArrayMesh& mesh, Way wa
   return places;
 }
 
-distributed::Dealt dealt(const ArrayMesh& mesh, Way way, Dice& dice) {
-  const std::size_t rank = world().rank(), d = mesh.dimension;
-  const auto places = dealt_places(mesh, way, world().size(), dice);
+distributed::Dealt dealt(const ArrayMesh& mesh, Way way, Dice& dice,
+                         const distributed::Ranks& ranks) {
+  const std::size_t rank = ranks.rank(), d = mesh.dimension;
+  const auto places = dealt_places(mesh, way, ranks.size(), dice);
   distributed::Dealt own;
   own.points = mesh.points();
   own.simplices = mesh.size();
   own.dimension = d;
-  const auto [begin, end] = PartOf{rank, world().size()}.slice(mesh.points());
-  own.coordinates =
-      Rows<double>::of(std::span(mesh.coordinates).subspan(begin * d, (end - begin) * d), d);
-  if (!mesh.weights.empty()) {
-    own.weights = Rows<double>::of(std::span(mesh.weights).subspan(begin, end - begin), 1);
-  }
+  const Slice slice = PartOf{rank, ranks.size()}.slice(mesh.points());
+  const auto part_of = [&](const std::vector<double>& all, std::size_t columns) {
+    const auto at = all.begin() + static_cast<std::ptrdiff_t>(slice.begin * columns);
+    return std::pmr::vector<double>(at, at + static_cast<std::ptrdiff_t>(slice.size() * columns));
+  };
+  own.coordinates = part_of(mesh.coordinates, d);
+  if (!mesh.weights.empty()) own.weights = part_of(mesh.weights, 1);
   Rows<std::int64_t> rows(places[rank].size(), mesh.width());
   for (std::size_t i = 0; i < places[rank].size(); ++i) {
     const auto row = mesh.row(places[rank][i]);
@@ -108,7 +113,7 @@ distributed::Dealt dealt(const ArrayMesh& mesh, Way way, Dice& dice) {
   }
   own.lists = std::move(rows);
   if (way == Way::kSlices) {
-    own.first_simplex = PartOf{rank, world().size()}.slice(mesh.size()).begin;
+    own.first_simplex = PartOf{rank, ranks.size()}.slice(mesh.size()).begin;
   } else {
     own.places.assign(places[rank].begin(), places[rank].end());
   }
@@ -136,22 +141,41 @@ std::string said_by_one(Claim claim, const ArrayMesh& arrays, const check::Optio
 }
 
 // At the first rank; elsewhere whether it holds alone.
-std::string said_by_all(Claim claim, distributed::Dealt own, const check::Options& options) {
-  const auto judged = distributed::judge(world(), claim, std::move(own), options);
+std::string said_by_all(distributed::Ranks& ranks, Claim claim, distributed::Dealt own,
+                        const check::Options& options) {
+  const auto judged = distributed::judge(ranks, claim, std::move(own), options);
   const auto& [count, kept, again] = judged.equal;
   if (count > 0) {
     return "equal " + std::to_string(kept) + " " + std::to_string(again) + " of " +
            std::to_string(count);
   }
-  if (!world().is_first()) return judged.holds ? "holds" : "fails";
+  if (!ranks.is_first()) return judged.holds ? "holds" : "fails";
   if (judged.verdict->holds() != judged.holds) return "other ranks are told otherwise";
   return text_of(*judged.verdict, judged.named);
+}
+
+// What parts of one process say, of which some are in files while others have their turn.
+std::string said_in_turns(Claim claim, const ArrayMesh& mesh, Way way, Dice& dice,
+                          const check::Options& options) {
+  const distributed::Turns turns{.parts = 1 + dice.below(7),
+                                 .at_once = 1 + dice.below(3),
+                                 .room = 64 + dice.below(5000),
+                                 .folder = "/tmp",
+                                 .few = 5};
+  const Dice before = dice;
+  std::string said;
+  distributed::in_turns(turns, [&](distributed::Ranks& ranks) {
+    Dice same = before;
+    std::string own = said_by_all(ranks, claim, dealt(mesh, way, same, ranks), options);
+    if (ranks.is_first()) said = std::move(own);
+  });
+  return said;
 }
 
 // The ranks agree with one process on this mesh, dealt in this way.
 void check_agreement(Claim claim, const ArrayMesh& mesh, Way way, Dice& dice,
                      const check::Options& options) {
-  const std::string said = said_by_all(claim, dealt(mesh, way, dice), options);
+  const std::string said = said_by_all(world(), claim, dealt(mesh, way, dice, world()), options);
   const std::string expected =
       world().is_first() ? said_by_one(claim, mesh, options) : std::string();
   const bool agree = world().is_first() ? said == expected : expected.empty();
@@ -161,6 +185,10 @@ void check_agreement(Claim claim, const ArrayMesh& mesh, Way way, Dice& dice,
     CHECK(said == expected);
   } else {
     CHECK(agree);
+  }
+  if (world().is_first()) {
+    Dice own = dice;
+    CHECK(said_in_turns(claim, mesh, way, own, options) == expected);
   }
 }
 

@@ -16,7 +16,7 @@ COMMAND_FOLDERS = ["command", *("command/" + room for room in [
     "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages"])]
 COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
-           "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
+           "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "reference/kernel/exact": [],
     "reference/kernel/predicates": ["reference/kernel/exact"],
@@ -49,7 +49,7 @@ ARROWS = {
     "python": ["c", "fuzz/harness"],
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
     **{folder: COMMAND for folder in COMMAND_FOLDERS},
-    "command/mpi": ["oracle/distributed", *COMMAND],
+    "command/mpi": COMMAND,
     "properties/arguments": ["inputs/triangulated"],
     "properties/mutations": ["oracle/model"],
     "properties/faulty": ["reference/constrained", "fuzz/campaign", "inputs/triangulated"],

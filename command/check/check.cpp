@@ -43,6 +43,7 @@ struct CheckOptions {
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
+  std::optional<std::uint64_t> memory;
 };
 
 // The same points, in whatever order?
@@ -138,6 +139,17 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.end_watch();
     write_certificate(*options.certificate, path, exact(loaded->mesh), *verdict, output);
   }
+}
+
+void check_part_after_part(const std::string& path, const CheckOptions& options, Output& output) {
+  output.begin("judging " + path);
+  const auto judged = judge_in_parts(options.claim.value_or(Claim::kDelaunay), path,
+                                     options.input.points, *options.memory, options.check);
+  if (!judged) {
+    output.error(judged.error().code, "mesh", path, judged.error().message);
+    return;
+  }
+  report_verdict(path, judged->verdict, judged->named, {}, options, nullptr, output);
 }
 
 void check_with_domain(const std::string& path, const CheckOptions& options,
@@ -267,6 +279,23 @@ std::string usage_fault(const CheckOptions& options) {
     return "expected a file for --certificate, found -; circumspect certify writes to standard "
            "output";
   }
+  if (options.memory) {
+    for (const auto& [is_given, word] : std::initializer_list<std::pair<bool, const char*>>{
+             {options.domain.has_value(), "--domain"},
+             {options.check.by == check::By::kDefinition, "--by definition"},
+             {options.check.oriented, "--oriented"},
+             {options.input.neighbors, "--neighbors"},
+             {!options.input.kept_labels.empty(), "--keep-label"},
+             {options.input.allow_empty, "--allow-empty"},
+             {options.input.duplicates == Duplicates::kMerge, "--duplicates merge"},
+             {options.input.coordinates != NumberReading::kDouble, "--coordinates decimal"},
+             {options.certificate.has_value(), "--certificate"},
+             {!picture_files(options.picture).empty(), "pictures"}}) {
+      if (!is_given) continue;
+      return fmt::format(
+          "expected no {} beside --memory, found it: for that the mesh has to be in memory", word);
+    }
+  }
   const std::string fault = picture_fault(options.picture, options.meshes.size());
   if (!fault.empty()) return fault;
   std::vector<Written> written = picture_files(options.picture);
@@ -298,7 +327,10 @@ ExitCode run(CheckOptions& options) {
   if (options.domain) {
     check_against_domain(options, output);
   } else {
-    for (const std::string& mesh : options.meshes) check_alone(mesh, options, output);
+    for (const std::string& mesh : options.meshes) {
+      options.memory ? check_part_after_part(mesh, options, output)
+                     : check_alone(mesh, options, output);
+    }
   }
   options.pictures->finish(output);
   return output.finish();
@@ -361,6 +393,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
       ->check(whole_number())
       ->option_text("N");
   add_threads_option(*command, options->threads);
+  add_memory_option(*command, options->memory);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_keep_label_option(*command, options->input);

@@ -1,8 +1,9 @@
-// The same mesh gets the same verdict in every format, and against its domain in every format.
+// The same mesh gets the same verdict in every format, against its domain in every format, and part after part.
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
 #include "oracle/formats/written_elements_test.hpp"
+#include "oracle/judge/fast/grid_mesh_test.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -57,6 +58,18 @@ std::string rule_of(const Run& result, const std::string& path) {
              : line;
 }
 
+// As NumPy saves them.
+template <class Number>
+std::string npy(const std::string& type, std::size_t columns, const std::vector<Number>& numbers) {
+  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': (" +
+                       std::to_string(numbers.size() / columns) + ", " + std::to_string(columns) +
+                       "), }";
+  header += std::string(117 - header.size(), ' ') + "\n";
+  const auto* const bytes = reinterpret_cast<const char*>(numbers.data());
+  return std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header +
+         std::string(bytes, numbers.size() * sizeof(Number));
+}
+
 }  // namespace
 
 TEST_CASE("the same verdict of a mesh in every format") {
@@ -107,6 +120,45 @@ TEST_CASE("build writes what check reads, in every format") {
     CHECK_MESSAGE(result.exit_code == 0, (result.out + result.err));
     CHECK(run({"compare", folder.path("o.ele"), path}).exit_code == 0);
   }
+}
+
+// A mesh that does not fit the memory in one piece: two parts for each thread.
+TEST_CASE("check --memory says what check says, and refuses what it cannot do") {
+  const ScratchFolder folder;
+  auto grid = fast::grid_mesh<3>(41);
+  const std::string points = folder.write("p.npy", npy("<f8", 3, grid.coordinates));
+  const std::string mesh = folder.path("s.npy");
+  const auto said = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"check", mesh, "--points", points, "--threads", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  const auto same = [&](int exit_code) {
+    folder.write("s.npy", npy("<i4", 4, grid.simplices));
+    for (const std::string format : {"text", "json"}) {
+      const Run whole = said({"--format", format});
+      const Run parts = said({"--format", format, "--memory", "64M"});
+      CHECK_MESSAGE(parts.exit_code == exit_code, parts.err);
+      CHECK(whole.exit_code == exit_code);
+      CHECK(parts.out == whole.out);
+      CHECK(parts.err == whole.err);
+    }
+  };
+  same(0);
+  grid.simplices[4 * 1000 + 1] = grid.simplices[4 * 300000 + 2];
+  same(1);
+  grid.simplices[4 * 1000 + 1] = -5;
+  same(1);
+  CHECK(said({"--memory", "64M", "--oriented"}).exit_code == 2);
+  CHECK(said({"--memory", "63M"}).exit_code == 2);
+  const Run absent = run({"check", folder.path("none.npy"), "--points", points, "--memory", "1G"});
+  CHECK(absent.exit_code == 3);
+  setenv("TMPDIR", "/nowhere", 1);
+  const Run nowhere = said({"--memory", "64M"});
+  unsetenv("TMPDIR");
+  CHECK(nowhere.exit_code == 5);
+  CHECK(is_error_line(nowhere.err));
+  CHECK(has(nowhere.err, "TMPDIR names another folder"));
 }
 
 }  // namespace circumspect::cli

@@ -87,15 +87,20 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                     std::move(file->notes), std::move(file->face_markers)};
 }
 
-std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {
-  const Vertex first_index = loaded.mesh.first_index;
+std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
+                               std::uint64_t count) {
   return fmt::format(
       "{}: expected distinct points, found points {} and {} equal{}; to take equal points for one, "
       "add --duplicates merge to the command",
-      loaded.points_name, repeated.front().kept + first_index, repeated.front().again + first_index,
-      repeated.size() > 1 ? fmt::format(" and {} more duplicate{}", repeated.size() - 1,
-                                        repeated.size() == 2 ? "" : "s")
-                          : "");
+      points_name, kept, again,
+      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "");
+}
+
+std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {
+  const Vertex first_index = loaded.mesh.first_index;
+  const auto& [kept, again] = std::pair{repeated.front().kept, repeated.front().again};
+  return equal_points_fault(loaded.points_name, kept + first_index, again + first_index,
+                            repeated.size());
 }
 
 std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates) {

@@ -55,7 +55,10 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads = 0,
                                                 std::optional<std::size_t> domain_dimension = {});
 
-// What is wrong with points that are equal, where they are not to be merged.
+// What is wrong with points that are equal, where they are not to be merged: so many, of which the first is `again`
+// and repeats `kept`, as the file counts.
+std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
+                               std::uint64_t count);
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated);
 
 // Merges equal points (oracle/model/mesh.hpp says how), or returns what is wrong with them if

@@ -16,6 +16,7 @@
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "oracle/distributed/judge.hpp"
+#include "oracle/distributed/mpi.hpp"
 #include "oracle/distributed/slices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
@@ -143,7 +144,8 @@ ExitCode judge(Ranks& ranks, MpiOptions& options) {
 }
 
 ExitCode run(int argc, char** argv) {
-  Ranks ranks(MPI_COMM_WORLD);
+  circumspect::distributed::MpiCommunicator communicator(MPI_COMM_WORLD);
+  Ranks ranks(communicator);
   CLI::App app{
       "Judges a mesh of points of which each rank reads and keeps a part, as circumspect check "
       "does: exactly, with the same witnesses."};
@@ -183,6 +185,8 @@ int main(int argc, char** argv) {
     code = run(argc, argv);
   } catch (const std::bad_alloc&) {
     end_without_memory();
+  } catch (const circumspect::distributed::FileChanged& changed) {
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(say(ExitCode::kInputFault, changed.what())));
   } catch (const std::exception& error) {
     const std::string text = std::string("internal error, please report it: ") + error.what();
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(say(code, text)));

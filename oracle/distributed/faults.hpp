@@ -118,20 +118,29 @@ class FaultSearch {
 
   // Nothing if no simplex is sound. Called by all ranks. Requires: no two points are equal.
   std::optional<NamedFaults<kDimension>> run() {
-    std::vector<std::int8_t> signs(mesh_.size(), 0);
     std::vector<std::uint64_t> negative((mesh_.size() + 63) / 64, 0);
     FacetNames unsound;
+    std::size_t sound = kNone, first = kNone;
+    const auto note = [&](std::size_t s, std::size_t& earliest) {
+      if (earliest == kNone || mesh_.place(s) < mesh_.place(earliest)) earliest = s;
+    };
     for (std::size_t s = 0; s < mesh_.size(); ++s) {
       const auto row = mesh_.view().row(s);
+      int sign = 0;
       if (std::all_of(row.begin(), row.end(), [](std::int32_t v) { return v >= 0; })) {
-        signs[s] = static_cast<std::int8_t>(fast::orientation<kDimension>(mesh_.sites(s), stages_));
+        sign = fast::orientation<kDimension>(mesh_.sites(s), stages_);
       }
-      if (signs[s] == 0) unsound.push_back(own_name(s));
-      if (signs[s] < 0) negative[s / 64] |= std::uint64_t{1} << (s % 64);
+      note(s, first);
+      if (sign == 0) {
+        unsound.push_back(own_name(s));
+      } else {
+        note(s, sound);
+      }
+      if (sign < 0) negative[s / 64] |= std::uint64_t{1} << (s % 64);
     }
-    faults_.sound = first_with([&](std::size_t s) { return signs[s] != 0; });
+    faults_.sound = first_of_all(sound);
     if (faults_.sound.rank < 0) return std::nullopt;
-    faults_.first = first_with([](std::size_t) { return true; });
+    faults_.first = first_of_all(first);
     bool goes_on = !take(std::move(unsound), faults_.unsound);
     FacetNames duplicates;
     for (const FacetNames& group : equal_simplices(ranks_, mesh_)) append(duplicates, group);
@@ -167,13 +176,8 @@ class FaultSearch {
     return any;
   }
 
-  // The first simplex of the whole list of which this is so.
-  template <class Is>
-  FacetName first_with(const Is& is) {
-    std::size_t own = kNone;
-    for (std::size_t s = 0; s < mesh_.size(); ++s) {
-      if (is(s) && (own == kNone || mesh_.place(s) < mesh_.place(own))) own = s;
-    }
+  // Of the simplices that ranks name, one each or none, the first in the whole list.
+  FacetName first_of_all(std::size_t own) {
     struct Candidate {
       std::uint64_t place;
       FacetName name;

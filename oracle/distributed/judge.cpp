@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <memory_resource>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -59,7 +60,7 @@ class DistributedJudge {
   // What the parts have in common with the sweep of a whole mesh: false if a condition is not met.
   struct Swept {
     fast::Orientations orientations{1};
-    std::vector<std::uint32_t> open = {};  // facets with nothing across them at this rank
+    std::pmr::vector<std::uint32_t> open = {};  // facets with nothing across them at this rank
     std::vector<FacetNames> not_local = {};
     bool unique = true, canonical = true;
     double unit = std::numeric_limits<double>::max();  // of the lattice
@@ -74,7 +75,7 @@ class DistributedJudge {
     // Positive doubles are in the order of their bits.
     const auto unit = std::bit_cast<double>(ranks_.least(std::bit_cast<std::uint64_t>(swept.unit)));
     const BallQuestions balls{asks_balls(), {unit}};
-    const std::vector<std::uint32_t> open = std::move(swept.open);
+    const std::pmr::vector<std::uint32_t> open = std::move(swept.open);
     FacetFindings found = FacetMeeting<kDimension>(ranks_, mesh_, swept.orientations, balls)
                               .run(open.size(), [&open](std::size_t i) { return open[i]; });
     ranks_.end_phase("facets between ranks");
@@ -244,7 +245,7 @@ class DistributedJudge {
 Judged judge(Ranks& ranks, Claim claim, Dealt dealt, const check::Options& options) {
   assert(claim == Claim::kTriangulation || claim == Claim::kDelaunay ||
          claim == Claim::kWeightedDelaunay);
-  const bool weighted = claim == Claim::kWeightedDelaunay && ranks.any(dealt.weights.rows() > 0);
+  const bool weighted = claim == Claim::kWeightedDelaunay && ranks.any(!dealt.weights.empty());
   const std::size_t dimension = dealt.dimension;
   assert(dimension == 2 || dimension == 3);
   if (dimension == 2) {

@@ -5,13 +5,12 @@
 #include <bit>
 #include <limits>
 #include <memory>
-#include <type_traits>
+#include <numeric>
 
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::distributed {
-
-namespace {
 
 // Some of many points, numbered in their order. Memory for those pages of the list alone that have one of them.
 class PointNumbers {
@@ -24,8 +23,8 @@ class PointNumbers {
     page->words[v % kPage / 64] |= std::uint64_t{1} << (v % 64);
   }
 
-  // Those that are marked, ascending; from now on they have numbers.
-  std::vector<std::uint64_t> numbered() {
+  // Numbers those that are marked; how many?
+  std::size_t number() {
     std::size_t count = 0;
     for (const std::unique_ptr<Page>& page : pages_) {
       if (page == nullptr) continue;
@@ -34,8 +33,14 @@ class PointNumbers {
         count += static_cast<std::size_t>(std::popcount(page->words[i]));
       }
     }
-    std::vector<std::uint64_t> marked;
-    marked.reserve(count);
+    count_ = count;
+    return count;
+  }
+
+  // Those that are marked, ascending. Requires: they have numbers.
+  std::pmr::vector<std::uint64_t> numbered() const {
+    std::pmr::vector<std::uint64_t> marked;
+    marked.reserve(count_);
     for (std::size_t p = 0; p < pages_.size(); ++p) {
       if (pages_[p] == nullptr) continue;
       for (std::size_t i = 0; i < kWords; ++i) {
@@ -62,7 +67,31 @@ class PointNumbers {
     std::array<std::int32_t, kWords> before = {};
   };
   std::vector<std::unique_ptr<Page>> pages_;
+  std::size_t count_ = 0;
 };
+
+namespace {
+
+// So many simplices are read at a time.
+constexpr std::size_t kSomeRows = std::size_t{1} << 13;
+
+// The lowest bits of a number, 31 in the plane and 20 in space, with places for those of the other axes between.
+template <std::size_t kDimension>
+std::uint64_t spread(std::uint64_t bits) {
+  if constexpr (kDimension == 2) {
+    bits = (bits | bits << 16) & 0x0000ffff0000ffffU;
+    bits = (bits | bits << 8) & 0x00ff00ff00ff00ffU;
+    bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0fU;
+    bits = (bits | bits << 2) & 0x3333333333333333U;
+    return (bits | bits << 1) & 0x5555555555555555U;
+  } else {
+    bits = (bits | bits << 32) & 0x001f00000000ffffU;
+    bits = (bits | bits << 16) & 0x001f0000ff0000ffU;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00fU;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3U;
+    return (bits | bits << 2) & 0x1249249249249249U;
+  }
+}
 
 }  // namespace
 
@@ -73,45 +102,195 @@ LocalMesh<kDimension>::LocalMesh(Ranks& ranks, Dealt dealt, bool weighted)
       ranks_(ranks.size()),
       slice_(PartOf{ranks.rank(), ranks.size()}.slice(dealt_.points)),
       used_(slice_.size(), false) {
-  number_points(dealt_.lists);
+  const auto marked = [&] {
+    auto numbers = std::make_unique<PointNumbers>(dealt_.points);
+    dealt_.lists.for_some(kSomeRows, [&](std::uint64_t, std::span<const std::int64_t> values) {
+      for (const std::int64_t listed : values) {
+        const std::int64_t v = place_of(listed);
+        if (names_point(v)) numbers->mark(static_cast<std::uint64_t>(v));
+      }
+    });
+    return numbers;
+  };
+  auto numbers = marked();
+  // Points that several ranks name: few, if each has its place in space.
+  std::uint64_t named = numbers->number();
+  if (ranks.share_memory()) numbers = nullptr;
+  named = ranks.sum(named);
+  if (ranks.size() > 1 && named > dealt_.points + dealt_.points / 4) {
+    numbers = nullptr;
+    deal_by_place(ranks);
+    ranks.end_phase("dealing by place");
+  }
+  if (numbers == nullptr) {
+    numbers = marked();
+    numbers->number();
+  }
+  number_points(*numbers);
   dealt_.lists = {};
+  numbers = nullptr;
   ranks.end_phase("numbering points");
   fetch_points(ranks);
   ranks.end_phase("fetching points");
 }
 
 template <std::size_t kDimension>
-void LocalMesh<kDimension>::number_points(const IndexLists& lists) {
-  lists.visit([&]<class Lists>(const Lists& rows) {
-    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
-      PointNumbers numbers(dealt_.points);
-      const auto names_point = [&](std::int64_t v) {
-        return static_cast<std::uint64_t>(v) < dealt_.points;
-      };
-      const auto values = rows.values();
-      for (const std::int64_t listed : values) {
-        const std::int64_t v = place_of_index(listed, dealt_.first_index);
-        if (names_point(v)) numbers.mark(static_cast<std::uint64_t>(v));
-      }
-      global_of_ = numbers.numbered();
-      simplices_.resize(values.size());
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::int64_t v = place_of_index(values[i], dealt_.first_index);
-        const bool known = names_point(v);
-        simplices_[i] = known ? numbers.of(static_cast<std::uint64_t>(v)) : -1;
-        if (!known) unknown_.emplace_back(i, v);
-      }
+void LocalMesh<kDimension>::number_points(const PointNumbers& numbers) {
+  global_of_ = numbers.numbered();
+  simplices_.reserve(dealt_.lists.size() * kVertices);
+  dealt_.lists.for_some(kSomeRows, [&](std::uint64_t, std::span<const std::int64_t> values) {
+    for (const std::int64_t listed : values) {
+      const std::int64_t v = place_of(listed);
+      const bool known = names_point(v);
+      if (!known) unknown_.emplace_back(simplices_.size(), v);
+      simplices_.push_back(known ? numbers.of(static_cast<std::uint64_t>(v)) : -1);
     }
   });
+}
+
+// ---- Dealing by place ----
+// Along Morton's curve of first vertices. Any dealing is right; no sign depends on where it cuts.
+
+template <std::size_t kDimension>
+typename LocalMesh<kDimension>::SiteBox LocalMesh<kDimension>::box_of_all(Ranks& ranks) const {
+  SiteBox box;
+  box.low.fill(std::numeric_limits<double>::max());
+  box.high.fill(std::numeric_limits<double>::lowest());
+  for (std::size_t i = 0; i < dealt_.coordinates.size(); ++i) {
+    const double x = dealt_.coordinates[i];
+    box.low[i % kDimension] = std::min(box.low[i % kDimension], x);
+    box.high[i % kDimension] = std::max(box.high[i % kDimension], x);
+  }
+  for (const SiteBox& other : ranks.of_each(box)) {
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      box.low[axis] = std::min(box.low[axis], other.low[axis]);
+      box.high[axis] = std::max(box.high[axis], other.high[axis]);
+    }
+  }
+  return box;
+}
+
+// Where points are on the curve, as their owners say. Called by all ranks.
+template <std::size_t kDimension>
+std::vector<std::uint64_t> LocalMesh<kDimension>::curve_places(
+    Ranks& ranks, std::span<const std::uint64_t> points, const SiteBox& box) const {
+  constexpr double kCells = kDimension == 2 ? 0x1p31 : 0x1p20;
+  std::vector<std::vector<std::uint64_t>> asked(ranks.size());
+  for (const std::uint64_t v : points) asked[owner_of(v)].push_back(v);
+  std::vector<std::uint64_t> from;
+  const std::vector<std::uint64_t> wanted = ranks.exchanged(std::move(asked), &from);
+  std::vector<std::vector<std::uint64_t>> answers(ranks.size());
+  std::size_t i = 0;
+  for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
+    answers[rank].reserve(from[rank]);
+    for (const std::size_t end = i + from[rank]; i < end; ++i) {
+      std::uint64_t key = 0;
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        // Halves, so that no difference of doubles is infinite.
+        const double x = dealt_.coordinates[(wanted[i] - slice_.begin) * kDimension + axis];
+        const double width = box.high[axis] / 2 - box.low[axis] / 2;
+        const double part = width > 0 ? (x / 2 - box.low[axis] / 2) / width : 0;
+        key |= spread<kDimension>(static_cast<std::uint64_t>(part * (kCells - 1))) << axis;
+      }
+      answers[rank].push_back(key);
+    }
+  }
+  std::vector<std::uint64_t> counts;
+  const std::vector<std::uint64_t> got = ranks.exchanged(std::move(answers), &counts);
+  std::vector<std::uint64_t> next(ranks.size());
+  std::exclusive_scan(counts.begin(), counts.end(), next.begin(), std::uint64_t{0});
+  std::vector<std::uint64_t> places;
+  places.reserve(points.size());
+  for (const std::uint64_t v : points) places.push_back(got[next[owner_of(v)]++]);
+  return places;
+}
+
+template <std::size_t kDimension>
+void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
+  struct Key {
+    std::uint64_t curve, place;  // of the first vertex; of the simplex, mixed: no two are equal
+    auto operator<=>(const Key&) const = default;
+  };
+  struct Moved {
+    std::array<std::int64_t, kVertices> row;
+    std::uint64_t place;
+  };
+  const std::uint64_t own = dealt_.lists.size();
+  const SiteBox box = box_of_all(ranks);
+  std::vector<Moved> some;
+  const auto read = [&](std::uint64_t first, std::size_t count) {
+    std::vector<std::int64_t> values(count * kVertices);
+    if (count > 0) dealt_.lists.read(first, values);
+    for (std::size_t i = 0; i < count; ++i) {
+      Moved& moved = some.emplace_back();
+      std::copy_n(values.data() + i * kVertices, kVertices, moved.row.begin());
+      moved.place = place(static_cast<std::size_t>(first + i));
+    }
+  };
+  const auto keys_of_some = [&] {
+    std::vector<std::uint64_t> firsts;
+    for (const Moved& moved : some) {
+      const auto known = std::find_if(moved.row.begin(), moved.row.end(),
+                                      [&](std::int64_t v) { return names_point(place_of(v)); });
+      firsts.push_back(known == moved.row.end() ? 0 : static_cast<std::uint64_t>(place_of(*known)));
+    }
+    const std::vector<std::uint64_t> places = curve_places(ranks, firsts, box);
+    std::vector<Key> keys;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      keys.push_back({places[i], fast::mixed_vertex(some[i].place)});
+    }
+    return keys;
+  };
+  // A sample says where the parts begin.
+  constexpr std::size_t kUsual = 512;
+  const std::uint64_t wanted = std::min<std::uint64_t>(
+      {own, 2 * kUsual, (own * ranks.size() * kUsual + dealt_.simplices - 1) / dealt_.simplices});
+  for (std::uint64_t i = 0; i < wanted; ++i) read(own / wanted * i + own % wanted * i / wanted, 1);
+  std::vector<Key> sampled = ranks.at_first(keys_of_some());
+  std::sort(sampled.begin(), sampled.end());
+  std::vector<Key> begins;  // of all parts but the first
+  for (std::size_t part = 1; ranks.is_first() && part < ranks.size(); ++part) {
+    begins.push_back(sampled[sampled.size() * part / ranks.size()]);
+  }
+  begins = ranks.of_rank(0, std::move(begins));
+  // Rows and places of those that come here.
+  auto rows = std::make_shared<std::pmr::vector<std::int64_t>>();
+  std::pmr::vector<std::uint64_t> places;
+  const auto expected = static_cast<std::size_t>(dealt_.simplices / ranks.size() * 9 / 8 + 64);
+  rows->reserve(expected * kVertices);
+  places.reserve(expected);
+  const std::size_t at_a_time =
+      std::min<std::size_t>(ranks.some(4 * sizeof(Moved) + 4 * sizeof(Key)), expected / 16 + 1);
+  const std::uint64_t rounds = ranks.most((own + at_a_time - 1) / at_a_time);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    const std::uint64_t first = std::min(own, round * at_a_time);
+    some.clear();
+    read(first, static_cast<std::size_t>(std::min<std::uint64_t>(at_a_time, own - first)));
+    const std::vector<Key> keys = keys_of_some();
+    std::vector<std::vector<Moved>> out(ranks.size());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const auto part = std::upper_bound(begins.begin(), begins.end(), keys[i]) - begins.begin();
+      out[static_cast<std::size_t>(part)].push_back(some[i]);
+    }
+    for (const Moved& moved : ranks.exchanged(std::move(out))) {
+      rows->insert(rows->end(), moved.row.begin(), moved.row.end());
+      places.push_back(moved.place);
+    }
+  }
+  dealt_.places = std::move(places);
+  dealt_.lists = ListedRows(dealt_.places.size(), kVertices,
+                            [rows](std::uint64_t first, std::span<std::int64_t> to) {
+                              std::copy_n(rows->data() + first * kVertices, to.size(), to.data());
+                            });
 }
 
 template <std::size_t kDimension>
 void LocalMesh<kDimension>::append_owned(std::uint64_t point, std::vector<double>& numbers) {
   const auto i = static_cast<std::size_t>(point - slice_.begin);
   used_[i] = true;
-  const auto row = std::as_const(dealt_.coordinates).row(i);
-  numbers.insert(numbers.end(), row.begin(), row.end());
-  if (weighted_) numbers.push_back(std::as_const(dealt_.weights).row(i)[0]);
+  const double* const at = dealt_.coordinates.data() + i * kDimension;
+  numbers.insert(numbers.end(), at, at + kDimension);
+  if (weighted_) numbers.push_back(dealt_.weights[i]);
 }
 
 // Some points at a time from each owner.
@@ -127,12 +306,12 @@ void LocalMesh<kDimension>::fetch_points(Ranks& ranks) {
   std::uint64_t most = 0;
   for (std::size_t owner = 0; owner < ranks.size(); ++owner) {
     const auto [begin, end] = PartOf{owner, ranks.size()}.slice(dealt_.points);
-    const auto place_of = [&](std::uint64_t v) {
+    const auto number_from = [&](std::uint64_t v) {
       return static_cast<std::size_t>(std::lower_bound(global_of_.begin(), global_of_.end(), v) -
                                       global_of_.begin());
     };
-    next[owner] = place_of(begin);
-    last[owner] = place_of(end);
+    next[owner] = number_from(begin);
+    last[owner] = number_from(end);
     if (owner != ranks.rank()) most = std::max<std::uint64_t>(most, last[owner] - next[owner]);
   }
   std::vector<double> numbers;
@@ -142,20 +321,21 @@ void LocalMesh<kDimension>::fetch_points(Ranks& ranks) {
     take(v, numbers.data());
   }
   next[ranks.rank()] = last[ranks.rank()];
-  const std::size_t some = std::max<std::size_t>(1, 4 * ranks.few() / ranks.size());
   const std::size_t width = kDimension + (weighted_ ? 1 : 0);
+  const std::size_t some =
+      std::max<std::size_t>(1, ranks.some(2 * (width + 1) * sizeof(double)) / ranks.size());
   for (std::uint64_t rounds = ranks.most((most + some - 1) / some); rounds > 0; --rounds) {
     std::vector<std::vector<std::uint64_t>> asked(ranks.size());
     for (std::size_t owner = 0; owner < ranks.size(); ++owner) {
       const std::size_t end = std::min(last[owner], next[owner] + some);
       asked[owner].assign(global_of_.data() + next[owner], global_of_.data() + end);
     }
-    std::vector<int> from;
+    std::vector<std::uint64_t> from;
     const std::vector<std::uint64_t> wanted = ranks.exchanged(std::move(asked), &from);
     std::vector<std::vector<double>> answers(ranks.size());
     std::size_t i = 0;
     for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
-      const auto end = i + static_cast<std::size_t>(from[rank]);
+      const auto end = i + from[rank];
       answers[rank].reserve((end - i) * width);
       for (; i < end; ++i) append_owned(wanted[i], answers[rank]);
     }
@@ -180,8 +360,8 @@ std::int64_t LocalMesh<kDimension>::vertex(std::size_t s, std::size_t place) con
 template <std::size_t kDimension>
 NumberedPoint<kDimension> LocalMesh<kDimension>::owned_point(std::size_t i) const {
   NumberedPoint<kDimension> point{slice_.begin + i};
-  std::copy_n(dealt_.coordinates.row(i).begin(), kDimension, point.site.at.begin());
-  if (weighted_) point.site.weight = dealt_.weights.row(i)[0];
+  std::copy_n(dealt_.coordinates.data() + i * kDimension, kDimension, point.site.at.begin());
+  if (weighted_) point.site.weight = dealt_.weights[i];
   return point;
 }
 

@@ -1,31 +1,76 @@
 // What one rank has of a mesh: simplices with points that it numbers for itself, as the fast judge takes them.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <memory_resource>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "oracle/distributed/ranks.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
+#include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/index_lists.hpp"
 
 namespace circumspect::distributed {
 
 // ---- Dealt ----
 
+// Rows of indices: in memory, or where they are read some at a time, as often as they are asked for.
+class ListedRows {
+ public:
+  // Puts rows `first`, … in place; as many as there is room for.
+  using Read = std::function<void(std::uint64_t first, std::span<std::int64_t> rows)>;
+
+  ListedRows() = default;
+  ListedRows(std::uint64_t count, std::size_t columns, Read read)
+      : count_(count), columns_(columns), read_(std::move(read)) {}
+  template <class Index>
+  ListedRows(Rows<Index> rows) : count_(rows.rows()), columns_(rows.columns()) {
+    read_ = [own = std::make_shared<Rows<Index>>(std::move(rows)), columns = columns_](
+                std::uint64_t first, std::span<std::int64_t> to) {
+      const auto from = std::as_const(*own).values().subspan(first * columns, to.size());
+      std::copy(from.begin(), from.end(), to.begin());
+    };
+  }
+
+  std::uint64_t size() const { return count_; }
+  std::size_t columns() const { return columns_; }
+  void read(std::uint64_t first, std::span<std::int64_t> to) const { read_(first, to); }
+
+  // Calls visit(number of the first, values of all) for some rows after the other.
+  template <class Visit>
+  void for_some(std::size_t some, const Visit& visit) const {
+    std::vector<std::int64_t> values;
+    for (std::uint64_t first = 0; first < count_; first += some) {
+      values.resize(std::min<std::uint64_t>(some, count_ - first) * columns_);
+      read_(first, values);
+      visit(first, std::span<const std::int64_t>(values));
+    }
+  }
+
+ private:
+  std::uint64_t count_ = 0;
+  std::size_t columns_ = 0;
+  Read read_;
+};
+
 // What a rank is dealt. Points are in slices (PartOf); of simplices a rank may have any.
 struct Dealt {
   std::uint64_t points = 0;     // of the whole mesh
   std::uint64_t simplices = 0;  // of the whole mesh
   std::size_t dimension = 0;
-  Rows<double> coordinates = {};  // of its slice of points; finite, without −0
-  Rows<double> weights = {};      // of its slice, or none
-  IndexLists lists = {};          // its simplices, by the user's indices of points; in rows
+  std::pmr::vector<double> coordinates = {};  // of its slice of points; finite, without −0
+  std::pmr::vector<double> weights = {};      // of its slice, or none
+  ListedRows lists = {};                      // its simplices, by the user's indices of points
   std::uint64_t first_simplex = 0;
-  std::vector<std::uint64_t> places = {};  // in the whole list; empty: they follow each other
-  Vertex first_index = 0;                  // the user's index of the first point
+  std::pmr::vector<std::uint64_t> places = {};  // in the whole list; empty: they follow each other
+  Vertex first_index = 0;                       // the user's index of the first point
 };
 
 // ---- Local mesh ----
@@ -45,13 +90,17 @@ struct NumberedPoint {
   fast::Site<kDimension> site = {};
 };
 
+class PointNumbers;
+
 template <std::size_t kDimension>
 class LocalMesh {
  public:
   static constexpr std::size_t kVertices = kDimension + 1;
   static constexpr std::size_t kMostSimplices = (std::size_t{1} << 29) - 1;
 
-  // Asks the owners for the points that the simplices name; they learn which points are used. Called by all
+  // Asks the owners for the points that the simplices name; they learn which points are used. Where ranks name many
+  // points that others name too, the simplices are dealt anew before that, so that each has those of a place in
+  // space: then fewer of their facets have to meet those of other ranks. Called by all
   // ranks. Requires: at most kMostSimplices simplices; `dealt.lists` are rows of kVertices, or empty; weights at
   // all ranks or at none. Does not take weights if they do not count.
   LocalMesh(Ranks& ranks, Dealt dealt, bool weighted);
@@ -85,7 +134,7 @@ class LocalMesh {
   }
 
   // The points that the rank owns; those of them that no simplex of any rank names, ascending.
-  std::size_t owned() const { return dealt_.coordinates.rows(); }
+  std::size_t owned() const { return slice_.size(); }
   NumberedPoint<kDimension> owned_point(std::size_t i) const;
   std::vector<std::size_t> unused() const;
   std::size_t owner_of(std::uint64_t point) const {
@@ -95,18 +144,35 @@ class LocalMesh {
   const Dealt& dealt() const { return dealt_; }
 
  private:
-  void number_points(const IndexLists& lists);
+  // Corners of a box around points.
+  struct SiteBox {
+    std::array<double, kDimension> low, high;
+  };
+
+  void number_points(const PointNumbers& numbers);
+  void deal_by_place(Ranks& ranks);
+  std::vector<std::uint64_t> curve_places(Ranks& ranks, std::span<const std::uint64_t> points,
+                                          const SiteBox& box) const;
+  SiteBox box_of_all(Ranks& ranks) const;
   void fetch_points(Ranks& ranks);
   void append_owned(std::uint64_t point, std::vector<double>& numbers);
+
+  // Does an index of the user's name a point? Which?
+  bool names_point(std::int64_t place) const {
+    return static_cast<std::uint64_t>(place) < dealt_.points;
+  }
+  std::int64_t place_of(std::int64_t listed) const {
+    return place_of_index(listed, dealt_.first_index);
+  }
 
   Dealt dealt_;  // without the lists
   bool weighted_;
   std::size_t ranks_;
   Slice slice_;
-  std::vector<std::uint64_t> global_of_;  // of each local point, ascending
-  std::vector<double> coordinates_;
-  std::vector<double> weights_;
-  std::vector<std::int32_t> simplices_;
+  std::pmr::vector<std::uint64_t> global_of_;  // of each local point, ascending
+  std::pmr::vector<double> coordinates_;
+  std::pmr::vector<double> weights_;
+  std::pmr::vector<std::int32_t> simplices_;
   std::vector<std::pair<std::size_t, std::int64_t>>
       unknown_;             // places in simplices_, and what they name
   std::vector<bool> used_;  // of the points of the slice

@@ -1,4 +1,4 @@
-// The ranks of an MPI program, what they send each other, and how equal things meet that several ranks have.
+// The ranks of a program, what they send each other, and how equal things meet that several ranks have.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <numeric>
 #include <span>
 #include <string>
@@ -14,10 +15,37 @@
 #include <utility>
 #include <vector>
 
-#include <mpi.h>
 #include <sys/resource.h>
 
 namespace circumspect::distributed {
+
+// ---- Communicator ----
+// How bytes get from rank to rank: by MPI (mpi.hpp), or within one process (turns.hpp). Every member but rank(),
+// size() and room() is called by all ranks together, in the same order.
+
+enum class Reduction { kSum, kMost, kLeast };
+
+class Communicator {
+ public:
+  virtual ~Communicator() = default;
+
+  virtual std::size_t rank() const = 0;
+  virtual std::size_t size() const = 0;
+  // How many bytes all ranks together may have on their way at a time; 0: as many as they like.
+  virtual std::size_t room() const { return 0; }
+
+  virtual std::uint64_t reduced(std::uint64_t own, Reduction how) = 0;
+  // The bytes of one rank, at all.
+  virtual void broadcast(std::byte* bytes, std::size_t count, std::size_t root) = 0;
+  // As many bytes of each rank, in their order, at all.
+  virtual void gather(const std::byte* own, std::size_t count, std::byte* all) = 0;
+  // Number i of each rank, at rank i.
+  virtual std::vector<std::uint64_t> turned(const std::vector<std::uint64_t>& own) = 0;
+  // Items of `bytes_each`: so many for each rank, one rank's after the other's; and so many of each.
+  virtual void exchange(std::size_t bytes_each, const std::byte* sent,
+                        const std::vector<std::uint64_t>& counts, std::byte* received,
+                        const std::vector<std::uint64_t>& from_counts) = 0;
+};
 
 // ---- Course ----
 // What a phase of the work cost one rank.
@@ -31,30 +59,50 @@ struct Phase {
 };
 
 // ---- Ranks ----
-// Every member but rank(), size(), is_first() and few() is called by all ranks together, in the same order.
+// Every member but rank(), size(), is_first() and those that say how much is sent at a time is called by all ranks
+// together, in the same order.
 
 class Ranks {
  public:
-  // Fewer items than `few` are never worth sending some at a time. Requires: MPI is initialized, and `communicator`
-  // outlives this object; few > 0.
-  explicit Ranks(MPI_Comm communicator, std::size_t few = std::size_t{1} << 15)
-      : communicator_(communicator), few_(few) {
-    int number = 0;
-    MPI_Comm_rank(communicator_, &number);
-    rank_ = static_cast<std::size_t>(number);
-    MPI_Comm_size(communicator_, &number);
-    size_ = static_cast<std::size_t>(number);
-  }
+  // Fewer items than `few` are never worth sending some at a time. Requires: the communicator outlives this
+  // object; few > 0.
+  explicit Ranks(Communicator& communicator, std::size_t few = std::size_t{1} << 15)
+      : communicator_(communicator),
+        rank_(communicator.rank()),
+        size_(communicator.size()),
+        few_(few) {}
 
   std::size_t rank() const { return rank_; }
   std::size_t size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
-  std::size_t few() const { return few_; }
+
+  // Do ranks share the memory of one process? Then what waits for other ranks should be small.
+  bool share_memory() const { return communicator_.room() > 0; }
+
+  // How many items of so many bytes a rank sends at a time, to all others together.
+  std::size_t some(std::size_t bytes_each) const {
+    const std::size_t room = communicator_.room();
+    const std::size_t most = 4 * few_;
+    return std::max<std::size_t>(1, room == 0 ? most : std::min(most, room / size_ / bytes_each));
+  }
+  // In how many rounds the ranks send their items, `most` at most and `all` together. Of many no more than about
+  // a sixteenth is on its way.
+  std::size_t rounds(std::uint64_t most, std::uint64_t all, std::size_t bytes_each) const {
+    const std::uint64_t usual = std::min<std::uint64_t>(16, most / few_ + 1);
+    const std::size_t room = communicator_.room();
+    const std::uint64_t needed = room == 0 ? 1 : all * bytes_each / room + 1;
+    return static_cast<std::size_t>(std::min<std::uint64_t>(kMostRounds, std::max(usual, needed)));
+  }
+  static constexpr std::size_t kMostRounds = std::size_t{1} << 12;
 
   bool any(bool own) const { return most(own ? 1 : 0) > 0; }
-  std::uint64_t sum(std::uint64_t own) const { return reduced(own, MPI_SUM); }
-  std::uint64_t most(std::uint64_t own) const { return reduced(own, MPI_MAX); }
-  std::uint64_t least(std::uint64_t own) const { return reduced(own, MPI_MIN); }
+  std::uint64_t sum(std::uint64_t own) const { return communicator_.reduced(own, Reduction::kSum); }
+  std::uint64_t most(std::uint64_t own) const {
+    return communicator_.reduced(own, Reduction::kMost);
+  }
+  std::uint64_t least(std::uint64_t own) const {
+    return communicator_.reduced(own, Reduction::kLeast);
+  }
   // The first rank that says yes; size() if none does.
   std::size_t first_with(bool own) const {
     return static_cast<std::size_t>(least(own ? rank_ : size_));
@@ -64,16 +112,15 @@ class Ranks {
   template <class Value>
   Value of_rank(std::size_t root, Value value) {
     static_assert(std::is_trivially_copyable_v<Value>);
-    MPI_Bcast(&value, sizeof(Value), MPI_BYTE, static_cast<int>(root), communicator_);
+    communicator_.broadcast(reinterpret_cast<std::byte*>(&value), sizeof(Value), root);
     if (rank_ == root) count(sizeof(Value) * (size_ - 1), size_ - 1);
     return value;
   }
 
-  std::string of_rank(std::size_t root, std::string text) {
-    text.resize(of_rank(root, text.size()));
-    MPI_Bcast(text.data(), static_cast<int>(text.size()), MPI_BYTE, static_cast<int>(root),
-              communicator_);
-    return text;
+  std::string of_rank(std::size_t root, std::string text) { return list_of(root, std::move(text)); }
+  template <class Item>
+  std::vector<Item> of_rank(std::size_t root, std::vector<Item> items) {
+    return list_of(root, std::move(items));
   }
 
   // One value of each rank, in their order, at all.
@@ -81,8 +128,8 @@ class Ranks {
   std::vector<Value> of_each(const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
     std::vector<Value> all(size_);
-    MPI_Allgather(&value, sizeof(Value), MPI_BYTE, all.data(), sizeof(Value), MPI_BYTE,
-                  communicator_);
+    communicator_.gather(reinterpret_cast<const std::byte*>(&value), sizeof(Value),
+                         reinterpret_cast<std::byte*>(all.data()));
     count(sizeof(Value) * (size_ - 1), size_ - 1);
     return all;
   }
@@ -91,29 +138,24 @@ class Ranks {
   // each of them has sent. Requires: fewer than 2^31 items in all, at each rank.
   template <class Item>
   std::vector<Item> exchanged(std::vector<std::vector<Item>> out,
-                              std::vector<int>* from = nullptr) {
+                              std::vector<std::uint64_t>* from = nullptr) {
     static_assert(std::is_trivially_copyable_v<Item>);
-    std::vector<int> counts(size_), from_counts(size_), begins(size_), from_begins(size_);
+    std::vector<std::uint64_t> counts(size_);
     for (std::size_t i = 0; i < size_; ++i) {
-      counts[i] = static_cast<int>(out[i].size());
+      counts[i] = out[i].size();
       if (i != rank_ && counts[i] > 0) count(sizeof(Item) * out[i].size(), 1);
     }
-    MPI_Alltoall(counts.data(), 1, MPI_INT, from_counts.data(), 1, MPI_INT, communicator_);
-    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
-    std::exclusive_scan(from_counts.begin(), from_counts.end(), from_begins.begin(), 0);
+    std::vector<std::uint64_t> from_counts = communicator_.turned(counts);
     std::vector<Item> sent;
-    sent.reserve(static_cast<std::size_t>(begins.back() + counts.back()));
+    sent.reserve(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
     for (std::vector<Item>& some : out) {
       sent.insert(sent.end(), some.begin(), some.end());
       some = {};
     }
-    std::vector<Item> received(static_cast<std::size_t>(from_begins.back() + from_counts.back()));
-    MPI_Datatype item = MPI_DATATYPE_NULL;
-    MPI_Type_contiguous(sizeof(Item), MPI_BYTE, &item);
-    MPI_Type_commit(&item);
-    MPI_Alltoallv(sent.data(), counts.data(), begins.data(), item, received.data(),
-                  from_counts.data(), from_begins.data(), item, communicator_);
-    MPI_Type_free(&item);
+    std::vector<Item> received(
+        std::accumulate(from_counts.begin(), from_counts.end(), std::size_t{0}));
+    communicator_.exchange(sizeof(Item), reinterpret_cast<const std::byte*>(sent.data()), counts,
+                           reinterpret_cast<std::byte*>(received.data()), from_counts);
     if (from != nullptr) *from = std::move(from_counts);
     return received;
   }
@@ -141,19 +183,23 @@ class Ranks {
   const std::vector<Phase>& phases() const { return phases_; }
 
  private:
-  std::uint64_t reduced(std::uint64_t own, MPI_Op operation) const {
-    std::uint64_t all = 0;
-    MPI_Allreduce(&own, &all, 1, MPI_UINT64_T, operation, communicator_);
-    return all;
+  template <class List>
+  List list_of(std::size_t root, List list) {
+    static_assert(std::is_trivially_copyable_v<typename List::value_type>);
+    list.resize(of_rank(root, list.size()));
+    const std::size_t bytes = list.size() * sizeof(typename List::value_type);
+    communicator_.broadcast(reinterpret_cast<std::byte*>(list.data()), bytes, root);
+    if (rank_ == root) count(bytes * (size_ - 1), size_ - 1);
+    return list;
   }
   void count(std::uint64_t bytes, std::uint64_t messages) {
     now_.bytes_sent += bytes;
     now_.messages += messages;
   }
 
-  MPI_Comm communicator_;
-  std::size_t rank_ = 0;
-  std::size_t size_ = 1;
+  Communicator& communicator_;
+  std::size_t rank_;
+  std::size_t size_;
   std::size_t few_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Phase now_;
@@ -193,27 +239,27 @@ using Post = std::vector<std::vector<Reply>>;
 
 // Brings the same things of all ranks together, each at the rank that its hash names: item(i) makes number i of
 // the `count` own ones, and hash(i) is its hash. There visit(items, group, post) sees each group of the same and
-// posts replies, and take(reply) gets them where they are posted to. Some hashes at a time, so that no more than
-// about a sixteenth of the items are on their way. Item has std::uint64_t hash() and bool same(other).
+// posts replies, and take(reply) gets them where they are posted to. Some hashes at a time (Ranks::rounds). Item
+// has std::uint64_t hash() and bool same(other).
 template <class Reply, class HashOf, class MakeItem, class Visit, class Take>
 void meet(Ranks& ranks, std::size_t count, const HashOf& hash, const MakeItem& item,
           const Visit& visit, const Take& take) {
   using Item = std::decay_t<decltype(item(std::size_t{0}))>;
-  constexpr std::size_t kMostRounds = 16;
-  const auto rounds = static_cast<std::size_t>(
-      std::min<std::uint64_t>(kMostRounds, ranks.most(count) / ranks.few() + 1));
+  // Sent, received, and the tables of those who meet.
+  constexpr std::size_t kBytesEach = 2 * sizeof(Item) + 16;
+  const std::size_t rounds = ranks.rounds(ranks.most(count), ranks.sum(count), kBytesEach);
   // Bits of the hash that for_each_group does not look at first.
   const auto home_of = [&](std::uint64_t one) {
     return (one >> 16 & 0xffffff) * ranks.size() >> 24;
   };
-  std::vector<std::uint32_t> order;  // own items, by rounds
+  std::pmr::vector<std::uint32_t> order;  // own items, by rounds
   std::vector<std::size_t> begins(rounds + 1, 0);
   begins.back() = count;
   if (rounds > 1) {
-    std::vector<std::uint8_t> round_of(count);
+    std::vector<std::uint16_t> round_of(count);
     std::vector<std::size_t> next(rounds + 1, 0);
     for (std::size_t i = 0; i < count; ++i) {
-      round_of[i] = static_cast<std::uint8_t>((hash(i) & 0xffff) * rounds >> 16);
+      round_of[i] = static_cast<std::uint16_t>((hash(i) & 0xffff) * rounds >> 16);
       ++next[round_of[i] + 1];
     }
     std::partial_sum(next.begin(), next.end(), next.begin());

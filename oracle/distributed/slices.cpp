@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -41,33 +41,58 @@ tl::unexpected<FormatError> not_plain(const std::string& path) {
 Result<std::uint64_t> rows_of_npy(const RandomAccess& file, const std::string& path) {
   const auto header = formats::read_npy_header(file, path);
   if (!header) return tl::unexpected(header.error());
-  return header->shape.front();
+  return header->shape.empty() ? 0 : header->shape.front();
+}
+
+// So many rows of an array are read at a time, to be looked at or put where they belong.
+constexpr std::size_t kRowsAtATime = std::size_t{1} << 14;
+
+// Calls visit(rows) for some points of a slice of an array after the other.
+template <class Visit>
+formats::Status for_some_points(const RandomAccess& file, const std::string& path, Slice slice,
+                                const Visit& visit) {
+  for (std::uint64_t first = slice.begin;; first += kRowsAtATime) {
+    const std::uint64_t last = std::min(first + kRowsAtATime, slice.end);
+    const auto rows = formats::read_rows_of_npy_points(file, path, {first, last});
+    if (!rows) return tl::unexpected(rows.error());
+    visit(*rows);
+    if (last == slice.end) return {};
+  }
 }
 
 // The points of the part, and what is known of all.
 formats::Status read_points(const std::string& path, bool weighted, PartOf part, Dealt& dealt) {
   const auto file = opened(path);
   if (!file) return tl::unexpected(file.error());
+  const auto take = [](const Rows<double>& rows, std::pmr::vector<double>& to) {
+    to.insert(to.end(), rows.values().begin(), rows.values().end());
+  };
   if (formats::extension(path) == ".npy") {
-    auto rows = formats::read_rows_of_npy_points(*file, path, part);
-    if (!rows) return tl::unexpected(rows.error());
     const auto count = rows_of_npy(*file, path);
     if (!count) return tl::unexpected(count.error());
     dealt.points = *count;
-    dealt.coordinates = std::move(*rows);
+    const Slice slice = part.slice(*count);
+    const auto read = for_some_points(*file, path, slice, [&](const Rows<double>& rows) {
+      dealt.dimension = rows.columns();
+      dealt.coordinates.reserve(slice.size() * rows.columns());
+      take(rows, dealt.coordinates);
+    });
+    if (!read) return read;
   } else if (formats::extension(path) == ".node") {
-    auto points = formats::read_plain_node(*file, {.threads = 1, .part = part});
+    const auto points = formats::read_plain_node(*file, {.threads = 1, .part = part});
     if (!points) return not_plain(path);
     dealt.points = points->in_file;
     dealt.first_index = points->first_index;
-    dealt.coordinates = std::move(points->coordinates);
-    if (weighted) dealt.weights = std::move(points->weights);
+    dealt.dimension = points->coordinates.columns();
+    take(points->coordinates, dealt.coordinates);
+    if (weighted && points->weights.columns() == 0) {
+      return fail(path, "a weight for each point (the first attribute of a .node file)", "none");
+    }
+    if (weighted) take(points->weights, dealt.weights);
   } else {
     return fail(path, "points in a .npy or a .node file", "another file");
   }
-  dealt.dimension = dealt.coordinates.columns();
-  const bool has_weights = dealt.weights.columns() > 0;
-  if (weighted && !has_weights) {
+  if (weighted && formats::extension(path) == ".npy") {
     return fail(path, "a weight for each point (the first attribute of a .node file)", "none");
   }
   if (dealt.dimension != 2 && dealt.dimension != 3) {
@@ -77,22 +102,55 @@ formats::Status read_points(const std::string& path, bool weighted, PartOf part,
   return {};
 }
 
+// Rows of an array of which everything is known to be in order but what somebody changes meanwhile. No file is open
+// between: there may be as many ranks as a process may have files.
+ListedRows rows_of_array(const std::string& path, Slice slice, std::size_t columns) {
+  const auto read = [path, slice, columns](std::uint64_t first, std::span<std::int64_t> to) {
+    const auto file = opened(path);
+    if (!file) throw FileChanged(file.error().to_string());
+    const std::uint64_t begin = slice.begin + first;
+    const auto some =
+        formats::read_rows_of_npy_simplices(*file, path, {begin, begin + to.size() / columns});
+    if (!some) throw FileChanged(some.error().to_string());
+    const std::size_t found = std::visit(
+        [&](const auto& rows) {
+          const std::size_t count = std::min(rows.values().size(), to.size());
+          std::copy_n(rows.values().begin(), count, to.begin());
+          return count;
+        },
+        *some);
+    if (found != to.size())
+      throw FileChanged(path + ": expected as many rows as before, found fewer");
+  };
+  return ListedRows(slice.size(), columns, read);
+}
+
 // The simplices of the part, as they are listed.
 formats::Status read_simplices(const std::string& path, PartOf part, Dealt& dealt) {
   const auto file = opened(path);
   if (!file) return tl::unexpected(file.error());
   if (formats::extension(path) == ".npy") {
-    auto rows = formats::read_rows_of_npy_simplices(*file, path, part);
-    if (!rows) return tl::unexpected(rows.error());
-    const auto count = rows_of_npy(*file, path);
-    if (!count) return tl::unexpected(count.error());
-    dealt.simplices = *count;
-    std::visit([&dealt](auto& lists) { dealt.lists = std::move(lists); }, *rows);
+    const auto header = formats::read_npy_header(*file, path);
+    if (!header) return tl::unexpected(header.error());
+    const std::uint64_t count = header->shape.empty() ? 0 : header->shape.front();
+    // All of it is read later, but for indices that have no room in 64 bits with a sign.
+    const bool may_overflow = header->type.ends_with("u8");
+    const Slice slice = part.slice(count);
+    std::size_t columns = 0;
+    for (std::uint64_t first = slice.begin;; first += kRowsAtATime) {
+      const std::uint64_t last = std::min(first + (may_overflow ? kRowsAtATime : 0), slice.end);
+      const auto rows = formats::read_rows_of_npy_simplices(*file, path, {first, last});
+      if (!rows) return tl::unexpected(rows.error());
+      columns = std::visit([](const auto& some) { return some.columns(); }, *rows);
+      if (!may_overflow || last == slice.end) break;
+    }
+    dealt.simplices = count;
+    dealt.lists = rows_of_array(path, slice, columns);
   } else if (formats::extension(path) == ".ele") {
     auto simplices = formats::read_plain_wide_ele(*file, 0, {.threads = 1, .part = part});
     if (!simplices) return not_plain(path);
     dealt.simplices = simplices->in_file;
-    dealt.lists = std::move(simplices->rows);
+    dealt.lists = ListedRows(std::move(simplices->rows));
   } else {
     return fail(path, "simplices in a .npy or an .ele file", "another file");
   }
@@ -113,12 +171,7 @@ formats::Status check_not_empty(const std::string& path, const Dealt& dealt) {
 
 // Has a simplex as many vertices as the dimension wants?
 formats::Status check_width(const std::string& path, const Dealt& dealt) {
-  const std::size_t columns = dealt.lists.visit([]<class Lists>(const Lists& lists) {
-    if constexpr (std::is_same_v<Lists, std::vector<Simplex>>)
-      return std::size_t{0};
-    else
-      return lists.columns();
-  });
+  const std::size_t columns = dealt.lists.columns();
   if (columns == dealt.dimension + 1) return {};
   return fail(path,
               "simplices of " + std::to_string(dealt.dimension + 1) +
@@ -157,7 +210,8 @@ std::string of_part(const std::string& pattern, std::size_t part) {
 
 // A part as it is read: simplices name its own points.
 struct Part {
-  Rows<double> points;
+  std::size_t dimension;
+  std::pmr::vector<double> points;
   std::vector<std::int64_t> indices;  // of the points in the whole
   std::vector<std::int64_t> vertices;
 };
@@ -191,22 +245,17 @@ Result<Part> read_part(const Files& files, PartOf part) {
   if (!file) return tl::unexpected(file.error());
   const auto listed = formats::read_npy_indices(*file, indices);
   if (!listed) return tl::unexpected(listed.error());
-  Part own{std::move(dealt.coordinates), wide(*listed), {}};
-  if (own.indices.size() != own.points.rows()) {
-    return fail(indices, std::to_string(own.points.rows()) + " indices, one a point of " + points,
+  Part own{dealt.dimension, std::move(dealt.coordinates), wide(*listed), {}};
+  if (own.indices.size() != dealt.points) {
+    return fail(indices, std::to_string(dealt.points) + " indices, one a point of " + points,
                 std::to_string(own.indices.size()));
   }
   constexpr std::int64_t kMost = std::int64_t{1} << 60;
   for (const std::int64_t v : own.indices) {
     if (v < 0 || v >= kMost) return fail(indices, "indices from 0 to 2^60 - 1", std::to_string(v));
   }
-  own.vertices = dealt.lists.visit([]<class Lists>(const Lists& lists) {
-    std::vector<std::int64_t> all;
-    if constexpr (!std::is_same_v<Lists, std::vector<Simplex>>) {
-      all.assign(lists.values().begin(), lists.values().end());
-    }
-    return all;
-  });
+  own.vertices.resize(dealt.lists.size() * dealt.lists.columns());
+  if (!own.vertices.empty()) dealt.lists.read(0, own.vertices);
   for (std::int64_t& v : own.vertices) {
     if (v < 0 || static_cast<std::size_t>(v) >= own.indices.size()) {
       return fail(of_part(files.mesh, part.part),
@@ -235,21 +284,22 @@ formats::Status deal_points(Ranks& ranks, const Part& part, const std::string& n
     return fail(name, "all indices from 0 to the largest, " + std::to_string(dealt.points - 1),
                 "fewer points in all parts");
   }
-  dealt.coordinates = Rows<double>(slice.size(), dealt.dimension);
+  dealt.coordinates.resize(slice.size() * dealt.dimension);
   std::vector<bool> is_there(slice.size(), false);
   std::optional<std::uint64_t> differs;
-  const std::size_t some = std::max<std::size_t>(1, 4 * ranks.few());
+  const std::size_t some = ranks.some(sizeof(Sent));
   const std::uint64_t rounds = ranks.most((part.indices.size() + some - 1) / some);
   for (std::size_t round = 0; round < rounds; ++round) {
     std::vector<std::vector<Sent>> out(ranks.size());
     const std::size_t last = std::min(part.indices.size(), (round + 1) * some);
     for (std::size_t i = round * some; i < last; ++i) {
       Sent one{static_cast<std::uint64_t>(part.indices[i]), {}};
-      std::copy_n(part.points.row(i).begin(), dealt.dimension, one.at.begin());
+      std::copy_n(part.points.data() + i * dealt.dimension, dealt.dimension, one.at.begin());
       out[PartOf::with(one.index, dealt.points, ranks.size())].push_back(one);
     }
     for (const Sent& one : ranks.exchanged(std::move(out))) {
-      const auto row = dealt.coordinates.row(one.index - slice.begin);
+      const auto row = std::span(dealt.coordinates)
+                           .subspan((one.index - slice.begin) * dealt.dimension, dealt.dimension);
       if (is_there[one.index - slice.begin]) {
         if (!std::equal(row.begin(), row.end(), one.at.begin())) differs = one.index;
       } else {
@@ -279,7 +329,7 @@ std::string read_all_parts(Ranks& ranks, const Files& files, const Settled& sett
   std::string fault =
       settled(part ? formats::Status() : formats::Status(tl::unexpected(part.error())));
   if (!fault.empty()) return fault;
-  dealt.dimension = part->points.columns();
+  dealt.dimension = part->dimension;
   if (ranks.most(dealt.dimension) != ranks.least(dealt.dimension)) {
     return *files.points + ": expected points of one dimension in all parts, found several";
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -18,6 +19,11 @@ struct Files {
   // of the whole each point of the part is, counted from 0.
   std::optional<std::string> indices = {};
   bool weighted = false;  // the first attributes of a .node file count
+};
+
+// Thrown where simplices are read once more, as ListedRows are, and the file has become another: in one line.
+struct FileChanged : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 struct ReadSlices {

@@ -112,7 +112,7 @@ SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMes
   };
   SubmergedFindings<kDimension> found;
   const std::vector<std::size_t> unused = mesh.unused();
-  const std::size_t some = std::max<std::size_t>(1, 4 * ranks.few() / ranks.size());
+  const std::size_t some = std::max<std::size_t>(1, ranks.some(128) / ranks.size());
   const std::uint64_t rounds = ranks.most((unused.size() + some - 1) / some);
   for (std::size_t round = 0; round < rounds; ++round) {
     const std::size_t first = std::min(unused.size(), round * some);

@@ -50,16 +50,15 @@ tl::unexpected<FormatError> wrong_type(const std::string& name, const Wanted& wa
 
 // Rows and columns, if all that the header says of them fits together and to the size of the file.
 Result<Shape> shape_of(const NpyHeader& header, const RandomAccess& file, const std::string& name,
-                       const Wanted& wanted, std::size_t bytes_each, PartOf part) {
+                       const Wanted& wanted, std::size_t bytes_each, Slice rows) {
   const bool is_list = wanted.what == kIndices.what;
   if (header.shape.size() != (is_list ? 1 : 2)) {
     return fail(name, "an array of shape " + std::string(wanted.shape),
                 "shape " + header.shape_in_words());
   }
   Shape shape{header.shape[0], is_list ? 1 : header.shape[1]};
-  const Slice slice = part.slice(shape.rows);
-  shape.first = slice.begin;
-  shape.count = slice.size();
+  shape.first = std::min<std::size_t>(rows.begin, shape.rows);
+  shape.count = std::min<std::size_t>(rows.end, shape.rows) - shape.first;
   std::size_t bytes = 0;
   const bool overflows = __builtin_mul_overflow(shape.rows, shape.columns, &bytes) ||
                          __builtin_mul_overflow(bytes, bytes_each, &bytes);
@@ -138,28 +137,28 @@ Status check_coordinates(Rows<double>& points, std::size_t first_row, const std:
 
 template <class Index, class Stored = Index>
 Result<NpySimplices> read_simplices(const NpyHeader& header, const RandomAccess& file,
-                                    const std::string& name, const Wanted& wanted, PartOf part) {
-  const Result<Shape> shape = shape_of(header, file, name, wanted, sizeof(Stored), part);
+                                    const std::string& name, const Wanted& wanted, Slice rows) {
+  const Result<Shape> shape = shape_of(header, file, name, wanted, sizeof(Stored), rows);
   if (!shape) return tl::unexpected(shape.error());
   if (shape->columns == 0) {
     return fail(name, "simplices of at least 1 vertex", "shape " + header.shape_in_words());
   }
-  Result<Rows<Index>> rows = read_rows<Index, Stored>(header, file, name, *shape);
-  if (!rows) return tl::unexpected(rows.error());
+  Result<Rows<Index>> read = read_rows<Index, Stored>(header, file, name, *shape);
+  if (!read) return tl::unexpected(read.error());
   if constexpr (std::is_same_v<Stored, std::uint64_t>) {
     // What had no room became negative.
-    const auto values = rows->values();
+    const auto values = read->values();
     if (std::any_of(values.begin(), values.end(), [](Index v) { return v < 0; })) {
       return fail(name, "vertices below 2^63", "a larger one");
     }
   }
-  return NpySimplices(std::move(*rows));
+  return NpySimplices(std::move(*read));
 }
 
 template <class Stored>
 Result<Rows<double>> read_points(const NpyHeader& header, const RandomAccess& file,
-                                 const std::string& name, PartOf part) {
-  const Result<Shape> shape = shape_of(header, file, name, kPoints, sizeof(Stored), part);
+                                 const std::string& name, Slice rows) {
+  const Result<Shape> shape = shape_of(header, file, name, kPoints, sizeof(Stored), rows);
   if (!shape) return tl::unexpected(shape.error());
   if (shape->columns < 1 || shape->columns > kLargestDimension) {
     return fail(name, "points of dimension 1 to " + std::to_string(kLargestDimension),
@@ -320,49 +319,49 @@ Result<Source> array_of_npz(const Source& archive, std::string_view name) {
 }
 
 Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name,
-                                             PartOf part) {
+                                             Slice rows) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   const std::string_view kind = kind_of(*header);
   // Every float is a double.
-  if (kind == "f8") return read_points<double>(*header, file, name, part);
-  if (kind == "f4") return read_points<float>(*header, file, name, part);
+  if (kind == "f8") return read_points<double>(*header, file, name, rows);
+  if (kind == "f4") return read_points<float>(*header, file, name, rows);
   return wrong_type(name, kPoints, header->type);
 }
 
 namespace {
 
 Result<NpySimplices> read_integers(const RandomAccess& file, const std::string& name,
-                                   const Wanted& wanted, PartOf part) {
+                                   const Wanted& wanted, Slice rows) {
   const Result<NpyHeader> header = read_npy_header(file, name);
   if (!header) return tl::unexpected(header.error());
   const std::string_view kind = kind_of(*header);
-  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name, wanted, part);
-  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name, wanted, part);
+  if (kind == "i4") return read_simplices<std::int32_t>(*header, file, name, wanted, rows);
+  if (kind == "i8") return read_simplices<std::int64_t>(*header, file, name, wanted, rows);
   if (kind == "u8")
-    return read_simplices<std::int64_t, std::uint64_t>(*header, file, name, wanted, part);
+    return read_simplices<std::int64_t, std::uint64_t>(*header, file, name, wanted, rows);
   if (kind == "u4")
-    return read_simplices<std::int64_t, std::uint32_t>(*header, file, name, wanted, part);
+    return read_simplices<std::int64_t, std::uint32_t>(*header, file, name, wanted, rows);
   if (kind == "i2")
-    return read_simplices<std::int32_t, std::int16_t>(*header, file, name, wanted, part);
+    return read_simplices<std::int32_t, std::int16_t>(*header, file, name, wanted, rows);
   if (kind == "u2")
-    return read_simplices<std::int32_t, std::uint16_t>(*header, file, name, wanted, part);
+    return read_simplices<std::int32_t, std::uint16_t>(*header, file, name, wanted, rows);
   if (kind == "i1")
-    return read_simplices<std::int32_t, std::int8_t>(*header, file, name, wanted, part);
+    return read_simplices<std::int32_t, std::int8_t>(*header, file, name, wanted, rows);
   if (kind == "u1")
-    return read_simplices<std::int32_t, std::uint8_t>(*header, file, name, wanted, part);
+    return read_simplices<std::int32_t, std::uint8_t>(*header, file, name, wanted, rows);
   return wrong_type(name, wanted, header->type);
 }
 
 }  // namespace
 
 Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
-                                                PartOf part) {
-  return read_integers(file, name, kSimplices, part);
+                                                Slice rows) {
+  return read_integers(file, name, kSimplices, rows);
 }
 
 Result<NpySimplices> read_npy_indices(const RandomAccess& file, const std::string& name) {
-  return read_integers(file, name, kIndices, {});
+  return read_integers(file, name, kIndices, kAllRows);
 }
 
 Result<PointFile> read_npy_points(const Source& source) {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,15 +47,17 @@ Result<NpyHeader> read_npy_header(const RandomAccess& file, const std::string& n
 // Of 32 bits where the file has such or shorter ones, else of 64.
 using NpySimplices = std::variant<Rows<std::int32_t>, Rows<std::int64_t>>;
 
+inline constexpr Slice kAllRows{0, std::numeric_limits<std::uint64_t>::max()};
+
 // Points of dimension 1 to kLargestDimension, finite, 0 for −0. Errors: another type
 // or shape, each with what to do about it; more or fewer numbers than the shape says; NaN and
-// infinities. `name` stands for the file in errors. Only the rows of the part are read and looked at.
+// infinities. `name` stands for the file in errors. Of all rows these are read and looked at alone.
 Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std::string& name,
-                                             PartOf part = {});
+                                             Slice rows = kAllRows);
 
 // Simplices of at least one vertex; a vertex may name no point. Errors: the same.
 Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
-                                                PartOf part = {});
+                                                Slice rows = kAllRows);
 
 // A list of indices, such as those of the points of a part in a whole: of shape (n,), as one column. Errors: the same.
 Result<NpySimplices> read_npy_indices(const RandomAccess& file, const std::string& name);
