@@ -1,3 +1,3 @@
 source(file.path(dirname(sub("--file=", "", grep("--file=", commandArgs(), value = TRUE))), "lines.R"))
-# Corners of 1e3 times the extent: by default the outer rectangle is 10 % wider than the points.
-serve(function(p) as.matrix(deldir::triMat(deldir::deldir(p[, 1], p[, 2]))))
+# triMat returns a vector where there is one triangle, and no matrix.
+serve(function(p) matrix(deldir::triMat(deldir::deldir(p[, 1], p[, 2])), ncol = 3))

@@ -283,8 +283,7 @@ class Hunt:
         if looked <= self.arguments.looks:
             self.first.setdefault((outcome.rule, kind_of(outcome, case.points)), []).append((case, family))
 
-    def minimal(self, rule, kind, case):
-        end = time.monotonic() + 4 * self.arguments.small_time
+    def minimal(self, rule, kind, case, end):
 
         def still_fails(points, _):
             if time.monotonic() > end:
@@ -336,10 +335,12 @@ def hunt(row, arguments):
     folder = Path(arguments.output) / (row["target"] + (f"-{dimension}d" if "," in row["dimensions"] else "")
                                        + ("-extreme" if arguments.extreme else ""))
     folder.mkdir(parents=True, exist_ok=True)
+    last_end = time.monotonic() + 2 * arguments.time
     for (rule, kind), firsts in sorted(found.first.items(), key=lambda one: KINDS.index(one[0][1])):
         if any((rule, better) in findings for better in KINDS[:KINDS.index(kind)]):
             continue
-        tries = [(*found.minimal(rule, kind, case), family) for case, family in firsts[:3 if kind == "fault" else 1]]
+        end = min(time.monotonic() + 8 * arguments.small_time, last_end)
+        tries = [(*found.minimal(rule, kind, case, end), family) for case, family in firsts[:3 if kind == "fault" else 1]]
         points, kind, family = min(tries, key=lambda one: (KINDS.index(one[1]), len(one[0]), length(one[0])))
         repeats = 0
         for _ in range(3):
