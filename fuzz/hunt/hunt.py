@@ -321,7 +321,8 @@ def hunt(row, arguments):
         family, seed, points, _ = _core.drawn_case(names, dimension, False, most, arguments.seed, index)
         points = found.stored(points)
         size = np.abs(points[points != 0])
-        if not arguments.extreme and len(size) and (size.min() < 2.0 ** -100 or size.max() > 2.0 ** 100) or not is_wanted(points, False):
+        largest = 2.0 ** (25 if found.single else 100)  # of floats and of doubles, an in-circle test has a fourth power
+        if not arguments.extreme and len(size) and (size.min() < 1 / largest or size.max() > largest) or not is_wanted(points, False):
             skipped += 1
             continue
         case = Case(points)

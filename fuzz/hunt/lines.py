@@ -3,6 +3,10 @@ import os
 import sys
 
 
+class Refused(Exception):
+    """The library says that it does not take this input, as its documents tell."""
+
+
 def indices(points):
     """From a point that a library returns back to its index; it has to be the same two or three doubles."""
     known = {tuple(point): index for index, point in enumerate(points)}
@@ -18,6 +22,8 @@ def serve(triangulate):
         try:
             simplices = [" ".join(str(int(v)) for v in simplex) for simplex in triangulate(points)]
             out.write("\n".join([f"{len(simplices)} {len(points[0]) + 1}", *simplices]) + "\n")
+        except Refused as refusal:
+            out.write(f"refused {refusal}\n")
         except Exception as error:
             out.write(f"raised {type(error).__name__}: {str(error).splitlines()[:1]}\n")
         out.flush()
