@@ -40,9 +40,9 @@ FILE = re.compile(r"<!-- file: (\S+) -->")
 
 
 def pages():
-    """The pages, by their paths. findings.md is a record of long campaigns, which findings_test judges."""
+    """The pages, by their paths. Those of findings/ are records of long campaigns, which findings_test judges."""
     docs = ROOT / "docs"
-    return [ROOT / "README.md", *sorted(set(docs.rglob("*.md")) - {docs / "findings.md"})]
+    return [ROOT / "README.md", *sorted(set(docs.rglob("*.md")) - set((docs / "findings").iterdir()))]
 
 
 class Page:

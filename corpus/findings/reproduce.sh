@@ -5,7 +5,8 @@
 #     corpus/findings/reproduce.sh NAME
 #
 # Needs `circumspect` (or CIRCUMSPECT=…) and the program; `peer` and `checked_by` are made by the
-# tests and found in build/release/tests. Exit code 0 would mean that the fault is gone.
+# tests and found in build/release/tests; libraries that fuzz/hunt calls are looked for in the folder BUILDS. Exit code 0 would
+# mean that the fault is gone.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 PATH=$PATH:$here/../../build/release/bin:$here/../../build/release/tests
@@ -27,10 +28,20 @@ cp "$here/${input%.*}".* .
 given=$(field 5)
 [ "$given" = - ] || case $(field 6) in *" -rCC "*) ;; *) rm -f "$given" ;; esac
 
-echo "$(field 6)"
+command=$(field 6)
+echo "$command"
+case $command in
+  hunt.py*)
+    : "${BUILDS:?expected BUILDS to be the folder with the libraries, as fuzz/hunt/README.md tells}"
+    export PYTHONPATH="${PYTHONPATH:-$here/../../build/release/python}"
+    command="/usr/bin/python3 $here/../../fuzz/hunt/$command --builds $BUILDS"
+    memory=unlimited seconds=120
+    ;;
+  *) memory=4194304 seconds=10 ;;
+esac
 code=0
 # -k: the program itself gets a signal that ends it, and so does whatever the shell started besides.
-(ulimit -v 4194304; timeout -k 1 10 sh -c "$(field 6)") || code=$?
+(ulimit -v $memory; timeout -k 1 $seconds sh -c "$command") || code=$?
 [ $code -eq 0 ] || { echo "it ended with exit code $code; found: $(field 3)"; exit 1; }
 set -- $(field 2)
 claim=$1

@@ -1,0 +1,18 @@
+// Of delfrrr and, as it has the same interface, of abellgithub.
+#include <delaunator.hpp>
+
+#include "lines.hpp"
+
+int main() {
+  return lines::serve([](const lines::Points& points) {
+    std::vector<double> coordinates;
+    for (const auto& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
+    const delaunator::Delaunator d(coordinates);
+    lines::Simplices made;
+    for (std::size_t i = 0; i + 2 < d.triangles.size(); i += 3) {
+      made.push_back({static_cast<long>(d.triangles[i]), static_cast<long>(d.triangles[i + 1]),
+                      static_cast<long>(d.triangles[i + 2])});
+    }
+    return made;
+  });
+}
