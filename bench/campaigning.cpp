@@ -1,5 +1,3 @@
-#include "bench/campaigning.hpp"
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -18,7 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/point_families.hpp"
+#include "bench/point_sets.hpp"
+#include "bench/tables.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "inputs/dice.hpp"
 #include "inputs/families.hpp"

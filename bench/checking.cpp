@@ -1,4 +1,4 @@
-#include "bench/checking.hpp"
+#include "bench/tables.hpp"
 
 #define CGAL_NDEBUG  // as its users build it
 
@@ -24,9 +24,8 @@
 #include <stdlib.h>
 
 #include "bench/check_files.hpp"
-#include "bench/check_points.hpp"
 #include "bench/goals.hpp"
-#include "bench/processor_time.hpp"
+#include "bench/point_sets.hpp"
 
 namespace circumspect::bench {
 namespace {

@@ -1,5 +1,3 @@
-#include "bench/constrained.hpp"
-
 #include <cstdio>
 #include <functional>
 #include <random>
@@ -7,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/processor_time.hpp"
+#include "bench/tables.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"

@@ -1,12 +1,10 @@
-#include "bench/judging.hpp"
-
 #include <cstdint>
 #include <vector>
 
 #include <circumspect/judgement.hpp>
 #include <fmt/format.h>
 
-#include "bench/processor_time.hpp"
+#include "bench/tables.hpp"
 #include "fuzz/harness/cases.hpp"
 #include "inputs/arrays.hpp"
 #include "inputs/in_doubles.hpp"

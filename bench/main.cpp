@@ -16,12 +16,8 @@
 #include <fmt/format.h>
 
 #include "bench/algorithms.hpp"
-#include "bench/campaigning.hpp"
-#include "bench/checking.hpp"
-#include "bench/constrained.hpp"
-#include "bench/judging.hpp"
-#include "bench/point_families.hpp"
-#include "bench/processor_time.hpp"
+#include "bench/point_sets.hpp"
+#include "bench/tables.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::bench {

@@ -20,4 +20,14 @@ std::vector<Point> cubic_grid(int side);
 // Book: Chapter 5, Exercise 1.
 std::vector<Point> cubic_grid_adversarial(int side);
 
+// Those on which judging is timed. Doubles, three a point.
+
+std::vector<double> random_points(int count);
+std::vector<double> grid_points(int side);
+std::vector<double> sphere_points(int count);
+std::vector<double> clustered_points(int clusters, int points_each);  // clusters 10^-4 wide
+std::vector<double> points_near_line(int count);                      // within 10^-3 of one long 1
+// Half of them near each of two skew lines: tetrahedra quadratic in their number.
+std::vector<double> points_near_two_lines(int count);
+
 }  // namespace circumspect::bench
