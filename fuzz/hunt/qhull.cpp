@@ -16,7 +16,8 @@ int main() {
     qhT* qh = &own;
     qh_zero(qh, stderr);
     char command[] = "qhull d Qbb Qc Qz Qt";
-    const int code = qh_new_qhull(qh, dimension, static_cast<int>(points.size()), coordinates.data(), 0, command, nullptr, nullptr);
+    const int code = qh_new_qhull(qh, dimension, static_cast<int>(points.size()),
+                                  coordinates.data(), 0, command, nullptr, nullptr);
     lines::Simplices made;
     if (code == 0) {
       facetT* facet;

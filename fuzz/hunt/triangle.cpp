@@ -2,9 +2,9 @@
 #define REAL double
 #define VOID void
 #define ANSI_DECLARATORS
-#include <triangle.h>
-
 #include <cstdlib>
+
+#include <triangle.h>
 
 #include "lines.hpp"
 
