@@ -338,6 +338,8 @@ def hunt(row, arguments):
     folder = Path(arguments.output) / (row["target"] + (f"-{dimension}d" if "," in row["dimensions"] else "")
                                        + ("-extreme" if arguments.extreme else ""))
     folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.glob("*.json"):
+        old.unlink()
     last_end = time.monotonic() + 2 * arguments.time
     for (rule, kind), firsts in sorted(found.first.items(), key=lambda one: KINDS.index(one[0][1])):
         if any((rule, better) in findings for better in KINDS[:KINDS.index(kind)]):
