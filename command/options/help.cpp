@@ -39,7 +39,7 @@ const std::vector<Group>& groups() {
        {"subsets", "simplex", "only", "all-segments", "decide", "search-vertices",
         "search-conflicts"}},
       {"Limits",
-       {"threads", "limit", "time", "jobs", "limit-time", "limit-memory", "limit-output",
+       {"threads", "memory", "limit", "time", "jobs", "limit-time", "limit-memory", "limit-output",
         "limit-processes", "limit-judging", "containment", "minimize-time", "minimize-runs"}},
       {"Output",
        {"output", "certificate", "refutations", "html", "vtu", "junit", "sarif", "annotations",
