@@ -77,6 +77,7 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_inspect(app, exit_code);
   circumspect::cli::add_replay(app, exit_code);
   circumspect::cli::add_campaign(app, exit_code);
+  circumspect::cli::add_adapter(app, exit_code);
   circumspect::cli::add_minimize(app, exit_code);
   circumspect::cli::add_generate(app, exit_code);
   circumspect::cli::add_compare(app, exit_code);

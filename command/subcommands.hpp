@@ -15,6 +15,7 @@ void add_build(CLI::App& app, ExitCode& exit_code);
 void add_inspect(CLI::App& app, ExitCode& exit_code);
 void add_replay(CLI::App& app, ExitCode& exit_code);
 void add_campaign(CLI::App& app, ExitCode& exit_code);
+void add_adapter(CLI::App& app, ExitCode& exit_code);
 void add_minimize(CLI::App& app, ExitCode& exit_code);
 void add_generate(CLI::App& app, ExitCode& exit_code);
 void add_compare(CLI::App& app, ExitCode& exit_code);

@@ -66,6 +66,7 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
           {subject.is_about_domains() ? "--domain" : "--points",
            subject.input_name + (subject.reads_stdin ? " on stdin" : "")},
           {"--mesh", subject.mesh_name + (subject.writes_stdout ? " on stdout" : "")},
+          {"--worker", subject.talk ? fmt::format("{} cases", subject.talk->cases) : "no"},
           {"--first-index", std::to_string(subject.first_index)},
           {"--full-dimension", subject.full_dimension ? "yes" : "no"},
           {"refusals", join(refusals)},
@@ -233,6 +234,7 @@ constexpr const char* kFooter =
     "  circumspect campaign --mesh x.1.ele -- tetgen -JQ {points}\n"
     "  circumspect campaign --points x.qhull --stdin --mesh x.qhull-i --stdout -- qdelaunay Qt i\n"
     "  circumspect campaign --mesh x.1.ele --claim steiner-cdt -- tetgen -pQ {domain}\n"
+    "  circumspect campaign --worker --dimension 2 -- node adapter.mjs\n"
     "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
     "      -- gmsh -3 -v 2 {domain} -o {mesh}\n\n"
     "Each failure gets a folder campaign/findings/NAME/ with a small input and reproduce.sh.\n"

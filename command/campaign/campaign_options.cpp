@@ -66,6 +66,17 @@ void add_files(CLI::App& command, SubjectOptions& options) {
       ->option_text("NAME");
   command.add_flag("--stdin", options.reads_stdin, "The program reads the input from stdin");
   command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
+  command.add_flag(
+      "--worker", options.is_worker,
+      "The program is a worker: it reads one case after another from stdin, and answers each on "
+      "stdout. circumspect adapter LANGUAGE prints one to begin with. With --mesh x.off or x.tet "
+      "its "
+      "answers are such files, as they always are for domains");
+  command
+      .add_option("--worker-cases", options.worker_cases,
+                  "After so many cases a worker is started anew (default: 1000)")
+      ->check(whole_number(1, 1'000'000'000))
+      ->option_text("N");
   command
       .add_option("--first-index", options.first_index, "The index of the first point (default: 0)")
       ->check(whole_number(0, 1))
@@ -99,9 +110,11 @@ bool names_file(const std::string& argument) {
 }
 
 // A path to a file of the user's is found from the folder in which the program runs only if it is whole. A word
-// without a slash is no path: the i of `qdelaunay Qt i` stays so where there is a file i.
-std::string with_whole_path(const std::string& argument) {
-  if (argument.find('/') == std::string::npos || !names_file(argument)) return argument;
+// without a slash is no path: the i of `qdelaunay Qt i` stays so where there is a file i. The words of a worker are those of
+// `node adapter.mjs`.
+std::string with_whole_path(const std::string& argument, bool is_worker) {
+  const bool may_be_path = is_worker || argument.find('/') != std::string::npos;
+  if (!may_be_path || !names_file(argument)) return argument;
   return std::filesystem::absolute(argument).string();
 }
 
@@ -109,6 +122,30 @@ std::string place_fault(const std::string& name) {
   return name.find('/') == std::string::npos && name != "." && name != ".."
              ? ""
              : fmt::format("expected the name of a file without folders, found {}", name);
+}
+
+// What does not go together for a worker; empty if all does.
+std::string worker_fault_of(const SubjectOptions& options, const Subject& subject) {
+  for (const char* const placeholder : {"{points}", "{domain}", "{mesh}", "{folder}"}) {
+    if (!mentions(options.command, placeholder)) continue;
+    return fmt::format(
+        "expected no {0} in the command of a worker, which reads cases from stdin, found {0}",
+        placeholder);
+  }
+  const std::string mesh = formats::extension(subject.mesh_name);
+  const std::string listing = subject.dimension == 3 ? ".tet" : ".off";
+  if (mesh != listing && (mesh != ".qhull-i" || subject.is_about_domains())) {
+    return fmt::format(
+        "expected a name of the mesh of a worker in dimension {} that ends in {}{}, found {}",
+        subject.dimension, listing, subject.is_about_domains() ? "" : " or .qhull-i",
+        subject.mesh_name);
+  }
+  if (formats::extension(subject.input_name) != ".case") {
+    return fmt::format("expected a name of the input of a worker that ends in .case, found {}",
+                       subject.input_name);
+  }
+  if (options.first_index != 0) return "expected --first-index 0 for a worker, found 1";
+  return "";
 }
 
 // What does not go together; empty if all does.
@@ -129,9 +166,10 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
     return "expected {mesh} in the command, --mesh NAME or --stdout, found none of them";
   }
   if (!(domains ? campaign::is_domain_extension(input) : campaign::is_points_extension(input))) {
-    return fmt::format("expected a name of the input that ends in {}, found {}",
-                       domains ? ".poly or .geo" : ".node, .qhull, .off, .json or .xyz",
-                       subject.input_name);
+    return fmt::format(
+        "expected a name of the input that ends in {}, found {}",
+        domains ? ".poly, .geo or .case" : ".node, .qhull, .off, .json, .xyz or .case",
+        subject.input_name);
   }
   const std::string mesh = formats::extension(subject.mesh_name);
   constexpr std::array<std::string_view, 9> kMeshes = {".ele", ".qhull-i", ".off", ".mesh", ".msh",
@@ -151,6 +189,8 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
            "of a "
            "campaign are many";
   }
+  const std::string fault = options.is_worker ? worker_fault_of(options, subject) : "";
+  if (!fault.empty()) return fault;
   const std::string place = place_fault(subject.input_name);
   return place.empty() ? place_fault(subject.mesh_name) : place;
 }
@@ -240,7 +280,7 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
 }
 
 std::string note_on_names(const SubjectOptions& options) {
-  for (std::size_t i = 1; i < options.command.size(); ++i) {
+  for (std::size_t i = 1; i < options.command.size() && !options.is_worker; ++i) {
     const std::string& argument = options.command[i];
     if (argument.find('/') != std::string::npos || !names_file(argument)) continue;
     return fmt::format("note: the argument {0} is given as it is; the file is ./{0}\n",
@@ -254,10 +294,27 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   const bool domain = mentions(options.command, "{domain}") || !options.domain_name.empty();
   subject.claim = options.claim.value_or(domain ? Claim::kSteinerCdt : Claim::kDelaunay);
   const std::string& input = subject.is_about_domains() ? options.domain_name : options.points_name;
-  subject.input_name = !input.empty() ? input : subject.is_about_domains() ? "x.poly" : "x.node";
-  subject.mesh_name = options.mesh_name.empty() ? "x.ele" : options.mesh_name;
-  subject.reads_stdin = options.reads_stdin;
-  subject.writes_stdout = options.writes_stdout;
+  subject.input_name = !input.empty()               ? input
+                       : options.is_worker          ? "x.case"
+                       : subject.is_about_domains() ? "x.poly"
+                                                    : "x.node";
+  subject.mesh_name = options.mesh_name;
+  if (options.mesh_name.empty()) {
+    subject.mesh_name = !options.is_worker            ? "x.ele"
+                        : !subject.is_about_domains() ? "answer.qhull-i"
+                        : options.dimension == 3      ? "answer.tet"
+                                                      : "answer.off";
+  }
+  subject.reads_stdin = options.reads_stdin || options.is_worker;
+  subject.writes_stdout = options.writes_stdout || options.is_worker;
+  if (options.is_worker) {
+    const std::string extension = formats::extension(subject.mesh_name);
+    using Form = campaign::Talk::Form;
+    const Form form = extension == ".off"   ? Form::kOff
+                      : extension == ".tet" ? Form::kTet
+                                            : Form::kSimplices;
+    subject.talk = {form, options.worker_cases};
+  }
   subject.dimension = options.dimension;
   const bool counts_from_zero = formats::extension(subject.mesh_name) == ".qhull-i";
   subject.first_index = counts_from_zero ? 0 : options.first_index;
@@ -281,7 +338,7 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   }
   subject.command = {program};
   for (std::size_t i = 1; i < options.command.size(); ++i) {
-    subject.command.push_back(with_whole_path(options.command[i]));
+    subject.command.push_back(with_whole_path(options.command[i], options.is_worker));
   }
   return subject;
 }

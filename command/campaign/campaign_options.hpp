@@ -24,6 +24,8 @@ struct SubjectOptions {
   std::string mesh_name;
   bool reads_stdin = false;
   bool writes_stdout = false;
+  bool is_worker = false;
+  std::size_t worker_cases = 1000;
   std::optional<Claim> claim;
   DomainOptions said;  // of every domain
   std::size_t dimension = 3;

@@ -21,7 +21,7 @@ using campaign::Result;
 using Counts = std::map<std::string, std::size_t>;
 
 bool is_no_finding(const std::string& what) {
-  return what == "holds" || what == "refused" || what == "skipped";
+  return what == "holds" || what == "refused" || what == "skipped" || what == "flaky";
 }
 
 std::size_t count_of(const Counts& counts, const std::string& what) {
@@ -162,6 +162,13 @@ std::string campaign_text(const Result& result) {
           : fmt::format(", {} before that", report::counted(result.cases_before, "case")));
   if (result.containment == campaign::Containment::kSupervisor) {
     text += "note: a supervisor contained the programs, and no process namespace (--containment)\n";
+  }
+  std::size_t flaky = 0;
+  for (const auto& [family, counts] : result.statistics) flaky += count_of(counts, "flaky");
+  if (flaky > 0) {
+    text += fmt::format("flaky: {}, wrong once, but not when run again three times{}\n",
+                        report::counted(flaky, "case"),
+                        result.first_flaky.empty() ? "" : "; " + result.first_flaky);
   }
   for (const Finding& finding : result.findings) text += finding_text(finding);
   return text;

@@ -11,9 +11,9 @@
 namespace circumspect::cli {
 namespace {
 
-const std::vector<std::string> kSubcommands = {"check",    "certify",  "build",
-                                               "inspect",  "replay",   "campaign",
-                                               "minimize", "generate", "compare"};
+const std::vector<std::string> kSubcommands = {"check",    "certify",  "build",    "inspect",
+                                               "replay",   "campaign", "minimize", "adapter",
+                                               "generate", "compare"};
 
 // What a shell command prints on either stream.
 std::string shell(const std::string& command) {

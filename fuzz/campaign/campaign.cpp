@@ -43,7 +43,9 @@ class Campaign {
       }
       while (const std::optional<std::size_t> number = take_case()) {
         const Input input = drawn(*number);
-        add(*number, runner.run(input), runner);
+        Outcome outcome = runner.run(input);
+        if (is_new(outcome)) outcome = runner.confirmed(input, outcome);
+        add(*number, std::move(outcome), runner);
       }
     } catch (const std::system_error& error) {
       // The disk takes no more, or the like: what is on it is good, and the campaign can go on later.
@@ -143,6 +145,12 @@ class Campaign {
     return source_of(number).drawn(seed_of_case(plan_.seed, number - plan_.replayed.size()));
   }
 
+  // Only a finding that repeats is one: the first of each signature is run again.
+  bool is_new(const Outcome& outcome) {
+    const std::lock_guard lock(mutex_);
+    return is_finding(outcome.kind) && first_.count(outcome.signature) == 0;
+  }
+
   // Registers the outcome of a case, and of those after it that waited for it. A thread that registers
   // new signatures makes their inputs small.
   void add(std::size_t number, Outcome outcome, Runner& runner) {
@@ -168,6 +176,10 @@ class Campaign {
   bool register_next(const Outcome& outcome) {
     const std::size_t number = registered_;
     const bool finds = is_finding(outcome.kind);
+    if (outcome.kind == OutcomeKind::kFlaky && result_.first_flaky.empty()) {
+      result_.first_flaky =
+          "case " + std::to_string(number) + " of " + family_of(number) + ": " + outcome.text;
+    }
     const bool is_new = finds && first_.count(outcome.signature) == 0;
     if (is_new) {
       write_input(finding_folder(plan_.output, outcome.signature), plan_.subject, drawn(number));
@@ -204,7 +216,7 @@ class Campaign {
     if (!record.is_cut_off) return found;
     const auto reached =
         read_minimal(finding_folder(plan_.output, record.signature), plan_.subject);
-    return reached && runner.run(*reached).signature == record.signature ? *reached : found;
+    return reached && runner.run_anew(*reached).signature == record.signature ? *reached : found;
   }
 
   void finish(const FindingRecord& record, Runner& runner) {
@@ -215,7 +227,7 @@ class Campaign {
         minimised(begun(record, found, runner), record.signature, runner, limits, stop_);
     const bool is_cut_off =
         limits.time < plan_.minimise.time && Clock::now() - begin >= limits.time;
-    Outcome outcome = runner.run(minimal);
+    Outcome outcome = runner.run_anew(minimal);
     if (stop_ || outcome.kind == OutcomeKind::kInterrupted) return;
     if (outcome.kind == OutcomeKind::kNotRun) {
       const std::lock_guard lock(mutex_);
@@ -271,18 +283,26 @@ std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) {
 
 Input minimised(const Input& input, const std::string& signature, Runner& runner,
                 const MinimiseLimits& limits, const std::atomic<bool>& stop) {
-  const auto fails = [&](const Input& candidate) {
-    return !stop && runner.run(candidate).signature == signature;
-  };
-  if (const auto* const set = std::get_if<PointsCase>(&input)) {
+  const auto made_small = [&](bool anew) -> Input {
+    const auto fails = [&](const Input& candidate) {
+      return !stop &&
+             (anew ? runner.run_anew(candidate) : runner.run(candidate)).signature == signature;
+    };
+    if (const auto* const set = std::get_if<PointsCase>(&input)) {
+      return minimised(*set, generators::StillFails<PointsCase>([&](const PointsCase& one) {
+        return fails(one);
+      }),
+                       limits);
+    }
     return minimised(
-        *set, generators::StillFails<PointsCase>([&](const PointsCase& one) { return fails(one); }),
+        std::get<ComplexCase>(input),
+        generators::StillFails<ComplexCase>([&](const ComplexCase& one) { return fails(one); }),
         limits);
-  }
-  return minimised(
-      std::get<ComplexCase>(input),
-      generators::StillFails<ComplexCase>([&](const ComplexCase& one) { return fails(one); }),
-      limits);
+  };
+  // A worker that has had cases before is fast, but may answer wrongly on account of those.
+  Input small = made_small(false);
+  if (stop || runner.run_anew(small).signature == signature) return small;
+  return made_small(true);
 }
 
 tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,

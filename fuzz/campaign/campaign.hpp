@@ -63,8 +63,9 @@ struct Result {
   std::size_t cases = 0;               // in all, those of earlier calls with them
   std::size_t cases_before = 0;        // done by earlier calls
   std::vector<Finding> findings = {};  // in the order of their first cases
-  // For each family how often each outcome was met: "holds", "refused", "skipped", or a signature.
+  // For each family how often each outcome was met: "holds", "refused", "skipped", "flaky", or a signature.
   std::map<std::string, std::map<std::string, std::size_t>> statistics = {};
+  std::string first_flaky = {};  // of this call: which case was wrong once, and how
   bool interrupted = false;
   double seconds = 0;  // of this call
   Containment containment = Containment::kSupervisor;

@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "oracle/formats/lines.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -138,6 +140,27 @@ std::string poly_text(const PiecewiseLinearInput& input, Vertex first_index) {
          (in_plane ? segments_text(input, first_index)
                    : facets_text(with_all_faces_listed(input), first_index)) +
          std::to_string(input.hole_seeds.size()) + "\n" + counted(input.hole_seeds, 1);
+}
+
+std::string case_text(const PiecewiseLinearInput& input, std::size_t dimension) {
+  if (!input.points.empty()) dimension = input.points.front().size();
+  const PiecewiseLinearInput listed = dimension == 3 ? with_all_faces_listed(input) : input;
+  const auto rows = [](const auto& all) {
+    std::string text;
+    for (const auto& row : all) text += formats::joined(row) + "\n";
+    return text;
+  };
+  std::string text =
+      fmt::format("{} {} 0 {} {} {}\n", listed.points.size(), dimension, listed.segments.size(),
+                  listed.polygons.size(), listed.hole_seeds.size()) +
+      rows(listed.points) + rows(listed.segments);
+  for (const PolygonLines& polygon : listed.polygons) {
+    text += std::to_string(polygon.lines.size()) + " " + std::to_string(polygon.hole_seeds.size()) +
+            "\n";
+    for (const std::vector<Vertex>& line : polygon.lines) text += corners(line, 0);
+    text += rows(polygon.hole_seeds);
+  }
+  return text + rows(listed.hole_seeds);
 }
 
 std::optional<std::string> geo_text(const PiecewiseLinearInput& input) {

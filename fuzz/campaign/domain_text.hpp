@@ -13,6 +13,9 @@ namespace circumspect::campaign {
 // valid: segments as polygons of two corners, vertices as polygons of one.
 std::string poly_text(const PiecewiseLinearInput& input, Vertex first_index);
 
+// As workers read it (docs/workers.md): six counts, the points, the segments, the facets as in .poly, and the hole seeds.
+std::string case_text(const PiecewiseLinearInput& input, std::size_t dimension);
+
 // As a .geo file for Gmsh, in space: the polygons are the surfaces of one volume; segments are one
 // element long. Nothing for what has no place in it: domains of the plane, polygons of more than one
 // line or one that passes a vertex again, polygons that are not closed up edge to edge (each edge in

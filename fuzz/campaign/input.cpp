@@ -49,11 +49,19 @@ std::string xyz_text(const PointsCase& set) {
   return text;
 }
 
+// What a worker reads (docs/workers.md): six counts, then the points, with their weights.
+std::string case_text(const PointsCase& set, std::size_t dimension) {
+  if (!set.points.empty()) dimension = set.points.front().size();
+  return std::to_string(set.points.size()) + " " + std::to_string(dimension) +
+         (set.weights.empty() ? " 0" : " 1") + " 0 0 0\n" + xyz_text(set);
+}
+
 std::string points_text(const PointsCase& set, const std::string& extension, Vertex first_index,
                         std::size_t dimension) {
   if (extension == ".node") return node_text(set, first_index, dimension);
   if (extension == ".json") return json_text(set, first_index, dimension);
   if (extension == ".xyz") return xyz_text(set);
+  if (extension == ".case") return case_text(set, dimension);
   std::ostringstream text;
   if (extension == ".qhull") {
     formats::write_qhull_points(text, point_file(set, 0, dimension));
@@ -93,11 +101,11 @@ bool is_of_doubles(const Input& input) {
 
 bool is_points_extension(const std::string& extension) {
   return extension == ".node" || extension == ".qhull" || extension == ".off" ||
-         extension == ".json" || extension == ".xyz";
+         extension == ".json" || extension == ".xyz" || extension == ".case";
 }
 
 bool is_domain_extension(const std::string& extension) {
-  return extension == ".poly" || extension == ".geo";
+  return extension == ".poly" || extension == ".geo" || extension == ".case";
 }
 
 std::optional<std::string> file_text(const Input& input, const std::string& extension,
@@ -107,6 +115,7 @@ std::optional<std::string> file_text(const Input& input, const std::string& exte
   }
   const PiecewiseLinearInput& domain = std::get<ComplexCase>(input).input;
   if (extension == ".poly") return poly_text(domain, first_index);
+  if (extension == ".case") return case_text(domain, dimension);
   return geo_text(domain);
 }
 

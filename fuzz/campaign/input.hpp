@@ -22,8 +22,8 @@ std::size_t point_count(const Input& input);
 // Are all coordinates, weights and seeds doubles, so that a program reads what is judged?
 bool is_of_doubles(const Input& input);
 
-// The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz" for
-// points, ".poly .geo" for domains.
+// The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz .case" for
+// points, ".poly .geo .case" for domains.
 bool is_points_extension(const std::string& extension);
 bool is_domain_extension(const std::string& extension);
 
@@ -31,6 +31,7 @@ bool is_domain_extension(const std::string& extension);
 //
 //   .node, .qhull, .off, .json   as oracle/formats writes them
 //   .xyz                         a line of coordinates a point, and its weight, if there are any
+//   .case                        what workers read, docs/workers.md; counted from 0
 //   .poly                        of Triangle in the plane, of TetGen in space
 //   .geo                         Gmsh's: the surface of one volume (in the plane: of one surface, whose
 //                                outline is the first closed line), each segment one element long

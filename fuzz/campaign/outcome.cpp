@@ -23,6 +23,7 @@ bool is_finding(OutcomeKind kind) {
     case OutcomeKind::kHolds:
     case OutcomeKind::kSkipped:
     case OutcomeKind::kRefused:
+    case OutcomeKind::kFlaky:
     case OutcomeKind::kNotRun:
     case OutcomeKind::kInterrupted:
       return false;
@@ -39,6 +40,8 @@ std::string word(OutcomeKind kind) {
       return "skipped";
     case OutcomeKind::kRefused:
       return "refused";
+    case OutcomeKind::kFlaky:
+      return "flaky";
     case OutcomeKind::kFails:
       return "fails";
     case OutcomeKind::kOtherPoints:

@@ -17,6 +17,7 @@ enum class OutcomeKind {
   kHolds,         // the mesh is what it is claimed to be
   kSkipped,       // the input is not one for this program: it was not run
   kRefused,       // the program said that it does not take this input, as it may
+  kFlaky,         // something was wrong with it once, and not when it was run again, three times
   kFails,         // the mesh breaks a rule
   kOtherPoints,   // the mesh has other points than the input
   kUnreadable,    // the file of the mesh is malformed
@@ -78,6 +79,7 @@ struct Subject {
   std::string mesh_name = "x.ele";    // likewise: where the program writes the mesh
   bool reads_stdin = false;           // the input is its standard input (and in the folder)
   bool writes_stdout = false;         // the mesh is its standard output, as if it were that file
+  std::optional<Talk> talk = {};      // it is a worker; then both of these hold
   Claim claim = Claim::kDelaunay;
   std::size_t dimension = 3;
   Vertex first_index = 0;       // of the points of the input

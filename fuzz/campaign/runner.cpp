@@ -23,6 +23,7 @@
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
+#include "oracle/report/wording.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -104,6 +105,13 @@ bool speaks_of_memory(const std::string& text) {
          has("memory exhausted");
 }
 
+// How much of its answer a worker that was killed had given.
+std::string missing_lines(const Ended& ended) {
+  if (ended.expected_lines == 0) return "";
+  return fmt::format(": expected {} of its answer, found {}",
+                     report::counted(ended.expected_lines, "line"), ended.lines);
+}
+
 Outcome not_run(const std::string& text) {
   return {OutcomeKind::kNotRun, word(OutcomeKind::kNotRun), text};
 }
@@ -127,6 +135,18 @@ Runner::~Runner() = default;
 std::string Runner::mesh_file() const {
   const std::string path = (subject_.writes_stdout ? scratch_ : work_) + "/" + subject_.mesh_name;
   return is_plain_file(path) ? path : "";
+}
+
+// The line `error TEXT` of a worker, if that is its whole answer.
+std::optional<std::string> Runner::said_error() const {
+  if (!subject_.talk) return std::nullopt;
+  std::istringstream text(beginning_of(scratch_ + "/" + subject_.mesh_name));
+  std::string word;
+  std::string line;
+  if (!(text >> word) || word != "error") return std::nullopt;
+  std::getline(text, line);
+  if (text >> word) return std::nullopt;
+  return line.empty() ? "it said no more than error" : formats::quote(line.substr(1));
 }
 
 std::string Runner::said() const {
@@ -160,21 +180,41 @@ std::string Runner::prepare_work_folder() {
 }
 
 Outcome Runner::run(const Input& input) {
+  const bool anew = !has_talked_;
+  has_talked_ = true;
+  return run(input, anew);
+}
+
+Outcome Runner::run_anew(const Input& input) { return run(input, true); }
+
+Outcome Runner::confirmed(const Input& input, const Outcome& outcome) {
+  constexpr int kRuns = 3;
+  for (int i = 0; i < kRuns; ++i) {
+    const Outcome again = run_anew(input);
+    const bool is_settled = is_finding(again.kind) || again.kind == OutcomeKind::kNotRun ||
+                            again.kind == OutcomeKind::kInterrupted;
+    if (is_settled) return again;
+  }
+  return {OutcomeKind::kFlaky, word(OutcomeKind::kFlaky),
+          outcome.signature + " once, and not when it was run again: " + outcome.text};
+}
+
+Outcome Runner::run(const Input& input, bool anew) {
   const std::string reason = reason_to_skip(subject_, input);
   if (!reason.empty()) return {OutcomeKind::kSkipped, "skipped", reason};
   const auto text = file_text(input, formats::extension(subject_.input_name), subject_.first_index,
                               subject_.dimension);
   if (!text) return {OutcomeKind::kSkipped, "skipped", "the format has no way to say this input"};
-  Outcome outcome = run_on(input, *text);
+  Outcome outcome = run_on(input, *text, anew);
   // Anybody may have killed the supervisor: only a program that does it again is to blame.
-  if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text);
+  if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text, anew);
   if (!is_finding(outcome.kind)) return outcome;
   if (is_full(scratch_)) return not_run(scratch_ + ": the disk is full");
   if (outcome.kind != OutcomeKind::kFails && is_flat(subject_, input)) outcome.signature += "-flat";
   return outcome;
 }
 
-Outcome Runner::run_on(const Input& input, const std::string& text) {
+Outcome Runner::run_on(const Input& input, const std::string& text, bool anew) {
   const std::string fault = prepare_work_folder();
   if (!fault.empty()) return not_run(fault);
   const Paths paths{work_, work_ + "/" + subject_.input_name, work_ + "/" + subject_.mesh_name};
@@ -187,6 +227,7 @@ Outcome Runner::run_on(const Input& input, const std::string& text) {
   if (subject_.reads_stdin) request.stdin_file = paths.input;
   request.stdout_file = scratch_ + "/" + (subject_.writes_stdout ? subject_.mesh_name : "stdout");
   request.stderr_file = scratch_ + "/stderr";
+  if (!anew) request.talk = subject_.talk;
   const Ended ended = supervisor_.run(request, subject_.limits);
   Outcome outcome = outcome_of(ended, input);
   if (outcome.kind == OutcomeKind::kUnreadable || outcome.kind == OutcomeKind::kNoMesh) {
@@ -214,7 +255,12 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
     case Ending::kSupervisorKilled:
       return named(OutcomeKind::kKillsParent, "", "it killed the process that started it");
     case Ending::kTimeLimit:
-      return named(OutcomeKind::kHang, "", "it ran longer than allowed, and was killed");
+      return named(OutcomeKind::kHang, "",
+                   "it ran longer than allowed, and was killed" + missing_lines(ended));
+    case Ending::kOutOfStep:
+      return named(OutcomeKind::kUnreadable, "",
+                   "expected nothing behind the answer to the case before this one, found " +
+                       telling_line(beginning_of(scratch_ + "/" + subject_.mesh_name)));
     case Ending::kOutputLimit:
       return named(OutcomeKind::kOutputLimit, "", "it wrote more than allowed, and was killed");
     case Ending::kProcessLimit:
@@ -229,6 +275,7 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
       std::any_of(subject_.refusal_texts.begin(), subject_.refusal_texts.end(),
                   [&](const std::string& text) { return what.find(text) != std::string::npos; });
   if (refuses) return named(OutcomeKind::kRefused, "", telling_line(what));
+  if (const auto words = said_error(); words) return named(OutcomeKind::kRefused, "", *words);
   const bool failed = ended.ending == Ending::kSignalled || ended.code != 0;
   if (failed && subject_.limits.memory != 0 && speaks_of_memory(what)) {
     return named(OutcomeKind::kMemoryLimit, "",

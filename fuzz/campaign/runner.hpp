@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 
 #include "fuzz/campaign/input.hpp"
@@ -25,7 +26,13 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
+  // Of a worker, the one that has answered the cases before, but for the first: of that a process is given its input
+  // and its end, as it is by hand, so that a worker that does not end then, or says more, is found out.
   Outcome run(const Input& input);
+  // The same in a process that has had no case before.
+  Outcome run_anew(const Input& input);
+  // A finding that is new, run again: the first of three runs that is a finding, too. kFlaky if none is.
+  Outcome confirmed(const Input& input, const Outcome& outcome);
 
   // The mesh that the last run wrote; empty if it wrote none.
   std::string mesh_file() const;
@@ -44,9 +51,11 @@ class Runner {
   Containment containment() const { return supervisor_.containment(); }
 
  private:
+  std::optional<std::string> said_error() const;
   Outcome judged_in_time(const Input& input, const std::string& mesh) const;
   Outcome outcome_of(const Ended& ended, const Input& input) const;
-  Outcome run_on(const Input& input, const std::string& text);
+  Outcome run(const Input& input, bool anew);
+  Outcome run_on(const Input& input, const std::string& text, bool anew);
   // What is wrong if there is none in the end; else an empty string.
   std::string prepare_work_folder();
 
@@ -54,6 +63,7 @@ class Runner {
   std::string scratch_;
   std::string work_;
   std::size_t folders_ = 0;
+  bool has_talked_ = false;
   std::atomic<bool> is_interrupted_ = false;
   Supervisor supervisor_;
 };

@@ -57,6 +57,82 @@ TEST_CASE("what is flat is told apart, skipped or refused") {
   CHECK(Runner(subject).run(flat).kind == OutcomeKind::kRefused);
 }
 
+// A worker: `script` is run for each case, when $count and $dimension have been read, and $points lines.
+Subject worker(const std::string& script) {
+  Subject subject = shell(
+      "while read count dimension rest; do points=''; i=0; while [ $i -lt $count ]; do read line; "
+      "points=\"$points/$line\"; i=$((i+1)); done; " +
+      script + "; done");
+  subject.talk = {Talk::Form::kSimplices, 100};
+  subject.input_name = "x.case";
+  subject.mesh_name = "answer.qhull-i";
+  subject.reads_stdin = subject.writes_stdout = true;
+  subject.limits.seconds = 5;
+  return subject;
+}
+
+TEST_CASE("the answers of a worker are judged as the files of programs are") {
+  const Subject right =
+      worker("[ \"$points\" = '/0 0 0/1 0 0/0 1 0/0 0 1' ] && echo 1 && echo 3 0 1 2");
+  Runner runner(right);
+  for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).kind == OutcomeKind::kHolds);
+  const Subject wrong = worker("echo 1; echo 0 1 2 2");
+  CHECK(Runner(wrong).run(kTetrahedron).signature == "simplex.repeated-vertex");
+  const Subject refusing = worker("echo 'error: not \"this\"' | tr -d :");
+  const Outcome refused = Runner(refusing).run(kTetrahedron);
+  CHECK(refused.kind == OutcomeKind::kRefused);
+  CHECK(refused.text == "\"not \"this\"\"");
+  const Subject with_points = [] {
+    Subject subject =
+        worker("echo 4 vertices; echo 1 tets; echo \"${points#/}\" | tr / '\\n'; echo 4 0 1 2 3");
+    subject.mesh_name = "answer.tet";
+    subject.talk->form = Talk::Form::kTet;
+    return subject;
+  }();
+  Runner other(with_points);
+  for (int i = 0; i < 3; ++i) CHECK(other.run(kTetrahedron).text == "");
+}
+
+TEST_CASE("what is no answer says what was expected and found") {
+  const auto text_of = [](const std::string& script) {
+    const Subject subject = worker(script);
+    Runner runner(subject);
+    // In a process of its own, and in one that goes on.
+    const Outcome first = runner.run(kTetrahedron);
+    const Outcome second = runner.run(kTetrahedron);
+    CHECK(first.text == second.text);
+    CAPTURE(second.text);
+    CHECK(second.kind == OutcomeKind::kUnreadable);
+    return second.text;
+  };
+  CHECK(text_of("echo Hello; sleep 0.2").find("found \"Hello\"") != std::string::npos);
+  CHECK(text_of("echo 2; echo 0 1 2 3; exit").find("expected facet 2 of 2, found the end") !=
+        std::string::npos);
+  CHECK(text_of("printf '1\\n0 1 2 3\\n4 5 6 7\\n'; sleep 0.2").find("found \"4\"") !=
+        std::string::npos);
+  Subject slow = worker("echo 2; echo 0 1 2 3; sleep 100");
+  slow.limits.seconds = 0.2;
+  Runner runner(slow);
+  CHECK(runner.run(kTetrahedron).kind == OutcomeKind::kHang);
+  CHECK(runner.run(kTetrahedron).text ==
+        "it ran longer than allowed, and was killed: expected 2 lines of its answer, found 1");
+}
+
+TEST_CASE("a worker that is wrong only since it had other cases before is flaky") {
+  const Subject subject =
+      worker("k=$((k+1)); echo 1; [ $k -lt 3 ] && echo 0 1 2 3 || echo 0 1 2 2");
+  Runner runner(subject);
+  for (int i = 0; i < 3; ++i) CHECK(runner.run(kTetrahedron).kind == OutcomeKind::kHolds);
+  const Outcome wrong = runner.run(kTetrahedron);
+  CHECK(wrong.kind == OutcomeKind::kFails);
+  const Outcome settled = runner.confirmed(kTetrahedron, wrong);
+  CHECK(settled.kind == OutcomeKind::kFlaky);
+  CHECK(settled.text.rfind("simplex.repeated-vertex once, and not when it was run again: ", 0) ==
+        0);
+  const Subject always = worker("echo 1; echo 0 1 2 2");
+  CHECK(Runner(always).confirmed(kTetrahedron, wrong).kind == OutcomeKind::kFails);
+}
+
 TEST_CASE("no case finds what the one before it left") {
   const Subject subject =
       shell("ls -A . | grep -v x.node && exit 9; mkdir -p a/b; touch a/b/c d; chmod 0 a; exit 0");

@@ -21,6 +21,7 @@
 
 #include "fuzz/process/folders.hpp"
 #include "fuzz/process/supervised.hpp"
+#include "fuzz/process/worker.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -109,6 +110,7 @@ class Message {
 std::string message_of(const Request& request, const Limits& limits) {
   std::string message;
   put(message, limits);
+  put(message, request.talk);
   put(message, request.command.size());
   for (const std::string& argument : request.command) put(message, argument);
   for (const std::string* const text :
@@ -120,6 +122,7 @@ std::string message_of(const Request& request, const Limits& limits) {
 
 Request request_of(Message& message) {
   Request request;
+  request.talk = message.take<std::optional<Talk>>();
   request.command.resize(message.take<std::size_t>());
   for (std::string& argument : request.command) argument = message.text();
   for (std::string* const text :
@@ -132,12 +135,20 @@ Request request_of(Message& message) {
 // The life of the process that runs the programs.
 [[noreturn]] void supervise(int socket, const std::string& folder, Turn turn,
                             Containment containment) {
+  Worker worker({socket, turn, containment});
   while (std::optional<Message> message = Message::receive(socket)) {
     const auto limits = message->take<Limits>();
+    const Request request = request_of(*message);
     std::string answer;
-    put(answer, run_supervised(request_of(*message), limits, {socket, turn, containment}));
+    if (request.talk) {
+      put(answer, worker.ask(request, limits));
+    } else {
+      worker.end();
+      put(answer, run_supervised(request, limits, {socket, turn, containment}));
+    }
     if (!send_message(socket, answer)) break;
   }
+  worker.end();
   if (!folder.empty()) removed(folder);
   _exit(0);
 }

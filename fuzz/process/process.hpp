@@ -15,10 +15,18 @@ namespace circumspect::campaign {
 
 // What a program may use. It is killed when it uses more.
 struct Limits {
-  double seconds = 10;                             // by the clock on the wall
+  double seconds = 10;                             // without those in which no processor was free
   std::uint64_t memory = std::uint64_t{4} << 30;   // bytes of address space a process; 0: any
   std::uint64_t output = std::uint64_t{64} << 20;  // bytes on disk: each file, and all together
   std::size_t processes = 256;                     // at a time
+};
+
+// How a program is talked to that answers one case after another (worker.hpp).
+struct Talk {
+  // Its answers: a number and as many lines; .off files; .tet files.
+  enum class Form { kSimplices, kOff, kTet };
+  Form form = Form::kSimplices;
+  std::size_t cases = 0;  // then another process takes its place
 };
 
 struct Request {
@@ -27,14 +35,17 @@ struct Request {
   std::string stdin_file = "/dev/null";
   std::string stdout_file = "/dev/null";
   std::string stderr_file = "/dev/null";
+  // The program goes on living after it has answered stdin_file on stdout_file, for the next request like this.
+  std::optional<Talk> talk = {};
 };
 
 enum class Ending {
-  kExited,            // code: its exit code
-  kSignalled,         // code: the signal that it died of
-  kTimeLimit,         // it ran too long, and was killed, as for the next two
-  kOutputLimit,       // it wrote too much
-  kProcessLimit,      // it started too many processes
+  kExited,        // code: its exit code
+  kSignalled,     // code: the signal that it died of
+  kTimeLimit,     // it ran too long, and was killed, as for the next two
+  kOutputLimit,   // it wrote too much
+  kProcessLimit,  // it started too many processes
+  kOutOfStep,  // a worker had written more than its answer to the request before; stdout_file: what
   kNotStarted,        // code: errno
   kSupervisorKilled,  // somebody killed the process that ran it, and the next run has another
   kInterrupted,       // Supervisor::interrupt was called
@@ -44,6 +55,9 @@ struct Ended {
   Ending ending = Ending::kInterrupted;
   int code = 0;
   double seconds = 0;
+  // Of the answer of a worker: lines that came behind those that say how many there are, and how many were to come.
+  std::size_t lines = 0;
+  std::size_t expected_lines = 0;
 };
 
 // A process apart that runs programs one after the other. Where the system allows it, it is the first process of
@@ -70,7 +84,8 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  // Runs one program to its end. Not from two threads at a time. Throws as the constructor.
+  // Runs one program to its end, or has a worker answer. kExited with code 0: it has, or has ended before it had.
+  // Not from two threads at a time. Throws as the constructor.
   Ended run(const Request& request, const Limits& limits);
 
   // From any thread: the program that runs is killed, and `run` returns; so do all later ones.

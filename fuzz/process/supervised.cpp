@@ -79,23 +79,6 @@ void become_program(Start* start) {
   return child;
 }
 
-// Opens a file of our own, emptied. A program that ran before may have put a pipe or a link in its
-// place, which would wait for ever or lead elsewhere: that is replaced. −1: it cannot be.
-int opened_empty(const std::string& path) {
-  const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  int file = open(path.c_str(), flags, 0600);
-  struct stat status {};
-  if (file >= 0 && fstat(file, &status) == 0) {
-    if (S_ISCHR(status.st_mode)) return file;  // /dev/null
-    if (S_ISREG(status.st_mode) && status.st_nlink == 1 &&
-        (status.st_size == 0 || ftruncate(file, 0) == 0)) {
-      return file;
-    }
-  }
-  if (file >= 0) close(file);
-  return removed(path) ? open(path.c_str(), flags | O_EXCL, 0600) : -1;
-}
-
 struct OpenFiles {
   int files[3] = {-1, -1, -1};
   explicit OpenFiles(const Request& request) {
@@ -122,23 +105,37 @@ rlim_t tasks_for(const Limits& limits, Containment containment) {
   return tasks;
 }
 
-// Starts the program when its turn comes. Returns its process, or −errno; ECANCELED: nobody waits for it
-// any more.
-pid_t start_program(const Request& request, const Limits& limits, const Surroundings& around) {
+}  // namespace
+
+int opened_empty(const std::string& path) {
+  const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int file = open(path.c_str(), flags, 0600);
+  struct stat status {};
+  if (file >= 0 && fstat(file, &status) == 0) {
+    if (S_ISCHR(status.st_mode)) return file;  // /dev/null
+    if (S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+        (status.st_size == 0 || ftruncate(file, 0) == 0)) {
+      return file;
+    }
+  }
+  if (file >= 0) close(file);
+  return removed(path) ? open(path.c_str(), flags | O_EXCL, 0600) : -1;
+}
+
+pid_t start_program(const Request& request, const Limits& limits, const Surroundings& around,
+                    const int (&files)[3], std::size_t cases) {
   std::vector<char*> arguments;
   for (const std::string& argument : request.command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
   arguments.push_back(nullptr);
-  const OpenFiles files(request);
-  if (!files.all_open()) return -errno;
   // Threads share the limit on processor time; it matters only if the supervisor is gone.
   static const auto processors = std::max(1U, std::thread::hardware_concurrency());
-  const auto cpu =
-      static_cast<std::uint64_t>(std::ceil(std::min(limits.seconds, 1e9) * processors)) + 1;
+  const double seconds = limits.seconds * processors * static_cast<double>(cases);
+  const auto cpu = static_cast<std::uint64_t>(std::ceil(std::min(seconds, 1e9))) + 1;
   Start start = {request.folder.c_str(),
                  arguments.data(),
-                 {files.files[0], files.files[1], files.files[2]},
+                 {files[0], files[1], files[2]},
                  both(limits.memory),
                  both(limits.output),
                  {cpu, cpu + 1},
@@ -153,59 +150,120 @@ pid_t start_program(const Request& request, const Limits& limits, const Surround
   return -start.failure;
 }
 
-// Waits for the program until it ends, or must be ended.
-class Watch {
- public:
-  Watch(pid_t process, const Request& request, const Limits& limits, int lifeline)
-      : request_(request),
-        limits_(limits),
-        lifeline_(lifeline),
-        number_(process),
-        process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
-  ~Watch() {
-    if (process_ >= 0) close(process_);
-  }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
+namespace {
 
-  // kExited: it ended by itself, in whatever way.
-  Ending wait() {
-    while (true) {
-      const double left = limits_.seconds - seconds_since(start_);
-      if (left <= 0) return has_ended() ? Ending::kExited : Ending::kTimeLimit;
-      pollfd files[2] = {{process_, POLLIN, 0}, {lifeline_, POLLRDHUP, 0}};
-      const int milliseconds = static_cast<int>(std::ceil(std::min(left, kTick) * 1000));
-      poll(files, 2, milliseconds);
-      if (files[0].revents != 0 || (process_ < 0 && has_ended())) return Ending::kExited;
-      if ((files[1].revents & (POLLRDHUP | POLLHUP)) != 0) return Ending::kInterrupted;
-      if (bytes_in(request_.folder, limits_.output) >= limits_.output) return Ending::kOutputLimit;
-      const std::size_t too_many = limits_.processes + 1;
-      if (descendants(too_many).size() >= too_many) return Ending::kProcessLimit;
+// What the kernel says in one of its files. Nothing here waits for the disk.
+std::string text_of(const std::string& path) {
+  std::string text;
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return text;  // The process is gone.
+  char block[4096];
+  for (ssize_t count = 0; (count = read(file, block, sizeof(block))) > 0;) {
+    text.append(block, static_cast<std::size_t>(count));
+  }
+  close(file);
+  return text;
+}
+
+// The numbers of the entries of a folder of /proc.
+std::vector<pid_t> numbers_in(const std::string& folder) {
+  std::vector<pid_t> numbers;
+  DIR* const entries = opendir(folder.c_str());
+  if (entries == nullptr) return numbers;  // It is gone.
+  while (const dirent* const entry = readdir(entries)) {
+    if (entry->d_name[0] != '.') numbers.push_back(std::atoi(entry->d_name));
+  }
+  closedir(entries);
+  return numbers;
+}
+
+// How long each task of some processes could have run and had no processor, in nanoseconds; nothing where the
+// kernel does not say so.
+std::map<pid_t, std::uint64_t> waits_of(const std::vector<pid_t>& processes) {
+  std::map<pid_t, std::uint64_t> waits;
+  for (const pid_t process : processes) {
+    const std::string tasks = "/proc/" + std::to_string(process) + "/task/";
+    for (const pid_t task : numbers_in(tasks)) {
+      const std::string text = text_of(tasks + std::to_string(task) + "/schedstat");
+      char* end = nullptr;
+      std::strtoull(text.c_str(), &end, 10);  // how long it ran
+      waits[task] = std::strtoull(end, nullptr, 10);
     }
   }
+  return waits;
+}
 
- private:
-  static constexpr double kTick = 0.02;  // seconds between two looks at what it uses
+}  // namespace
 
-  // It stays to be reaped.
-  bool has_ended() const {
-    siginfo_t about{};
-    const auto number = static_cast<id_t>(number_);
-    return waitid(P_PID, number, &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+Watch::Watch(pid_t process, const Request& request, const Limits& limits, int lifeline)
+    : request_(request),
+      limits_(limits),
+      lifeline_(lifeline),
+      number_(process),
+      process_(static_cast<int>(syscall(SYS_pidfd_open, process, 0))) {}
+
+Watch::~Watch() {
+  if (process_ >= 0) close(process_);
+}
+
+double Watch::seconds() const { return seconds_since(start_); }
+
+// On a loaded machine a program waits for a processor, which is not its fault. What a task waited before it was first
+// looked at is not known, and counts as its own time.
+double Watch::seconds_without_processor() {
+  constexpr std::size_t kMostProcesses = 64;
+  const std::map<pid_t, std::uint64_t> now = waits_of(descendants(kMostProcesses));
+  if (!waited_) waited_ = now;
+  std::uint64_t longest = 0;
+  for (const auto& [task, wait] : now) {
+    const auto before = waited_->find(task);
+    longest = std::max(longest, wait - (before == waited_->end() ? 0 : before->second));
   }
+  return 1e-9 * static_cast<double>(longest);
+}
 
-  const Request& request_;
-  const Limits& limits_;
-  int lifeline_;
-  pid_t number_;
-  int process_;  // a file that can be polled; −1 where the kernel has none
-  Clock::time_point start_ = Clock::now();
-};
+std::optional<Ending> Watch::exceeded() {
+  constexpr double kLongest = 20;  // times the limit, whatever the load
+  if (!waited_) seconds_without_processor();
+  const double passed = seconds();
+  if (passed >= limits_.seconds && (passed >= kLongest * limits_.seconds ||
+                                    passed - seconds_without_processor() >= limits_.seconds)) {
+    return Ending::kTimeLimit;
+  }
+  if (bytes_in(request_.folder, limits_.output) >= limits_.output) return Ending::kOutputLimit;
+  const std::size_t too_many = limits_.processes + 1;
+  if (descendants(too_many).size() >= too_many) return Ending::kProcessLimit;
+  return std::nullopt;
+}
+
+Ending Watch::wait() {
+  while (true) {
+    const double left = std::max(limits_.seconds - seconds(), 0.001);
+    pollfd files[2] = {{process_, POLLIN, 0}, {lifeline_, POLLRDHUP, 0}};
+    const int milliseconds = static_cast<int>(std::ceil(std::min(left, kTick) * 1000));
+    poll(files, 2, milliseconds);
+    if (files[0].revents != 0 || (process_ < 0 && has_ended())) return Ending::kExited;
+    if ((files[1].revents & (POLLRDHUP | POLLHUP)) != 0) return Ending::kInterrupted;
+    if (const std::optional<Ending> limit = exceeded()) {
+      return limit == Ending::kTimeLimit && has_ended() ? Ending::kExited : *limit;
+    }
+  }
+}
+
+bool Watch::has_ended() const {
+  siginfo_t about{};
+  const auto number = static_cast<id_t>(number_);
+  return waitid(P_PID, number, &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+}
+
+namespace {
 
 bool is_full(const std::string& path, std::uint64_t limit) {
   struct stat status {};
   return stat(path.c_str(), &status) == 0 && static_cast<std::uint64_t>(status.st_size) >= limit;
 }
+
+}  // namespace
 
 Ended described(Ending ending, int status, const Request& request, const Limits& limits) {
   if (ending != Ending::kExited) return {ending, SIGKILL};
@@ -218,8 +276,6 @@ Ended described(Ending ending, int status, const Request& request, const Limits&
   if (WTERMSIG(status) == SIGXCPU) return {Ending::kTimeLimit, SIGXCPU};
   return {Ending::kSignalled, WTERMSIG(status)};
 }
-
-}  // namespace
 
 // All are stopped before any is killed: of those that start others as fast as they are killed, one that is
 // stopped starts none, and keeps its place, which another one would take. A look that meets none that is new
@@ -257,22 +313,29 @@ void kill_descendants(Containment containment) {
   }
 }
 
-Ended run_supervised(const Request& request, const Limits& limits, const Surroundings& around) {
-  const pid_t process = start_program(request, limits, around);
-  if (process < 0) {
-    around.turn.give_back();
-    return {process == -ECANCELED ? Ending::kInterrupted : Ending::kNotStarted, -process};
-  }
-  const auto start = Clock::now();
-  const Ending ending = Watch(process, request, limits, around.lifeline).wait();
-  const double seconds = seconds_since(start);
-  // The program itself is not reaped yet, so that its number cannot belong to anybody else.
+// The program itself is not reaped before it is killed, so that its number cannot belong to anybody else.
+int killed(pid_t process, Containment containment) {
   kill(-process, SIGKILL);
   kill(process, SIGKILL);
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  kill_descendants(around.containment);
+  kill_descendants(containment);
+  return status;
+}
+
+Ended run_supervised(const Request& request, const Limits& limits, const Surroundings& around) {
+  const OpenFiles files(request);
+  const pid_t process =
+      files.all_open() ? start_program(request, limits, around, files.files, 1) : -errno;
+  if (process < 0) {
+    around.turn.give_back();
+    return {process == -ECANCELED ? Ending::kInterrupted : Ending::kNotStarted, -process};
+  }
+  Watch watch(process, request, limits, around.lifeline);
+  const Ending ending = watch.wait();
+  const double seconds = watch.seconds();
+  const int status = killed(process, around.containment);
   around.turn.give_back();
   Ended ended = described(ending, status, request, limits);
   ended.seconds = seconds;
@@ -281,36 +344,15 @@ Ended run_supervised(const Request& request, const Limits& limits, const Surroun
 
 // ---- Descendants ----
 
-namespace {
-
-// What the kernel says in one of its files. Nothing here waits for the disk.
-std::string text_of(const std::string& path) {
-  std::string text;
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return text;  // The process is gone.
-  char block[4096];
-  for (ssize_t count = 0; (count = read(file, block, sizeof(block))) > 0;) {
-    text.append(block, static_cast<std::size_t>(count));
-  }
-  close(file);
-  return text;
-}
-
-}  // namespace
-
 void add_children(pid_t process, std::vector<pid_t>& found) {
-  const std::string tasks = "/proc/" + std::to_string(process) + "/task";
-  DIR* const folder = opendir(tasks.c_str());
-  if (folder == nullptr) return;  // It is gone.
-  while (const dirent* const entry = readdir(folder)) {
-    if (entry->d_name[0] == '.') continue;
-    const std::string children = text_of(tasks + "/" + entry->d_name + "/children");
+  const std::string tasks = "/proc/" + std::to_string(process) + "/task/";
+  for (const pid_t task : numbers_in(tasks)) {
+    const std::string children = text_of(tasks + std::to_string(task) + "/children");
     const char* at = children.c_str();
     for (char* end = nullptr; const long child = std::strtol(at, &end, 10); at = end) {
       found.push_back(static_cast<pid_t>(child));
     }
   }
-  closedir(folder);
 }
 
 std::vector<pid_t> descendants(std::size_t enough) {

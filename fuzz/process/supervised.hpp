@@ -1,7 +1,11 @@
 // What happens inside the process of a Supervisor.
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <signal.h>
@@ -21,6 +25,56 @@ struct Surroundings {
   int lifeline;
   Turn turn;  // held while the program, or anything that it started, runs
   Containment containment;
+};
+
+// Opens a file of our own for writing, emptied; −1: it cannot be. A program that ran before may have put a pipe or
+// a link in its place, which would wait for ever or lead elsewhere: that is replaced.
+int opened_empty(const std::string& path);
+
+// Starts the program when its turn comes, with these for its standard input, output and error. `cases`: for so many
+// times its limit the processors may be its own. Returns its process, or −errno; ECANCELED: nobody waits for it any more.
+pid_t start_program(const Request& request, const Limits& limits, const Surroundings& around,
+                    const int (&files)[3], std::size_t cases);
+
+// Kills a program, which is a child of this process, and all that it started. Its exit status.
+int killed(pid_t process, Containment containment);
+
+// What became of a program that has this exit status. `ending`: kExited, or why it was killed.
+Ended described(Ending ending, int status, const Request& request, const Limits& limits);
+
+// Looks at a program that runs.
+class Watch {
+ public:
+  // Requires: `request` and `limits` live longer.
+  Watch(pid_t process, const Request& request, const Limits& limits, int lifeline);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  // Waits until it ends or must be ended. kExited: it ended by itself, in whatever way.
+  Ending wait();
+
+  // The limit that it exceeds now, if any. Called every kTick or so.
+  std::optional<Ending> exceeded();
+  // It stays to be reaped.
+  bool has_ended() const;
+  // A file that can be polled for its end; −1 where the kernel has none.
+  int file() const { return process_; }
+  double seconds() const;
+
+  static constexpr double kTick = 0.02;  // seconds between two looks at what it uses
+
+ private:
+  double seconds_without_processor();
+
+  const Request& request_;
+  const Limits& limits_;
+  int lifeline_;
+  pid_t number_;
+  int process_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  // How long each of its tasks had waited for a processor at the first look, in nanoseconds.
+  std::optional<std::map<pid_t, std::uint64_t>> waited_;
 };
 
 // Runs one program to its end and kills all that is left of it.

@@ -1,0 +1,44 @@
+// circumspect adapter LANGUAGE
+#include "command/campaign/adapter.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "command/options/one_of.hpp"
+#include "command/output/output.hpp"
+#include "command/subcommands.hpp"
+
+namespace circumspect::cli {
+
+void add_adapter(CLI::App& app, ExitCode& exit_code) {
+  const auto language = std::make_shared<std::string>();
+  static const std::map<std::string, std::string> extensions = {
+      {"c", ".c"},      {"c++", ".cpp"},  {"java", ".java"}, {"javascript", ".mjs"},
+      {"julia", ".jl"}, {"octave", ".m"}, {"python", ".py"}, {"r", ".R"},
+      {"rust", ".rs"}};
+  CLI::App* command =
+      app.add_subcommand("adapter", "Print a short program that lets a campaign talk to a library");
+  command->footer(
+      "Examples:\n"
+      "  circumspect adapter python > mine.py\n"
+      "  circumspect campaign --worker --dimension 2 -- python3 mine.py\n\n"
+      "One function of it calls the library; put yours there. What it reads and writes is in "
+      "docs/workers.md.\n\n"
+      "Exit codes: 0 it is printed, 2 usage, 5 internal error.");
+  std::vector<std::string> languages;
+  for (const auto& [name, extension] : extensions) languages.push_back(name);
+  command->add_option("language", *language, "The language of the library")
+      ->required()
+      ->check(one_of_words(languages))
+      ->option_text("c|c++|java|javascript|julia|octave|python|r|rust");
+  command->callback([language, &exit_code] {
+    Output output{OutputOptions{}};
+    output.text(adapters().at(extensions.at(*language)));
+    exit_code = output.finish();
+  });
+}
+
+}  // namespace circumspect::cli
