@@ -23,7 +23,7 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),3)
 
 .PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-builds test-release \
         test-sanitize build-release build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
-        bench format clean deb dist fresh-root deps deps-demo deps-docs deps-proofs deps-test deps-deb deps-bench
+        coverage bench format clean deb dist fresh-root deps deps-demo deps-docs deps-proofs deps-test deps-deb deps-bench
 
 deps: ; @cmake/packages.sh demo proofs test browser bench
 deps-demo: ; @cmake/packages.sh demo
@@ -165,6 +165,19 @@ tsan: deps-test
 	@$(CONFIGURE) --preset tsan -DCIRCUMSPECT_BUILD_TESTS=ON
 	@cmake --build --preset tsan -j $(JOBS)
 	@ctest --preset tsan
+
+# Which lines and branches of the readers and the judges the tests run, file by file; less than 95 % of the
+# lines or 85 % of the branches is a failure. Branches that only an exception takes are not counted.
+coverage: deps-test
+	@cmake/packages.sh coverage
+	@$(CONFIGURE) --preset coverage -DCIRCUMSPECT_BUILD_TESTS=ON
+	@cmake --build --preset coverage -j $(JOBS)
+	@find build/coverage -name '*.gcda' -delete
+	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) ctest --preset coverage -j $(JOBS) -R '^(oracle|corpus|command|properties)/'
+	@gcovr --root . --object-directory build/coverage --filter 'oracle/(formats|judge)/' --exclude '.*_test\.[ch]pp' \
+	  --exclude-throw-branches --exclude-unreachable-branches --txt-metric line
+	@gcovr --root . --object-directory build/coverage --filter 'oracle/(formats|judge)/' --exclude '.*_test\.[ch]pp' \
+	  --exclude-throw-branches --exclude-unreachable-branches --branches --fail-under-line 95 --fail-under-branch 85
 
 bench: deps-bench
 	@test -f bench/CMakeLists.txt || { echo "there are no benchmarks yet" >&2; exit 1; }

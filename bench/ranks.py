@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Measures circumspect-mpi against circumspect check, and prints the table of docs/distributed.md:
 
-    /usr/bin/python3 bench/ranks.py build/release/bin [POINTS [RANKS...]]
+    /usr/bin/python3 bench/ranks.py build/release/bin [POINTS [RANKS...]]      (ranks: 1 2 4 8)
 
 A mesh of random points that SciPy makes, as arrays without neighbours: along a curve, and shuffled. Times are the
 least of some rounds, by the clock, files included; of ranks what their phases take, so without the start of mpirun, which
 takes a third of a second. Where more ranks run than there are processors they wait for each other. A million points
-take SciPy a minute or two.
+take SciPy a minute or two. Under the table stands what the measured bytes make expect of 10^10 tetrahedra on 1,000 ranks.
 """
 import pathlib
 import subprocess
@@ -15,9 +15,11 @@ import tempfile
 import time
 
 import numpy as np
+import scipy.optimize
 import scipy.spatial
 
 ROUNDS = 3
+SIZE_OF_MODEL, RANKS_OF_MODEL = 10 ** 10, 1000
 MPIRUN = ["mpirun", "--quiet", "--allow-run-as-root", "--oversubscribe", "-n"]
 
 
@@ -82,6 +84,7 @@ def measure(build, all_ranks, name, points, simplices, size):
             said = run([*MPIRUN, str(ranks), str(build / "circumspect-mpi"), *files, "--statistics"])[1]
             rows[ranks] = list(rows_of(said))
             least[ranks].append(seconds_of_ranks(rows[ranks]))
+    of_ranks = {ranks: (max(row[5] for row in rows[ranks]), sum(row[3] for row in rows[ranks])) for ranks in all_ranks}
     print(f"| {name} | {size} | `check --threads 2` | {min(check):.2f} | 1 | | | |")
     for ranks in all_ranks:
         sent, messages = sum(row[3] for row in rows[ranks]), sum(row[4] for row in rows[ranks])
@@ -89,19 +92,44 @@ def measure(build, all_ranks, name, points, simplices, size):
         print(f"| {name} | {size} | {ranks} rank{'s' if ranks > 1 else ''} | {min(least[ranks]):.2f} | "
               f"{min(least[ranks]) / min(check):.2f} | {sent / size:.1f} | {messages} | {memory * ranks / size:.0f} |",
               flush=True)
+    return of_ranks
+
+
+def fitted(shapes, values):
+    """Factors that are not negative, one for each shape, with which the shapes add up to the values as well as may be."""
+    return scipy.optimize.nnls(np.array(shapes, float), np.array(values, float))[0]
+
+
+def print_model(name, of_ranks, size):
+    """What a rank has: so much, and so much a tetrahedron. What all send: so much a tetrahedron that does not stay, and so much
+    a facet on the borders of parts and of the mesh, of which there are about size^(2/3) P^(1/3)."""
+    if len(of_ranks) < 3:
+        return
+    process, each = fitted([[1, size / ranks] for ranks in of_ranks], [memory for memory, _ in of_ranks.values()])
+    shape = [[size * (ranks - 1) / ranks, size ** (2 / 3) * ranks ** (1 / 3) * (ranks - 1) / ranks] for ranks in of_ranks]
+    moved, border = fitted(shape, [sent for _, sent in of_ranks.values()])
+    part = SIZE_OF_MODEL / RANKS_OF_MODEL
+    memory = process + each * part
+    sent = (moved * SIZE_OF_MODEL + border * SIZE_OF_MODEL ** (2 / 3) * RANKS_OF_MODEL ** (1 / 3)) / RANKS_OF_MODEL
+    print(f"\n{name}: a rank takes {process / 1e6:.0f} MB and {each:.0f} bytes a tetrahedron of its part; all send {moved:.1f} bytes a "
+          f"tetrahedron that does not stay, and {border:.0f} a facet on a border. {SIZE_OF_MODEL:.0e} tetrahedra on {RANKS_OF_MODEL} "
+          f"ranks: {memory / 1e9:.2f} GB a rank, of which it sends {sent / 1e6:.0f} MB.\n", flush=True)
 
 
 def main(arguments):
     build = pathlib.Path(arguments[0])
     count = int(arguments[1]) if len(arguments) > 1 else 1000000
-    all_ranks = [int(word) for word in arguments[2:]] or [1, 2, 4]
+    all_ranks = [int(word) for word in arguments[2:]] or [1, 2, 4, 8]
     print("| order | tetrahedra | | seconds | of `check` | bytes sent, a tetrahedron | messages | "
           "memory of a rank, bytes a tetrahedron of its part |")
     print("| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: |")
+    measured = []
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         for name, points, simplices, size in meshes(count, folder):
-            measure(build, all_ranks, name, points, simplices, size)
+            measured.append((name, measure(build, all_ranks, name, points, simplices, size), size))
+    for one in measured:
+        print_model(*one)
     return 0
 
 

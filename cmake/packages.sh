@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|browser|deb|bench...
+#   cmake/packages.sh demo|docs|proofs|test|coverage|browser|deb|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -56,6 +56,10 @@ nodejs                bundles what the pages of --html are made of
 npm                   fetches the modules for that, as package-lock.json names them
 END
       ;;
+    coverage) cat <<'END'
+gcovr                 says which lines and branches the tests run
+END
+      ;;
     browser) cat <<'END'
 chromium              opens the pages of --html as their readers do
 END
@@ -88,7 +92,7 @@ python3               checks the links of all pages
 END
       ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, browser, deb or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, browser, deb or bench" >&2; exit 2 ;;
   esac
 }
 

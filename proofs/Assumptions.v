@@ -10,5 +10,5 @@ Definition everything := (@verified, @verified_not, @verified_rule, @verified_do
   @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical, @canonical_once,
   @perturbation_sound, @one_interpolation_error, @proposition_4_5, @proposition_4_5_heights,
   @proposition_4_5_norms,
-  @one_min_containment_ball, @proposition_4_6, @proposition_4_7, @constrained_delaunay_lemma, @conv_halfspaces).
+  @one_min_containment_ball, @proposition_4_6, @proposition_4_7, @constrained_delaunay_lemma, @proposition_4_11_at_edges, @proposition_4_12, @proposition_4_13, @proposition_4_13_balls, @conv_halfspaces).
 Print Assumptions everything.

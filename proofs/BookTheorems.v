@@ -9,7 +9,7 @@
 From Coq Require Import Reals List.
 From Circumspect Require Import Definitions Domains DomainRules.
 From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
-  Existence Optimality ConstrainedLemma.
+  Existence Optimality ConstrainedLemma PolygonEdges ConstrainedOptimality.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -134,6 +134,36 @@ Proof.
   pose proof (ConstrainedLemma.local_facets D P T V Pr St Ve K) as C.
   pose proof (ConstrainedLemma.facets_local D P T V Pr St Ve) as E. split; split; auto.
 Qed.
+
+(** Proposition 4.11, at an edge: let two triangles [a; b; v1] and [a; b; v2] of a CDT of a piecewise linear complex be in one of its
+    polygons, and their common edge in no segment.  Then an open circumball of the
+    first does not contain v2, so none does: in the plane of the triangle all have the same part.  (That this local property makes
+    the triangles in a polygon constrained Delaunay in its plane is Lemma 4.10 there, and is not stated.) *)
+Theorem proposition_4_11_at_edges (P : domain 3) (T : list (simplex 3)) V f a b v1 v2 : proper_domain P -> piecewise_linear_complex P ->
+  steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  (forall t, In t T -> constrained_delaunay V P t) -> In f (domain_polygons P) ->
+  (forall p q, In (p, q) (domain_segments P) -> ~ within (conv [a; b]) (conv [p; q])) ->
+  faces_of T [a; b; v1] -> within (conv [a; b; v1]) (polygon_points f) ->
+  faces_of T [a; b; v2] -> within (conv [a; b; v2]) (polygon_points f) ->
+  exists c r2, circumball [a; b; v1] c r2 /\ ~ dist2 c v2 < r2.
+Proof. apply PolygonEdges.polygon_edge_local. Qed.
+
+(** Proposition 4.12: a generic domain has at most one constrained Delaunay triangulation. *)
+Theorem proposition_4_12 P (T U : list (simplex d)) : (2 <= d)%nat -> proper_domain P -> generic (domain_vertices P) ->
+  cdt P T -> cdt P U -> same_simplices T U.
+Proof. intros D Pr. now apply ConstrainedOptimality.proposition_4_12. Qed.
+
+(** Proposition 4.13, of the criteria of Propositions 4.5 and 4.7: among all triangulations of the domain a CDT has at every point
+    the least interpolation error, *)
+Theorem proposition_4_13 P (T U : list (simplex d)) p e e' : (2 <= d)%nat -> proper_domain P ->
+  cdt P T -> plc_triangulation P U ->
+  interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> e <= e'.
+Proof. intros D Pr. now apply ConstrainedOptimality.proposition_4_13_error. Qed.
+(** and for each of its simplices every triangulation has one with a min-containment ball that is no smaller. *)
+Theorem proposition_4_13_balls P (T U : list (simplex d)) t c r2 : (2 <= d)%nat -> proper_domain P ->
+  cdt P T -> plc_triangulation P U -> In t T -> min_containment_ball t c r2 ->
+  exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
+Proof. intros D Pr. now apply ConstrainedOptimality.proposition_4_13_balls. Qed.
 
 (** The convex hull by convex combinations is the convex hull by half-spaces. *)
 Theorem conv_halfspaces S T : (1 <= d)%nat -> fills S T -> T <> [] -> forall q, conv S q <->

@@ -16,6 +16,8 @@ Inductive domain_evidence :=
   | VertexMissing (v : positive)                     (* of the domain *)
   | SteinerForbidden (t : positive) (i : nat)
   | SegmentMissing (k : positive) (q : site) (w : Z) (* the point q / w of segment K *)
+  (* entry I of simplex T is on segment S, between entries J and K of simplex U *)
+  | VertexInEdge (t : positive) (i : nat) (u : positive) (j k : nat) (s : positive)
   | OfMesh.                                          (* the evidence that is about the mesh alone *)
 Record domain_refutation := DomainRefutation {
   domain_refuted : domain_claim;
@@ -53,7 +55,7 @@ Record whole_refutation := WholeRefutation {
 }.
 
 Inductive domain_rule :=
-  | domain_vertex_missing | domain_steiner_forbidden | domain_segment_missing | domain_polygon_not_tiled
+  | domain_vertex_missing | domain_steiner_forbidden | domain_segment_missing | domain_vertex_in_edge | domain_polygon_not_tiled
   | domain_uncovered | domain_outside | domain_uncovered_or_outside
   | cdt_facet_not_local | cdt_visible_vertex_in_ball | mesh_rule (r : rule).
 Definition whole_rule_of (c : whole_refutation) : domain_rule :=
@@ -70,6 +72,7 @@ Definition domain_rule_of (c : domain_refutation) : domain_rule :=
   | VertexMissing _ => domain_vertex_missing
   | SteinerForbidden _ _ => domain_steiner_forbidden
   | SegmentMissing _ _ _ => domain_segment_missing
+  | VertexInEdge _ _ _ _ _ _ => domain_vertex_in_edge
   | OfMesh => mesh_rule (rule_of (because (mesh_refuted c)))
   end.
 Definition domain_rule_name (r : domain_rule) : string :=
@@ -77,6 +80,7 @@ Definition domain_rule_name (r : domain_rule) : string :=
   | domain_vertex_missing => "domain.vertex-missing"
   | domain_steiner_forbidden => "domain.steiner-forbidden"
   | domain_segment_missing => "domain.segment-missing"
+  | domain_vertex_in_edge => "domain.vertex-in-edge"
   | domain_polygon_not_tiled => "domain.polygon-not-tiled"
   | domain_uncovered => "domain.uncovered"
   | domain_outside => "domain.outside"
@@ -113,6 +117,10 @@ Definition steiner_forbidden P L : Prop := exists (r : list (option (point d))) 
 Definition segment_missing P L : Prop := exists a b q, In (a, b) (domain_segments P) /\ conv [a; b] q /\
   forall s f, listed L s -> incl f s -> conv f q -> ~ within (conv f) (conv [a; b]).
 
+(** A vertex of a simplex is on a segment and inside an edge of another. *)
+Definition vertex_in_edge P L : Prop := exists (r : list (option (point d))) s v a b e f, In r L /\ In (Some v) r /\
+  listed L s /\ In e s /\ In f s /\ v <> e /\ v <> f /\ conv [e; f] v /\
+  In (a, b) (domain_segments P) /\ conv [a; b] v.
 (** A point of a polygon is in no face, of a simplex of the mesh, that is in the polygon. *)
 Definition polygon_not_tiled P L : Prop := exists f q, In f (domain_polygons P) /\ polygon_points f q /\
   forall s g, listed L s -> incl g s -> conv g q -> ~ within (conv g) (polygon_points f).
@@ -143,6 +151,7 @@ Definition broken_of_domain P L (r : domain_rule) : Prop :=
   | domain_vertex_missing => vertex_missing P L
   | domain_steiner_forbidden => steiner_forbidden P L
   | domain_segment_missing => segment_missing P L
+  | domain_vertex_in_edge => vertex_in_edge P L
   | domain_polygon_not_tiled => polygon_not_tiled P L
   | domain_uncovered => uncovered P L
   | domain_outside => outside P L

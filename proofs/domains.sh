@@ -14,11 +14,11 @@ rejections=0
 compared=0
 without=0
 while IFS=$'\t' read -r mesh domain claim verdict; do
-  case "$claim" in *" "*) continue ;; esac  # options of the check
+  case "$claim" in *--within*) continue ;; esac
   case "$domain" in *merge* | *within*) continue ;; esac
   code=0
-  # shellcheck disable=SC2086  # the domain is followed by its options
-  "$circumspect" certify "$mesh" --domain $domain --claim "$claim" --quiet \
+  # shellcheck disable=SC2086  # the domain and the claim are followed by their options
+  "$circumspect" certify "$mesh" --domain $domain --claim $claim --quiet \
     -o "$scratch/certificate" 2>"$scratch/why" || code=$?
   if [ "$code" -eq 2 ] && grep -qE 'there is no (certificate|refutation) of this mesh' "$scratch/why"; then
     echo "$mesh $claim: $(sed -nE 's/.*there is no (certificate|refutation) of this mesh: //p' "$scratch/why")"
@@ -37,10 +37,12 @@ while IFS=$'\t' read -r mesh domain claim verdict; do
     expected="verified: $claim, *; domain: *, plc, *"
     accepted=$((accepted + 1))
   else
-    rule=${found#"verified: not $claim, "}
+    rule=${found#"verified: not ${claim%% *}, "}
     rule=${rule%%;*}
-    expected="verified: not $claim, *"
-    [[ ",$verdict," == *",$rule,"* ]] || expected="one of the rules $verdict"
+    expected="one of the rules $verdict"
+    for one in ${rule/ or / }; do
+      if [[ ",$verdict," == *",$one,"* ]]; then expected="verified: not ${claim%% *}, *"; fi
+    done
     refuted=$((refuted + 1))
   fi
   # shellcheck disable=SC2053  # a pattern
@@ -85,4 +87,4 @@ done
 [ "$rejections" -ge 15 ]
 echo "domains: $accepted certificates and $refuted refutations verified, $compared of them about files that were compared; \
 of $without meshes there is none"
-[ "$accepted" -ge 100 ] && [ "$refuted" -ge 36 ] && [ "$compared" -ge 140 ]
+[ "$accepted" -ge 100 ] && [ "$refuted" -ge 55 ] && [ "$compared" -ge 160 ]

@@ -159,7 +159,7 @@ std::string said_in_turns(Claim claim, const ArrayMesh& mesh, Way way, Dice& dic
                           const check::Options& options) {
   const distributed::Turns turns{.parts = 1 + dice.below(7),
                                  .at_once = 1 + dice.below(3),
-                                 .room = 64 + dice.below(5000),
+                                 .room = 1000 + dice.below(20000),
                                  .folder = "/tmp",
                                  .few = 5};
   const Dice before = dice;

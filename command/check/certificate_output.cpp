@@ -166,7 +166,8 @@ bool write_domain_certificate(const std::string& path, const std::string& mesh_n
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
   if (!verdict.holds()) {
-    const auto refutation = certificate::domain_refutation_of(mesh, loaded.domain, verdict);
+    const auto refutation = certificate::domain_refutation_of(
+        mesh, loaded.domain, listed_segments(loaded), verdict, fillers());
     if (!refutation) {
       output.error(ExitCode::kUsage, "mesh", mesh_name,
                    fmt::format("{}: {}", mesh_name, refutation.error()));

@@ -1,6 +1,8 @@
 // circumspect certify MESH -o CERT
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,6 +31,7 @@ struct CertifyOptions {
   DomainOptions said;
   InputOptions input;
   OutputOptions output;
+  check::By by = check::By::kLemma;
   std::uint64_t threads = 0;  // 0: as many as the machine has
 
   Claim claim() const { return asked.value_or(Claim::kDelaunay); }
@@ -39,7 +42,7 @@ void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& m
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
   output.text(report::verdict_line(verdict, mesh, options.mesh, domain) + "\n");
   if (output.wants_json()) {
-    report::Json result = report::verdict(verdict, mesh, options.mesh, check::By::kLemma, domain);
+    report::Json result = report::verdict(verdict, mesh, options.mesh, options.by, domain);
     result["certificate"] = options.certificate;
     output.json(std::move(result));
   }
@@ -65,8 +68,8 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   const Domain* about = domain ? &domain->domain : nullptr;
-  const auto verdict =
-      judge_loaded(options.claim(), *loaded, options.input.duplicates, {.threads = threads}, about);
+  const auto verdict = judge_loaded(options.claim(), *loaded, options.input.duplicates,
+                                    {.by = options.by, .threads = threads}, about);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
     return;
@@ -148,6 +151,13 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
   add_domain_options(*command, options->said);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")
       ->option_text("FILE");
+  const std::map<std::string, check::By> manners = {{"lemma", check::By::kLemma},
+                                                    {"definition", check::By::kDefinition}};
+  command
+      ->add_option("--by", options->by,
+                   "Judge by the lemmas (default) or, slowly, by the definitions")
+      ->transform(one_of(manners))
+      ->option_text("lemma|definition");
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);

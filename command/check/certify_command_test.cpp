@@ -111,6 +111,26 @@ TEST_CASE("certify: a refutation of a claim about a domain") {
   CHECK(!meshes.has_cert());
 }
 
+TEST_CASE("certify: a refutation that speaks of the whole domain") {
+  CertifiedMeshes meshes;
+  // The wrong diagonal of a kite, by its midpoint; and the vertex beyond it that is visible.
+  const std::string kite =
+      meshes.write("kite", "4 2\n5 0 0\n6 6 0\n7 7 2\n8 0 2\n", "2 3\n1 5 6 7\n2 5 7 8\n");
+  const std::string outline = meshes.folder.write(
+      "kite.poly", "4 2 0 0\n5 0 0\n6 6 0\n7 7 2\n8 0 2\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n0\n");
+  std::vector<std::string> wrong = {"certify",  kite,    "-o",      meshes.cert,
+                                    "--domain", outline, "--claim", "cdt"};
+  CHECK(run(wrong).exit_code == 1);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-refutation 2 cdt 2 cdt.facet-not-local enclosed\n"));
+  CHECK(has(contents(meshes.cert), "\nholes 0\npolygons 0\nbecause "));
+  CHECK(has(contents(meshes.cert), " 7 2 2\nend\n"));
+  wrong.insert(wrong.end(), {"--by", "definition"});
+  CHECK(run(wrong).exit_code == 1);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-refutation 2 cdt 2 cdt.visible-vertex-in-ball enclosed\n"));
+}
+
 TEST_CASE("certify: what has no certificate with a domain, and the answer says so") {
   CertifiedMeshes meshes;
   const std::string square = meshes.folder.write("square.poly", kOutline);
@@ -130,13 +150,6 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
           "there is no certificate of this mesh: ");
   refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "plc-triangulation"},
           "expected --domain FILE for the claim plc-triangulation, found none");
-  // The wrong diagonal.
-  const std::string kite =
-      meshes.write("kite", "4 2\n5 0 0\n6 6 0\n7 7 2\n8 0 2\n", "2 3\n1 5 6 7\n2 5 7 8\n");
-  const std::string outline = meshes.folder.write(
-      "kite.poly", "4 2 0 0\n5 0 0\n6 6 0\n7 7 2\n8 0 2\n4 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n0\n");
-  refused({"certify", kite, "-o", meshes.cert, "--claim", "cdt", "--domain", outline},
-          "there is no refutation of this mesh: cdt.facet-not-local is broken, and");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},
           "no --domain beside --certificate, found one");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--claim", "cdt"},

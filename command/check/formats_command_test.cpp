@@ -133,32 +133,30 @@ TEST_CASE("check --memory says what check says, and refuses what it cannot do") 
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
   };
-  const auto same = [&](int exit_code) {
+  const auto same = [&](int exit_code, const std::string& format) {
     folder.write("s.npy", npy("<i4", 4, grid.simplices));
-    for (const std::string format : {"text", "json"}) {
-      const Run whole = said({"--format", format});
-      const Run parts = said({"--format", format, "--memory", "64M"});
-      CHECK_MESSAGE(parts.exit_code == exit_code, parts.err);
-      CHECK(whole.exit_code == exit_code);
-      CHECK(parts.out == whole.out);
-      CHECK(parts.err == whole.err);
-    }
+    const Run whole = said({"--format", format});
+    const Run parts = said({"--format", format, "--memory", "64M"});
+    CHECK_MESSAGE(parts.exit_code == exit_code, parts.err);
+    CHECK(whole.exit_code == exit_code);
+    CHECK(parts.out == whole.out);
+    CHECK(parts.err == whole.err);
   };
-  same(0);
+  same(0, "text");
   grid.simplices[4 * 1000 + 1] = grid.simplices[4 * 300000 + 2];
-  same(1);
+  same(1, "text");
   grid.simplices[4 * 1000 + 1] = -5;
-  same(1);
+  same(1, "json");
   CHECK(said({"--memory", "64M", "--oriented"}).exit_code == 2);
   CHECK(said({"--memory", "63M"}).exit_code == 2);
   const Run absent = run({"check", folder.path("none.npy"), "--points", points, "--memory", "1G"});
   CHECK(absent.exit_code == 3);
   const std::string line = "TMPDIR=/nowhere " CIRCUMSPECT_COMMAND " check " + mesh + " --points " +
-                           points + " --threads 1 --memory 64M 2>" + folder.path("err");
+                           points + " --threads 1 --memory 64M 2> " + folder.path("err");
   CHECK(WEXITSTATUS(std::system(line.c_str())) == 5);
-  const std::string nowhere = contents(folder.path("err"));
-  CHECK(is_error_line(nowhere));
-  CHECK(has(nowhere, "TMPDIR names another folder"));
+  const std::string error = contents(folder.path("err"));
+  CHECK(is_error_line(error));
+  CHECK(has(error, "TMPDIR names another folder"));
 }
 
 }  // namespace circumspect::cli

@@ -19,6 +19,7 @@
 #include "oracle/distributed/mpi.hpp"
 #include "oracle/distributed/slices.hpp"
 #include "oracle/model/printable.hpp"
+#include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number.hpp"
@@ -36,6 +37,7 @@ struct MpiOptions {
   Claim claim = Claim::kDelaunay;
   circumspect::check::Options check;
   bool statistics = false;
+  bool json = false;
 };
 
 void add_options(CLI::App& app, MpiOptions& options) {
@@ -69,6 +71,11 @@ void add_options(CLI::App& app, MpiOptions& options) {
   app.add_option("--threads", options.check.threads, "Threads of each rank (default: 1)")
       ->check(circumspect::cli::whole_number(1, 1024))
       ->option_text("N");
+  app.add_option_function<std::string>(
+         "--format", [&options](const std::string& word) { options.json = word == "json"; },
+         "As what the verdict is printed (default: text)")
+      ->check(circumspect::cli::one_of_words({"text", "json"}))
+      ->option_text("text|json");
   app.add_flag("--statistics", options.statistics,
                "Also print, to standard error, what each phase cost each rank");
 }
@@ -80,6 +87,11 @@ void print(std::FILE* to, const std::string& text) {
 ExitCode say(ExitCode code, const std::string& message) {
   print(stderr, "circumspect-mpi: " + circumspect::on_one_line(message) + "\n");
   return code;
+}
+
+std::string document(circumspect::report::Json results) {
+  return circumspect::report::document_text(
+      {{"circumspect", 1}, {"results", circumspect::report::Json::array({std::move(results)})}});
 }
 
 // What is said of points that are equal.
@@ -115,11 +127,31 @@ void print_statistics(Ranks& ranks) {
   print(stderr, text);
 }
 
+// What is printed at the first rank.
+std::string said(const Judged& judged, const MpiOptions& options) {
+  namespace report = circumspect::report;
+  if (options.json) {
+    return document(report::verdict(*judged.verdict, judged.named, options.files.mesh,
+                                    circumspect::check::By::kLemma));
+  }
+  return circumspect::on_lines(
+      report::explanation(*judged.verdict, judged.named) +
+      report::verdict_line(*judged.verdict, judged.named, options.files.mesh) + "\n");
+}
+
+// One line on standard error, and in JSON what circumspect check has there.
+ExitCode say_of_mesh(const MpiOptions& options, const std::string& message) {
+  if (options.json) {
+    print(stdout, document({{"mesh", options.files.mesh}, {"error", message}}));
+  }
+  return say(ExitCode::kInputFault, message);
+}
+
 ExitCode judge(Ranks& ranks, MpiOptions& options) {
   options.files.weighted = options.claim == Claim::kWeightedDelaunay;
   auto read = read_slices(ranks, options.files);
   if (!read) {
-    return ranks.is_first() ? say(ExitCode::kInputFault, read.error()) : ExitCode::kInputFault;
+    return ranks.is_first() ? say_of_mesh(options, read.error()) : ExitCode::kInputFault;
   }
   const circumspect::Vertex first_index = read->dealt.first_index;
   const Judged judged = judge(ranks, options.claim, std::move(read->dealt), options.check);
@@ -127,14 +159,10 @@ ExitCode judge(Ranks& ranks, MpiOptions& options) {
   if (judged.equal.count > 0) {
     code = ExitCode::kInputFault;
     if (ranks.is_first()) {
-      say(code, equal_points_fault(read->points_name, first_index, judged.equal));
+      say_of_mesh(options, equal_points_fault(read->points_name, first_index, judged.equal));
     }
   } else if (ranks.is_first()) {
-    print(stdout,
-          circumspect::on_lines(
-              circumspect::report::explanation(*judged.verdict, judged.named) +
-              circumspect::report::verdict_line(*judged.verdict, judged.named, options.files.mesh) +
-              "\n"));
+    print(stdout, said(judged, options));
     if (std::ferror(stdout) != 0) {
       code = say(ExitCode::kInternalError, "could not write to standard output");
     }

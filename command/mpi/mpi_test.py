@@ -84,7 +84,10 @@ def arrays(commands, corpus, folder):
     npy(s, "<i8", 4, simplices[:700] + [(1, 2, 3, 500), (-7, 2, 3, 2 ** 62)] + simplices[700:])
     expect("indices of no points", commands.same(3, s, "--points", p), 1)
     npy(s, "<i8", 4, simplices[:-1])
-    expect("one missing", commands.same(3, s, "--points", p, "--max-errors", "1"), 1)
+    for form in ("text", "json"):
+        expect("one missing", commands.same(3, s, "--points", p, "--max-errors", "1", "--format", form), 1)
+    expect("shuffled", commands.same(3, npy(s, "<i8", 4, random.Random(1).sample(simplices, len(simplices))),
+                                     "--points", p), 0)
     npy(s, "<i8", 4, simplices)
     npy(p, "<f8", 3, points[:-1] + [points[3]])
     equal = commands.on_ranks(3, s, "--points", p)
@@ -94,7 +97,7 @@ def arrays(commands, corpus, folder):
     npy(p, "<f8", 3, points)
     s.write_bytes(npy(s, "<i8", 4, simplices).read_bytes()[:-4000])
     expect("a file cut off", commands.same(3, s, "--points", p), 3)
-    expect("no file", commands.same(2, folder / "none.npy", "--points", p), 3)
+    expect("no file", commands.same(2, folder / "none.npy", "--points", p, "--format", "json"), 3)
 
 
 def parts(commands, corpus, folder):

@@ -76,11 +76,13 @@ class Adapter:
         line, self.rest = self.rest.split(b"\n", 1)
         return line.decode("utf-8", "replace")
 
-    def __call__(self, points):
+    def __call__(self, points, segments=()):
         if self.process is None:
             self.start()
         spent, since = self.processor_time(), time.monotonic()
-        text = f"{len(points)} {points.shape[1]}\n" + "".join(" ".join(map(repr, row)) + "\n" for row in points.tolist())
+        text = f"{len(points)} {points.shape[1]}" + (f" {len(segments)}" if len(segments) else "") + "\n"
+        text += "".join(" ".join(map(repr, row)) + "\n" for row in points.tolist())
+        text += "".join(f"{a} {b}\n" for a, b in segments)
         try:
             self.process.stdin.write(text.encode())
             self.process.stdin.flush()
@@ -336,6 +338,8 @@ def hunt(row, arguments):
     folder = Path(arguments.output) / (row["target"] + (f"-{dimension}d" if "," in row["dimensions"] else "")
                                        + ("-extreme" if arguments.extreme else ""))
     folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.glob("*.json"):
+        old.unlink()
     last_end = time.monotonic() + 2 * arguments.time
     for (rule, kind), firsts in sorted(found.first.items(), key=lambda one: KINDS.index(one[0][1])):
         if any((rule, better) in findings for better in KINDS[:KINDS.index(kind)]):
@@ -388,7 +392,8 @@ def command_of(row, arguments):
     return shlex.split(row["command"].format(builds=os.environ["BUILDS"], here=HERE))
 
 
-def main():
+def arguments_and_row(words):
+    """The options, and the line of targets.tsv."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("target")
     parser.add_argument("--builds", required=True, help="the folder where libraries were installed or built")
@@ -402,14 +407,19 @@ def main():
     parser.add_argument("--limit", type=float, default=5.0, help="seconds of processor time for an answer")
     parser.add_argument("--looks", type=int, default=150, help="cases of a signature that are asked for more than rounding")
     parser.add_argument("--extreme", action="store_true", help="coordinates of any exponent, and single ulps")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(words)
     lines = [line.split("\t") for line in (HERE / "targets.tsv").read_text().splitlines()[1:]]
     rows = [dict(zip(COLUMNS, line)) for line in lines if line[0] == arguments.target]
     if not rows:
         sys.exit(f"{arguments.target}: expected one of {', '.join(line[0] for line in lines)}")
+    return arguments, rows[0]
+
+
+def main():
+    arguments, row = arguments_and_row(sys.argv[1:])
     if arguments.on:
-        sys.exit(answer_once(rows[0], arguments))
-    print(json.dumps(hunt(rows[0], arguments)))
+        sys.exit(answer_once(row, arguments))
+    print(json.dumps(hunt(row, arguments)))
 
 
 if __name__ == "__main__":

@@ -32,12 +32,20 @@ struct Indices {
   std::map<std::vector<double>, long> known;
 };
 
-inline int serve(const std::function<Simplices(const Points&)>& triangulate) {
+using Segments = std::vector<std::pair<long, long>>;
+
+// `triangulate` is given the points, and the segments that are to be edges.
+inline int serve_domains(
+    const std::function<Simplices(const Points&, const Segments&)>& triangulate) {
   std::FILE* out = fdopen(dup(1), "w");
   dup2(2, 1);  // libraries print what they like
   long count = 0;
   long dimension = 0;
-  while (std::scanf("%ld %ld", &count, &dimension) == 2) {
+  char header[256];
+  while (std::fgets(header, sizeof header, stdin) != nullptr) {
+    long constraints = 0;
+    if (std::sscanf(header, "%ld %ld %ld", &count, &dimension, &constraints) < 2) continue;
+    Segments segments(static_cast<std::size_t>(constraints));
     Points points(static_cast<std::size_t>(count),
                   std::vector<double>(static_cast<std::size_t>(dimension)));
     for (auto& point : points) {
@@ -45,8 +53,11 @@ inline int serve(const std::function<Simplices(const Points&)>& triangulate) {
         if (std::scanf("%lf", &x) != 1) return 1;
       }
     }
+    for (auto& [from, to] : segments) {
+      if (std::scanf("%ld %ld", &from, &to) != 2) return 1;
+    }
     try {
-      const Simplices made = triangulate(points);
+      const Simplices made = triangulate(points, segments);
       std::fprintf(out, "%zu %ld\n", made.size(), dimension + 1);
       for (const auto& simplex : made) {
         for (const long vertex : simplex) std::fprintf(out, "%ld ", vertex);
@@ -61,6 +72,10 @@ inline int serve(const std::function<Simplices(const Points&)>& triangulate) {
     std::fflush(out);
   }
   return 0;
+}
+
+inline int serve(const std::function<Simplices(const Points&)>& triangulate) {
+  return serve_domains([&](const Points& points, const Segments&) { return triangulate(points); });
 }
 
 }  // namespace lines

@@ -18,19 +18,21 @@ export async function serve(triangulate) {
   let text = '', rows = [];
   const buffer = Buffer.alloc(1 << 20);
   for (;;) {
-    while (rows.length === 0 || rows.length <= parseInt(rows[0])) {
+    const [count, , constraints = 0] = (rows[0] ?? '0').split(' ').map(Number); // points, their dimension, segments
+    if (rows.length === 0 || rows.length <= count + constraints) {
       const size = fs.readSync(0, buffer);
       if (size === 0) return;
       text += buffer.toString('latin1', 0, size);
       const lines = text.split('\n');
       text = lines.pop();
       rows.push(...lines);
+      continue;
     }
-    const count = parseInt(rows[0]);
-    const points = rows.splice(0, count + 1).slice(1).map(line => line.split(' ').map(Number));
+    const given = rows.splice(0, count + constraints + 1).slice(1).map(line => line.split(' ').map(Number));
+    const points = given.slice(0, count);
     let answer;
     try {
-      const simplices = await triangulate(points);
+      const simplices = await triangulate(points, given.slice(count));
       answer = [`${simplices.length} ${points[0].length + 1}`, ...simplices.map(s => Array.from(s).join(' '))].join('\n');
     } catch (error) {
       answer = `raised ${String(error).split('\n')[0]}`;

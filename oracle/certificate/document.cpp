@@ -82,9 +82,9 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
 }
 
 void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
-                const Refutation& refutation) {
+                const Refutation& refutation, std::string_view words) {
   write_first_line(lines, "circumspect-refutation 2", refutation.claim, points.dimension,
-                   identifier(refutation.rule));
+                   words.empty() ? identifier(refutation.rule) : words);
   write_scale(lines, points);
   lines << "points" << mesh.points.size();
   lines.end_line();

@@ -39,9 +39,10 @@ std::optional<Refutation> refutation_of(const ExactMesh& mesh, const Verdict& ve
 // As proofs/CERTIFICATE.md lays it out.
 void write(std::ostream& out, const ExactMesh& mesh, const ScaledPoints& points,
            const Refutation& refutation);
-// Its parts: up to the line `spans`; and the line `because`, with the end.
+// Its parts: up to the line `spans`, where the first line ends with the rule or, instead of it, with `words`; and the
+// line `because`, with the end.
 void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
-                const Refutation& refutation);
+                const Refutation& refutation, std::string_view words = "");
 void write_because(Lines& lines, const Refutation& refutation);
 
 // ---- Document ----

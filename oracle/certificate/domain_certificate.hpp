@@ -134,20 +134,42 @@ void write(std::ostream& out, const DomainCertificate& certificate);
 // What proves that a claim about a domain does not hold of a mesh: the mesh, the vertices and segments of
 // the domain, and one fault.
 
+// Evidence of which the whole domain is part: the rule, the word for it in the file, and the tokens.
+struct WholeEvidence {
+  Rule rule;
+  std::string word;
+  std::string because;
+};
+
+// Of a domain what is not in its vertices and segments, for such evidence.
+struct WholeDomain {
+  DomainKind kind;
+  WholeEvidence evidence;
+  std::vector<HomogeneousPoint> holes = {};
+  std::vector<PolygonCertificate> polygons = {};
+};
+
 struct DomainRefutation {
   Refutation refutation;
   ScaledPoints points;  // of the mesh, then the vertices of the domain that are none of these
   std::vector<Vertex> vertices;   // of the domain, among all points
   std::vector<Simplex> segments;  // of the domain, by its vertices
+  std::optional<WholeDomain> whole = {};
 };
 
-// Of the rules that the verdict says are broken the first that can be shown: a vertex or a segment of the
-// domain is missing, a vertex is none of the domain, the simplices are no complex, or two of them are not
-// locally Delaunay. Error: why there is none, for people. Requires: the verdict is about the mesh and this
-// domain, and it fails.
+// Of the rules that the verdict says are broken the first that can be shown: by the vertices and segments of the
+// domain alone if that is possible, else by all of it. Error: why there is none, for people. Requires: the verdict is
+// about the mesh and this domain, and it fails.
 tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
                                                                  const Domain& domain,
-                                                                 const Verdict& verdict);
+                                                                 const ListedSegments& listed,
+                                                                 const Verdict& verdict,
+                                                                 const HullFillers& fillers);
+
+// Requires: `vertices` are those of the domain among the points, of which the first are those of the mesh.
+std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain& domain,
+                                            const Verdict& verdict, const ScaledPoints& points,
+                                            const std::vector<Vertex>& vertices);
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);

@@ -7,6 +7,7 @@
 
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
+#include "oracle/certificate/domain_part.hpp"
 #include "oracle/certificate/evidence.hpp"
 #include "oracle/certificate/lines.hpp"
 
@@ -76,6 +77,31 @@ class Finder {
         if (!mesh_.points.names(simplex[i]) || given_.contains(mesh_.points[simplex[i]])) continue;
         return Evidence{Rule::kSteinerForbidden, {Integer(s) + 1, Integer(i)}};
       }
+    }
+    return std::nullopt;
+  }
+
+  // Where the mesh lists the vertex, the edge that it is inside of, and the segment; from the witness.
+  std::optional<Evidence> vertex_in_edge(const Verdict& verdict) const {
+    for (const Violation& violation : verdict.violations()) {
+      const Witness& witness = violation.witness;
+      if (violation.rule != Rule::kVertexInEdge || !witness.face || !witness.domain_cell) continue;
+      const auto edge = number_of(mesh_, witness.simplices.front());
+      const auto segment =
+          std::find(complex_.segments.begin(), complex_.segments.end(), *witness.domain_cell);
+      const auto around = std::find_if(
+          mesh_.simplices.begin(), mesh_.simplices.end(),
+          [&](const Simplex& simplex) { return contains(simplex, witness.vertices.front()); });
+      if (!edge || segment == complex_.segments.end() || around == mesh_.simplices.end()) continue;
+      const auto place = [](const Simplex& simplex, Vertex v) {
+        return Integer(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
+      };
+      const Simplex& listed = mesh_.simplices[*edge - 1];
+      return Evidence{
+          Rule::kVertexInEdge,
+          {Integer(around - mesh_.simplices.begin()) + 1, place(*around, witness.vertices.front()),
+           Integer(*edge), place(listed, witness.face->front()),
+           place(listed, witness.face->back()), Integer(segment - complex_.segments.begin()) + 1}};
     }
     return std::nullopt;
   }
@@ -155,17 +181,43 @@ std::optional<Evidence> evidence_in(const ExactMesh& mesh, const Domain& domain,
     if (rule == Rule::kDomainVertexMissing) found = finder.vertex_missing();
     if (rule == Rule::kSteinerForbidden) found = finder.steiner_forbidden();
     if (rule == Rule::kSegmentMissing) found = finder.segment_missing();
+    if (rule == Rule::kVertexInEdge) found = finder.vertex_in_edge(verdict);
     if (refutes(rule, verdict.claim())) found = evidence_for(mesh, verdict, points, rule);
     if (found) return found;
   }
   return std::nullopt;
 }
 
+// What the polygons of the domain are, over the same scale as the points of the mesh.
+tl::expected<WholeDomain, std::string> whole_domain(
+    const PiecewiseLinearComplex& complex, const ListedSegments& listed, const ScaledPoints& points,
+    const std::vector<Vertex>& vertices, WholeEvidence evidence, const HullFillers& fillers) {
+  WholeDomain made{.kind = complex.kind, .evidence = std::move(evidence)};
+  ScaledPoints own{points.dimension, points.scale_numerator, points.scale_denominator};
+  for (const Vertex v : vertices) {
+    for (std::size_t axis = 0; axis < points.dimension; ++axis) {
+      own.coordinates.push_back(points.coordinate(v, axis));
+    }
+  }
+  for (const Point& seed : complex.hole_seeds) made.holes.push_back(scaled(own, seed));
+  const PolygonPlace place{complex, complex.points, own, [](Vertex) { return true; },
+                           [&](std::size_t segment) { return complex.segments[segment]; }};
+  for (std::size_t cell = 0; cell < complex.polygons.size(); ++cell) {
+    auto polygon =
+        polygon_certificate(place, cell, listed[cell], complex.polygons[cell].triangles, fillers);
+    if (!polygon) return tl::unexpected(polygon.error());
+    made.polygons.push_back(std::move(*polygon));
+  }
+  return made;
+}
+
 }  // namespace
 
 tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh& mesh,
                                                                  const Domain& domain,
-                                                                 const Verdict& verdict) {
+                                                                 const ListedSegments& listed,
+                                                                 const Verdict& verdict,
+                                                                 const HullFillers& fillers) {
   if (something_dangles(mesh)) {
     return tl::unexpected(
         std::string("there is no refutation of this mesh: a triangle or an edge dangles, and a "
@@ -183,40 +235,29 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
   }
   auto points = scaled_to_integers(PointSet(std::move(all)));
   if (!points) return tl::unexpected(points.error());
-  auto evidence = evidence_in(mesh, domain, verdict, *points, vertices);
-  if (!evidence) {
-    return tl::unexpected(fmt::format(
-        "there is no refutation of this mesh: {} is broken, and a refutation of a claim about "
-        "a domain shows that a vertex or a segment is missing, that a vertex is none of the "
-        "domain, or that the simplices are no complex",
-        identifier(verdict.tallies().begin()->first)));
-  }
   const std::vector<std::size_t>& basis = mesh.points.configuration().hull().basis;
   if (basis.size() != points->dimension + 1) {
     return tl::unexpected(std::string(
         "there is no refutation of this mesh: its points do not span the plane or space"));
   }
-  return DomainRefutation{
-      Refutation{verdict.claim(), evidence->rule, std::move(evidence->because), basis},
-      std::move(*points), std::move(vertices), domain.complex.segments};
-}
-
-void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation) {
-  Lines lines(out);
-  write_mesh(lines, mesh, refutation.points, refutation.refutation);
-  lines << "vertices" << refutation.vertices.size();
-  lines.end_line();
-  for (const Vertex v : refutation.vertices) {
-    write_point(lines, refutation.points, v, false);
-    lines.end_line();
+  if (auto evidence = evidence_in(mesh, domain, verdict, *points, vertices)) {
+    return DomainRefutation{
+        Refutation{verdict.claim(), evidence->rule, std::move(evidence->because), basis},
+        std::move(*points), std::move(vertices), domain.complex.segments};
   }
-  lines << "segments" << refutation.segments.size();
-  lines.end_line();
-  for (const Simplex& segment : refutation.segments) {
-    lines << segment[0] + 1 << segment[1] + 1;
-    lines.end_line();
+  auto of_whole = whole_evidence(mesh, domain, verdict, *points, vertices);
+  if (!of_whole) {
+    return tl::unexpected(fmt::format(
+        "there is no refutation of this mesh: {} is broken, and no evidence was found that "
+        "circumspect-verified reads",
+        identifier(verdict.tallies().begin()->first)));
   }
-  write_because(lines, refutation.refutation);
+  const Rule rule = of_whole->rule;
+  auto whole =
+      whole_domain(domain.complex, listed, *points, vertices, std::move(*of_whole), fillers);
+  if (!whole) return tl::unexpected(whole.error());
+  return DomainRefutation{Refutation{verdict.claim(), rule, {}, basis}, std::move(*points),
+                          std::move(vertices), domain.complex.segments, std::move(*whole)};
 }
 
 }  // namespace circumspect::certificate

@@ -1,5 +1,6 @@
 #include "oracle/certificate/scaled_points.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace circumspect::certificate {
@@ -183,6 +184,84 @@ std::optional<std::size_t> Sidedness::separating_place(std::span<const Vertex> s
     if (orientation_with(simplex, place, q) * own < 0) return place;
   }
   return std::nullopt;
+}
+
+// ---- Separators ----
+
+Integer common_denominator(const Point& point) {
+  Integer common = 1;
+  for (const Rational& x : point) common = lcm(common, x.get_den());
+  return common;
+}
+
+Point perpendicular(const Point& u, const Point& v) {
+  const Rational length = squared_length(v);
+  return sgn(length) == 0 ? u : length * u - inner_product(u, v) * v;
+}
+
+namespace {
+
+struct Separator {
+  Point normal;
+  Rational offset;
+};
+
+// Of two disjoint convex sets the nearest points are on corners, edges or a triangle: one of these planes is between.
+std::optional<Separator> separator(const std::vector<Point>& corners, const Point& a,
+                                   const Point& b, const auto& condition) {
+  std::vector<Point> directions = {b - a};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    directions.push_back(a - corners[i]);
+    directions.push_back(b - corners[i]);
+    for (std::size_t j = 0; j < i; ++j) directions.push_back(corners[i] - corners[j]);
+  }
+  std::vector<Point> normals = directions;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (std::size_t j = 0; j < directions.size(); ++j) {
+      if (i != j) normals.push_back(perpendicular(directions[i], directions[j]));
+      if (i < j && a.size() == 3) normals.push_back(cross_product(directions[i], directions[j]));
+    }
+  }
+  for (const Point& normal : normals) {
+    for (const int sign : {1, -1}) {
+      Separator plane{Rational(sign) * normal, 0};
+      plane.offset = inner_product(plane.normal, corners.front());
+      for (const Point& corner : corners) {
+        plane.offset = std::max(plane.offset, inner_product(plane.normal, corner));
+      }
+      if (condition(plane)) return plane;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Separators> separators(const std::vector<std::vector<Point>>& parts, const Point& a,
+                                     const Point& b, bool with_end) {
+  std::vector<Separator> planes;
+  Separators made;
+  for (const std::vector<Point>& corners : parts) {
+    const auto parts_it = [&](const Separator& plane) {
+      const Rational at_b = inner_product(plane.normal, b);
+      return inner_product(plane.normal, a) > plane.offset &&
+             (with_end ? at_b > plane.offset : at_b >= plane.offset) &&
+             std::all_of(corners.begin(), corners.end(), [&](const Point& corner) {
+               return inner_product(plane.normal, corner) <= plane.offset;
+             });
+    };
+    if (std::any_of(planes.begin(), planes.end(), parts_it)) continue;
+    auto found = separator(corners, a, b, parts_it);
+    if (!found) return std::nullopt;
+    const Integer common = common_denominator(found->normal);
+    found->normal = Rational(common) * found->normal;
+    found->offset *= common;
+    for (const Rational& x : found->normal) made.words += " " + x.get_str();
+    made.words += " " + found->offset.get_str();
+    ++made.count;
+    planes.push_back(std::move(*found));
+  }
+  return made;
 }
 
 }  // namespace circumspect::certificate

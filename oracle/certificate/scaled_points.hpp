@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::certificate {
 
@@ -86,5 +87,25 @@ class Sidedness {
   Integer minor_;
   Integer determinant_;
 };
+
+// ---- Separators ----
+// Planes, in the plane lines, that part a way from convex sets.
+
+// The least common multiple of the denominators.
+Integer common_denominator(const Point& point);
+// What of u is perpendicular to v, times a positive number; u itself if v is 0.
+Point perpendicular(const Point& u, const Point& v);
+
+// So many planes <normal, p> = offset; each is a space, the normal, and the offset, all of them integers.
+struct Separators {
+  std::size_t count = 0;
+  std::string words = "";
+};
+
+// For each part, the convex hull of one to three integer points, a plane with the part on one side, or in it, and the way
+// from a to b strictly on the other; b may be in it unless `with_end`. Nothing if none was found: with `with_end` the
+// way then meets a part.
+std::optional<Separators> separators(const std::vector<std::vector<Point>>& parts, const Point& a,
+                                     const Point& b, bool with_end);
 
 }  // namespace circumspect::certificate

@@ -120,6 +120,25 @@ TEST_CASE("orientations in space, with a rational point in each place") {
   CHECK(sidedness.separating_place(simplex, 1, beyond) == 0);
 }
 
+TEST_CASE("separators: a way past a segment and a vertex, up to a vertex, and through a wall") {
+  const std::vector<std::vector<Point>> parts = {{{0, 1}, {4, 0}}, {{0, 1}}};
+  const auto past = separators(parts, {0, 0}, {3, 0}, true);
+  REQUIRE(past);
+  CHECK(past->count == 1);  // one line does for both
+  CHECK(!separators(parts, {0, 0}, {4, 0}, true));
+  CHECK(separators(parts, {0, 0}, {4, 0}, false));
+  CHECK(!separators(parts, {0, 0}, {4, 4}, false));
+}
+
+TEST_CASE("separators: beside and through a triangle") {
+  const std::vector<std::vector<Point>> parts = {{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}}};
+  CHECK(separators(parts, {4, 4, 1}, {4, 4, -1}, true));
+  CHECK(separators(parts, {1, 1, 1}, {2, 2, Rational(1, 9)}, true));
+  CHECK(!separators(parts, {1, 1, 1}, {2, 2, -1}, true));
+  CHECK(!separators(parts, {1, 1, 1}, {2, 2, 0}, true));
+  CHECK(separators(parts, {1, 1, 1}, {2, 2, 0}, false));
+}
+
 }  // namespace
 
 }  // namespace circumspect::certificate

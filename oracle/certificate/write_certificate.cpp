@@ -1,7 +1,10 @@
 // Numbers count from 1, positions of vertices in their simplex from 0: proofs/CERTIFICATE.md.
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "oracle/certificate/certificate.hpp"
+#include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/lines.hpp"
 
@@ -262,32 +265,73 @@ void write(std::ostream& out, const DomainCertificate& certificate) {
 
 // ---- Write impossibility ----
 
-void write(std::ostream& out, const Impossibility& impossibility) {
-  Lines lines(out);
-  write_first_line(lines, "circumspect-impossibility 1", impossibility.claim, 3,
-                   impossibility.kind == DomainKind::kHull ? "hull" : "enclosed");
-  write_scale(lines, impossibility.points);
-  begin_section(lines, "vertices", impossibility.points.size());
-  std::vector<std::size_t> number;
-  for (Vertex v = 0; static_cast<std::size_t>(v) < impossibility.points.size(); ++v) {
-    number.push_back(number.size() + 1);
-    write_point(lines, impossibility.points, v, false);
-    lines.end_line();
-  }
-  begin_section(lines, "segments", impossibility.segments.size());
-  for (const Simplex& segment : impossibility.segments) {
+namespace {
+
+// The segments, hole points and polygons of a domain with so many vertices.
+void write_domain(Lines& lines, std::size_t vertices, const std::vector<Simplex>& segments,
+                  const std::vector<HomogeneousPoint>& holes,
+                  const std::vector<PolygonCertificate>& polygons) {
+  begin_section(lines, "segments", segments.size());
+  for (const Simplex& segment : segments) {
     lines << segment[0] + 1 << segment[1] + 1;
     lines.end_line();
   }
-  begin_section(lines, "holes", impossibility.holes.size());
-  for (const HomogeneousPoint& hole : impossibility.holes) {
+  begin_section(lines, "holes", holes.size());
+  for (const HomogeneousPoint& hole : holes) {
     write_point(lines, hole);
     lines.end_line();
   }
-  begin_section(lines, "polygons", impossibility.polygons.size());
-  for (const PolygonCertificate& polygon : impossibility.polygons) {
-    write_polygon(lines, number, polygon);
+  std::vector<std::size_t> number(vertices);
+  std::iota(number.begin(), number.end(), std::size_t{1});
+  begin_section(lines, "polygons", polygons.size());
+  for (const PolygonCertificate& polygon : polygons) write_polygon(lines, number, polygon);
+}
+
+std::string_view name_of(DomainKind kind) {
+  return kind == DomainKind::kHull ? "hull" : "enclosed";
+}
+
+}  // namespace
+
+void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation) {
+  Lines lines(out);
+  const auto& whole = refutation.whole;
+  write_mesh(lines, mesh, refutation.points, refutation.refutation,
+             whole ? fmt::format("{} {}", whole->evidence.word, name_of(whole->kind)) : "");
+  begin_section(lines, "vertices", refutation.vertices.size());
+  for (const Vertex v : refutation.vertices) {
+    write_point(lines, refutation.points, v, false);
+    lines.end_line();
   }
+  if (!whole) {
+    begin_section(lines, "segments", refutation.segments.size());
+    for (const Simplex& segment : refutation.segments) {
+      lines << segment[0] + 1 << segment[1] + 1;
+      lines.end_line();
+    }
+    write_because(lines, refutation.refutation);
+    return;
+  }
+  write_domain(lines, refutation.vertices.size(), refutation.segments, whole->holes,
+               whole->polygons);
+  lines << "because" << whole->evidence.because;
+  lines.end_line();
+  lines << "end";
+  lines.end_line();
+}
+
+void write(std::ostream& out, const Impossibility& impossibility) {
+  Lines lines(out);
+  write_first_line(lines, "circumspect-impossibility 1", impossibility.claim, 3,
+                   name_of(impossibility.kind));
+  write_scale(lines, impossibility.points);
+  begin_section(lines, "vertices", impossibility.points.size());
+  for (Vertex v = 0; static_cast<std::size_t>(v) < impossibility.points.size(); ++v) {
+    write_point(lines, impossibility.points, v, false);
+    lines.end_line();
+  }
+  write_domain(lines, impossibility.points.size(), impossibility.segments, impossibility.holes,
+               impossibility.polygons);
   begin_section(lines, "candidates", impossibility.fates.size());
   for (const std::string& fate : impossibility.fates) {
     lines << fate;

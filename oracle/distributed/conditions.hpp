@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <utility>
 #include <vector>
@@ -87,12 +88,34 @@ class FacetMeeting {
   // Facet i of the `count` own ones that are to meet is facet_of(i). Called by all ranks.
   template <class FacetOf>
   FacetFindings run(std::size_t count, const FacetOf& facet_of) {
-    meet<Reply>(
+    std::pmr::vector<Pair> pairs;  // of which an own facet is the first
+    meet<Pair>(
         ranks_, count, [&](std::size_t i) { return hash_of(vertices_of(facet_of(i))); },
         [&](std::size_t i) { return item(facet_of(i)); },
         [&](const std::vector<Item>& items, std::span<const std::uint32_t> group,
-            Post<Reply>& post) { visit(items, group, post); },
-        [&](const Reply& reply) { take(reply); });
+            Post<Pair>& post) { visit(items, group, post); },
+        [&](const Pair& pair) {
+          if (pair.other.rank < 0) {
+            found_.boundary.push_back(pair.facet);
+          } else if (pair.other.rank == own_rank()) {
+            look_at_ball({pair.other.facet, {own_rank(), pair.facet}, apex_of(pair.facet)});
+          } else {
+            pairs.push_back(pair);
+          }
+        });
+    // The apexes of those that are of two ranks, some at a time.
+    const std::size_t some = ranks_.some(3 * sizeof(Apex));
+    const std::uint64_t rounds = ranks_.most((pairs.size() + some - 1) / some);
+    for (std::uint64_t round = 0; round < rounds; ++round) {
+      std::vector<std::vector<Apex>> out(ranks_.size());
+      const std::size_t last = std::min<std::size_t>(pairs.size(), (round + 1) * some);
+      for (std::size_t i = round * some; i < last; ++i) {
+        const auto& [facet, other] = pairs[i];
+        out[static_cast<std::size_t>(other.rank)].push_back(
+            {other.facet, {own_rank(), facet}, apex_of(facet)});
+      }
+      for (const Apex& apex : ranks_.exchanged(std::move(out))) look_at_ball(apex);
+    }
     return std::move(found_);
   }
 
@@ -102,18 +125,30 @@ class FacetMeeting {
 
   struct Item {
     std::array<std::int64_t, kDimension> vertices;  // ascending
-    Site apex;
-    FacetName name;
-    std::int32_t side;  // the orientation of the apex, then the vertices
+    std::uint32_t facet;
+    std::int32_t rank_and_side;  // 2 · rank, and 1 if apex and vertices are positively oriented
 
+    FacetName name() const { return {rank_and_side / 2, facet}; }
+    bool is_positive() const { return rank_and_side % 2 != 0; }
     std::uint64_t hash() const { return hash_of(vertices); }
     bool same(const Item& other) const { return vertices == other.vertices; }
   };
-  struct Reply {
+  // Two facets that are one; no rank: the other does not exist.
+  struct Pair {
     std::uint32_t facet;  // of whom it is posted to
-    FacetName other;      // across it; no rank: nothing
-    Site apex;            // of the other
+    FacetName other;
   };
+  // What the owner of a facet is asked about the ball of its simplex.
+  struct Apex {
+    std::uint32_t facet;  // of whom it is posted to
+    FacetName other;      // across it
+    Site site;            // opposite the other
+  };
+
+  std::int32_t own_rank() const { return static_cast<std::int32_t>(ranks_.rank()); }
+  Site apex_of(std::uint32_t facet) const {
+    return mesh_.site(mesh_.view().row(facet / kVertices)[facet % kVertices]);
+  }
 
   // In any order.
   std::array<std::int64_t, kDimension> vertices_of(std::uint32_t facet) const {
@@ -137,59 +172,56 @@ class FacetMeeting {
         side = -side;
       }
     }
-    Item item{{}, mesh_.site(row[place]), {static_cast<std::int32_t>(ranks_.rank()), facet}, side};
+    Item item{{}, facet, 2 * own_rank() + (side > 0 ? 1 : 0)};
     for (std::size_t k = 0; k < kDimension; ++k) item.vertices[k] = mesh_.global(others[k]);
     return item;
   }
 
   void visit(const std::vector<Item>& items, std::span<const std::uint32_t> group,
-             Post<Reply>& post) {
-    const auto reply = [&](const Item& to, FacetName other, const Site& apex) {
-      post[static_cast<std::size_t>(to.name.rank)].push_back({to.name.facet, other, apex});
+             Post<Pair>& post) {
+    const auto tell = [&](const Item& to, FacetName other) {
+      post[static_cast<std::size_t>(to.name().rank)].push_back({to.facet, other});
     };
     const Item& a = items[group.front()];
-    if (group.size() == 1) return reply(a, {}, {});
+    if (group.size() == 1) return tell(a, {});
     const Item& b = items[group.back()];
     if (group.size() > 2) {
       FacetNames& names = found_.overused.emplace_back();
-      for (const std::uint32_t i : group) names.push_back(items[i].name);
-    } else if (a.side == b.side) {
-      found_.same_side.push_back({a.name, b.name});
+      for (const std::uint32_t i : group) names.push_back(items[i].name());
+    } else if (a.is_positive() == b.is_positive()) {
+      found_.same_side.push_back({a.name(), b.name()});
     } else if (balls_.asked) {
       // Either side may ask: half of the ranks' work for each.
       const bool first = (a.hash() >> 40 & 1) != 0;
-      reply(first ? a : b, first ? b.name : a.name, first ? b.apex : a.apex);
+      tell(first ? a : b, first ? b.name() : a.name());
     }
   }
 
-  void take(const Reply& reply) {
-    if (reply.other.rank < 0) {
-      found_.boundary.push_back(reply.facet);
-    } else if (mesh_.is_weighted()) {
-      look_at_ball<true>(reply);
+  void look_at_ball(const Apex& apex) {
+    if (mesh_.is_weighted()) {
+      look_at_ball_of<true>(apex);
     } else {
-      look_at_ball<false>(reply);
+      look_at_ball_of<false>(apex);
     }
   }
 
   // As the sweep looks at facets within one mesh.
   template <bool kWeighted>
-  void look_at_ball(const Reply& reply) {
-    const std::size_t s = reply.facet / kVertices, place = reply.facet % kVertices;
+  void look_at_ball_of(const Apex& apex) {
+    const std::size_t s = apex.facet / kVertices, place = apex.facet % kVertices;
     const fast::SiteRow<kDimension> row = mesh_.sites(s);
     const int own = orientations_.of(s);
     const int side = fast::ball_of<kDimension, kWeighted>(row, balls_.lattice)
-                         .contains(reply.apex, found_.stages) *
+                         .contains(apex.site, found_.stages) *
                      own;
     if (side < 0) return;
     if (side > 0) {
-      found_.not_local.push_back(
-          {{static_cast<std::int32_t>(ranks_.rank()), reply.facet}, reply.other});
+      found_.not_local.push_back({{own_rank(), apex.facet}, apex.other});
       return;
     }
     found_.unique = false;
     if (!found_.canonical) return;
-    found_.canonical = fast::perturbed_sign_of_zero<kDimension>(row, own, reply.apex, found_.stages,
+    found_.canonical = fast::perturbed_sign_of_zero<kDimension>(row, own, apex.site, found_.stages,
                                                                 balls_.lattice, place) < 0;
   }
 

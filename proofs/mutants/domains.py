@@ -326,6 +326,11 @@ def refutations_of_domains():
         ("domain.segment-missing", "cdt", fan, "5 0 0 0", False, "--no-point"),
         ("domain.segment-missing", "cdt", fan, "6 4 4 2", False, "--no-segment"),
         ("domain.segment-missing", "cdt", fan + [[1, 2]], "5 4 4 2", False, "--not-all-triangles"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 1 0 2 5", True, ""),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 1 0 2 1", False, "--another-segment"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 1 0 1 5", False, "--another-edge"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 0 1 0 2 5", False, "--its-end"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 2 0 2 5", False, "--an-end-of-the-edge"),
         ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "4", True, ""),
         ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "3", False, ""),
         ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "5", False, "--no-vertex"),
@@ -349,3 +354,87 @@ def refutations_of_domains():
             "\n".join(lines + ["because " + because, "end"]) + "\n", \
             "verified: not %s, %s; domain: 4 vertices, 5 segments" % (claim, rule) if is_shown else \
             "rejected: the evidence does not show " + rule
+
+
+def whole_text(claim, d, rule, kind, points, simplices, domain, because):
+    """A refutation that speaks of the whole domain: vertices, segments, hole points, polygons."""
+    lines = ["circumspect-refutation 2 %s %d %s %s" % (claim, d, rule, kind), "scale 1 1", "points %d" % len(points)]
+    lines += [" ".join(map(str, [*p, v])) for v, p in enumerate(points)]
+    lines += ["simplices %d" % len(simplices)] + [" ".join(map(str, [len(row)] + row)) for row in simplices]
+    lines += ["spans " + " ".join(map(str, range(1, d + 2)))]
+    for name, rows in zip(["vertices", "segments", "holes"], domain):
+        lines += ["%s %d" % (name, len(rows))] + [" ".join(map(str, row)) for row in rows]
+    lines += ["polygons %d" % len(domain[3])]
+    for f in domain[3]:
+        lines += polygon_text(f)
+    return "\n".join(lines + ["because " + because, "end"]) + "\n"
+
+
+def refutations_by_the_whole_domain():
+    """Meshes of a rhombus and of a tetrahedron, and what is wrong with them, right or not."""
+    points = [(-4, 0), (4, 0), (0, 1), (0, -1), (0, 4)]
+    corners, sides = points[:4], [(1, 3), (2, 3), (2, 4), (1, 4)]
+    rhombus = (corners, sides, [], [])
+    walled = (corners, sides + [(1, 2)], [], [])
+    hollow = (corners, sides, [(0, 0, 1)], [])
+    long, short, half, astray = [[1, 2, 3], [2, 1, 4]], [[1, 3, 4], [2, 3, 4]], [[1, 2, 3]], [[1, 2, 3], [3, 5, 2]]
+    planes = "-1 -1 -1 1 -1 -1 -1 4 -4 1 4 -4"
+    few = "-1 -1 -1 1 -1 -1 -1 4 -4"
+    cases = [
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 2 2 2 0 0 1", True, ""),
+        ("cdt.facet-not-local", "steiner-cdt", long, rhombus, "2 2 1 2 1 0 3", True, "--from-the-other"),
+        ("cdt.facet-not-local", "cdt", long, walled, "1 2 2 2 0 0 1", False, "--in-a-wall"),
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 2 2 2 0 1 3", False, "--off-the-facet"),
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 2 2 2 4 0 1", False, "--its-end"),
+        ("cdt.facet-not-local", "cdt", short, rhombus, "1 0 2 0 0 0 1", False, "--it-is"),
+        ("cdt.facet-not-local", "plc-triangulation", long, rhombus, "1 2 2 2 0 0 1", False, "--not-claimed"),
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 3 2 2 0 0 1", False, "--no-facet"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 4 0 1 3 " + planes, True, ""),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 4 0 1 3 " + few, False, "--a-segment-in-the-way"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, walled, "1 4 0 1 3 " + planes, False, "--behind-a-wall"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 4 0 0 1 " + planes, False, "--from-the-facet"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 3 0 1 3 " + planes, False, "--its-own-vertex"),
+        ("cdt.visible-vertex-in-ball", "plc-triangulation", long, rhombus, "1 4 0 1 3 " + planes, False, "--not-claimed"),
+        ("cdt.visible-vertex-in-ball", "cdt", half, rhombus, "1 4 0 1 3 " + planes, False, "--no-vertex-of-the-mesh"),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "segment 3 4 -1 2", True, ""),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "vertex 4", True, "--a-vertex"),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "segment 1 -4 1 2", False, "--covered"),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "segment 3 4 1 2", False, "--off-the-segment"),
+        ("domain.uncovered", "plc-triangulation", half + [[1, 2]], rhombus, "segment 3 4 -1 2", False, "--not-all-triangles"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, rhombus, "1 0 1 3 0 -1 3 4 " + planes, True, ""),
+        ("domain.uncovered-or-outside", "plc-triangulation", long, rhombus, "1 0 1 3 0 -1 3 4 " + planes, False, "--covered"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, walled, "1 0 1 3 0 -1 3 4 " + planes, False, "--a-wall-between"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, rhombus, "1 0 1 3 0 -1 3 3 " + few, False, "--a-plane-less"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, rhombus, "1 0 -1 3 0 -1 3 4 " + planes, False, "--not-in-it"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 0 beyond 1 4 4", True, ""),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 1 8 8 1 1 1 4 4 beyond 1 0 4", True, "--by-a-leg"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 0 1 4 " + planes + " hole 1", True, "--in-a-hole"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "1 0 1 3 0 beyond 1 4 4", False, "--inside"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 0 beyond 1 4 3", False, "--vertices-beyond"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 0 beyond 0 0 -1", False, "--no-plane"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "1 4 5 3 0 beyond 1 4 4", False, "--not-in-it"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 1 8 8 1 0 beyond 1 0 4", False, "--by-a-leg"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 0 1 4 " + planes + " hole 2", False, "--no-hole"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 1 2 4 " + planes + " hole 1", False, "--beside-the-hole"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 0 1 3 " + few + " hole 1", False, "--a-plane-less"),
+    ]
+    for rule, claim, simplices, domain, because, is_shown, why in cases:
+        word = "domain.uncovered or domain.outside" if rule.endswith("or-outside") else rule
+        yield "%s--%s%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            whole_text(claim, 2, rule, "enclosed", points, simplices, domain, because), \
+            "verified: not %s, %s; domain: enclosed, 4 vertices" % (claim, word) if is_shown else \
+            "rejected: the evidence does not show " + word
+    solid = [(0, 0, 0), (0, 0, 9), (0, 9, 0), (9, 0, 0)]
+    floor = space_domain("steiner-triangulation", "enclosed", solid, [(0, 1, 2, 3)], 1, [(0, 2, 3)], [])["polygons"]
+    given = (solid, [(1, 3), (3, 4), (1, 4)], [], floor)
+    more = [(1, 1, 0), (1, 1, -5)]
+    for name, simplices, because, is_shown in [
+            ("shown", [[1, 4, 5, 2]], "1 1 3 3 0 1", True), ("shown--cut", [[2, 6, 3, 4]], "1 1 3 3 0 1", True),
+            ("not-shown", [[1, 3, 4, 2]], "1 1 3 3 0 1", False), ("not-shown--off-the-plane", [[1, 4, 5, 2]], "1 1 3 3 1 1", False),
+            ("not-shown--off-the-polygon", [[1, 4, 5, 2]], "1 1 9 9 0 1", False),
+            ("not-shown--no-polygon", [[1, 4, 5, 2]], "2 1 3 3 0 1", False),
+            ("not-shown--no-piece", [[1, 4, 5, 2]], "1 2 3 3 0 1", False)]:
+        yield "domain.polygon-not-tiled--" + name, \
+            whole_text("steiner-triangulation", 3, "domain.polygon-not-tiled", "enclosed", solid + more, simplices, given, because), \
+            "verified: not steiner-triangulation, domain.polygon-not-tiled; domain: enclosed, 4 vertices" if is_shown else \
+            "rejected: the evidence does not show domain.polygon-not-tiled"

@@ -302,7 +302,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     for name, content, answer in itertools.chain(
             ((name, text(c), answer) for name, c, answer in files()), refutations(),
-            domains.refutations_of_domains(), impossible.files(), malformed()):
+            domains.refutations_of_domains(), domains.refutations_by_the_whole_domain(), impossible.files(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -141,6 +141,13 @@ let read_domain c domain_refuted rule =
       let k, rest = number tokens in
       let q, rest = site c expected false rest in
       let w, rest = integer rest in ((SegmentMissing (k, q, w), mesh.because), rest)
+    | "domain.vertex-in-edge" ->
+      let t, rest = number tokens in
+      let i, rest = position rest in
+      let u, rest = number rest in
+      let j, rest = position rest in
+      let k, rest = position rest in
+      let s, rest = number rest in ((VertexInEdge (t, i, u, j, k, s), mesh.because), rest)
     | _ -> ((OfMesh, evidence c Delaunay rule mesh.rows tokens), []) in
   no_more c expected rest;
   ending c;

@@ -51,6 +51,20 @@ Definition holds_of_domain (e : domain_evidence) : bool :=
           end
       | None => false
       end
+  | VertexInEdge t i u j k s =>
+      match Table.find s segments_of with
+      | Some (m, n) =>
+          match Table.find m V_of, Table.find n V_of with
+          | Some a, Some b =>
+              entry_at rows_of t i (fun x => match named S x with Some p => on_segment a b p &&
+                simplex_at pr S rows_of u (fun X => match nth_error X j, nth_error X k with
+                  | Some e, Some f => negb (same_place p e) && negb (same_place p f) && on_segment e f p
+                  | _, _ => false
+                  end) | None => false end)
+          | _, _ => false
+          end
+      | None => false
+      end
   | OfMesh => false
   end.
 End Evidence.

@@ -41,6 +41,19 @@ Proof.
   apply E in C. destruct C as (s & Is & Cs). destruct (HF s Is) as (_ & _ & t & It & J).
   apply (N t s); try assumption; [unfold listed; now apply in_map|]. intros x X. apply E. eauto.
 Qed.
+Lemma vertex_in_edge_refutes c P L : vertex_in_edge P L -> ~ claims_of_domain c P L.
+Proof.
+  intros (r & s & v & a & b & e & f & Ir & Iv & Ls & Ie & If & Ne & Nf & Cv & _) H.
+  destruct (claims_steiner c P L H) as (T & -> & _ & _ & (_ & _ & M) & _). apply listed_in in Ls. apply in_listed in Ir.
+  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (x & E & Ix). injection E as ->.
+  assert (Nef : e <> f) by (intros ->; apply Ne, (conv_singleton f), (conv_incl [f; f]); [intros y [<-|[<-|[]]]; now left|assumption]).
+  destruct (M [v] [e; f]) as (g & Gv & Ge & C).
+  - split; [repeat constructor; now intros []|]. split; [discriminate|]. exists t. split; [assumption|]. now intros y [<-|[]].
+  - split; [constructor; [intros [E|[]]; now apply Nef|repeat constructor; now intros []]|]. split; [discriminate|].
+    exists s. split; [assumption|]. now intros y [<-|[<-|[]]].
+  - specialize (C v (conv_point [v] v (or_introl eq_refl)) Cv). destruct g as [|y g]; [now apply (conv_empty v)|].
+    destruct (Gv y (or_introl eq_refl)) as [<-|[]]. destruct (Ge v (or_introl eq_refl)) as [E|[E|[]]]; congruence.
+Qed.
 Lemma mesh_rule_refutes c P L e : of_mesh e c = true -> broken Delaunay norm2 [] L (rule_of e) ->
   ~ claims_of_domain c P L.
 Proof.
@@ -147,8 +160,8 @@ Theorem shown_rule : refute_domain_in pr c = true -> broken_of_domain P L (domai
   forall e, domain_because c = OfMesh -> because m = e -> of_mesh e (domain_refuted c) = true.
 Proof.
   intros H. unfold refute_domain_in in H. cbv zeta in H. unfold domain_rule_of.
-  destruct (domain_because c) as [k|t i|k q w|] eqn:Be.
-  4: { apply andb_true_iff in H. destruct H as [O H]. split; [|now intros e _ <-].
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be.
+  5: { apply andb_true_iff in H. destruct H as [O H]. split; [|now intros e _ <-].
     destruct (refuted m) eqn:R; try discriminate.
     pose proof (accepted_breach M m H (fun _ => 0)) as [_ B]; [rewrite R; discriminate|].
     rewrite R in B. cbn [broken_of_domain]. cbn [lifted] in B.
@@ -231,6 +244,36 @@ Proof.
         pose proof (Car i0 Hi Pi) as Fv. rewrite <- Ev in Fv.
         pose proof (Wi _ (conv_point f _ Fv)) as Cv. apply conv_two in Cv. destruct Cv as (t & Ht' & Et).
         rewrite (on_segment_complete d r a b v t Pr Sa Sb Sv' Ne Ht' Et) in N. discriminate.
+  - rewrite table_find in H. destruct (numbered (segments_given c) s) as [(m0, n0)|] eqn:Ek; [|discriminate].
+    cbn [option_map] in H. unfold Datatypes.id in H. rewrite !table_find in H.
+    destruct (numbered (vertices_given c) m0) as [a|] eqn:Ea; [|discriminate].
+    destruct (numbered (vertices_given c) n0) as [b|] eqn:Eb; [|discriminate].
+    cbn [option_map] in H. unfold Datatypes.id in H.
+    pose proof (ShV a (numbered_in _ _ _ Ea)) as Sa. pose proof (ShV b (numbered_in _ _ _ Eb)) as Sb.
+    apply (entry_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in H.
+    destruct H as (x & n & _ & I & En & H). destruct (named _ n) as [p|] eqn:Ep; [|discriminate].
+    apply andb_true_iff in H. destruct H as [On H].
+    apply (simplex_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in H. destruct H as (y & X & _ & VX & LX & H).
+    destruct (nth_error X j) as [e|] eqn:Ee; [|discriminate]. destruct (nth_error X k) as [f|] eqn:Ef; [|discriminate].
+    rewrite !andb_true_iff in H. destruct H as [[Ne Nf] On']. apply negb_true_iff in Ne, Nf.
+    apply nth_error_In in Ee, Ef. pose proof (proj1 (Forall_forall _ _) ShS) as All.
+    assert (Ip := named_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m) n p Ep).
+    pose proof (All p Ip) as Sp. pose proof (All e (vertices_known _ _ _ VX e Ee)) as Se.
+    pose proof (All f (vertices_known _ _ _ VX f Ef)) as Sf.
+    destruct (on_segment_between d r a b p Sa Sb Sp On) as [Ht Eq].
+    destruct (on_segment_between d r e f p Se Sf Sp On') as [Ht' Eq'].
+    exists (map (@caller_entry d r (map (site_for (refuted m)) (sites m))) x), (map (place_of r) X), (place_of r p),
+      (place_of r a), (place_of r b), (place_of r e), (place_of r f).
+    rewrite <- (rows_site_for (d := d) m). split; [assumption|]. split; [|split; [assumption|]].
+    + apply nth_error_In in En. replace (Some (place_of r p)) with (@caller_entry d r (map (site_for (refuted m)) (sites m)) n);
+        [now apply in_map|].
+      rewrite (caller_named (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)), Ep. reflexivity.
+    + split; [now apply in_map|]. split; [now apply in_map|].
+      split; [intros E; apply (same_place_place (M r Pr)) in E; [congruence|assumption..]|].
+      split; [intros E; apply (same_place_place (M r Pr)) in E; [congruence|assumption..]|].
+      split; [apply conv_two; eexists; split; [exact Ht'|exact Eq']|].
+      split; [|apply conv_two; eexists; split; [exact Ht|exact Eq]].
+      apply (segments_described m0 n0); [now apply numbered_in with s| |]; [now rewrite Ea|now rewrite Eb].
 Qed.
 End Shown.
 
@@ -247,11 +290,12 @@ Theorem refute_domain_sound D c (P : domain (dimension_of D)) : refute_domain D 
   ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c)).
 Proof.
   intros A De. pose proof (refute_domain_rule D c P A De) as B. unfold domain_rule_of in B.
-  destruct (domain_because c) as [k|t i|k q w|] eqn:Be; cbn [broken_of_domain] in B.
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; cbn [broken_of_domain] in B.
   - now apply vertex_missing_refutes.
   - apply steiner_forbidden_refutes; [|assumption]. unfold refute_domain, refute_domain_in in A. rewrite Be in A.
     rewrite !andb_true_iff in A. apply A.
   - now apply segment_missing_refutes.
+  - now apply vertex_in_edge_refutes.
   - apply (mesh_rule_refutes _ _ _ (because (mesh_refuted c))); [|assumption].
     unfold refute_domain, refute_domain_in in A. rewrite Be in A. now apply andb_true_iff in A.
 Qed.

@@ -1,0 +1,3 @@
+import { load, serve } from './lines.mjs';
+const cdt2d = (await load('cdt2d')).default;
+serve((points, segments) => cdt2d(points, segments));

@@ -1,0 +1,8 @@
+import { load, serve, threes } from './lines.mjs';
+const Delaunator = (await load('delaunator')).default;
+const Constrainautor = (await load('@kninnug/constrainautor')).default;
+serve((points, segments) => {
+  const delaunay = Delaunator.from(points);
+  new Constrainautor(delaunay).constrainAll(segments);
+  return threes(delaunay.triangles);
+});

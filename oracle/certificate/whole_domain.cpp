@@ -1,0 +1,384 @@
+// Evidence that speaks of the whole domain. Points and planes are in the integers of the file; what the checker decides
+// is decided here in the same way, so that what is written is accepted.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "oracle/certificate/domain_certificate.hpp"
+#include "oracle/certificate/evidence.hpp"
+#include "reference/kernel/exact/point.hpp"
+#include "reference/kernel/predicates/intersection.hpp"
+
+namespace circumspect::certificate {
+namespace {
+
+HomogeneousPoint homogeneous(const Point& point) {
+  HomogeneousPoint q{{}, common_denominator(point)};
+  for (const Rational& x : point) q.numerators.push_back(Rational(x * q.denominator).get_num());
+  return q;
+}
+
+Point ordinary(const HomogeneousPoint& q) {
+  Point point;
+  for (const Integer& x : q.numerators) {
+    Rational ratio(x, q.denominator);
+    ratio.canonicalize();
+    point.push_back(ratio);
+  }
+  return point;
+}
+
+std::string text(const Point& point) {
+  const HomogeneousPoint q = homogeneous(point);
+  std::string words;
+  for (const Integer& x : q.numerators) words += x.get_str() + " ";
+  return words + q.denominator.get_str();
+}
+
+class WholeSearch {
+ public:
+  WholeSearch(const ExactMesh& mesh, const Domain& domain, const Verdict& verdict,
+              const ScaledPoints& points, const std::vector<Vertex>& vertices)
+      : mesh_(mesh), domain_(domain), verdict_(verdict), points_(points), sidedness_(points) {
+    const PiecewiseLinearComplex& complex = domain.complex;
+    const auto add = [&](std::string name, const Simplex& simplex, std::size_t polygon) {
+      Part part{std::move(name), {}, polygon};
+      for (const Vertex v : simplex)
+        part.corners.push_back(at(vertices[static_cast<std::size_t>(v)]));
+      corners_.push_back(part.corners);
+      parts_.push_back(std::move(part));
+    };
+    for (Vertex v = 0; complex.points.names(v); ++v) add(fmt::format("vertex {}", v + 1), {v}, 0);
+    for (std::size_t s = 0; s < complex.segments.size(); ++s) {
+      add(fmt::format("segment {}", s + 1), complex.segments[s], 0);
+    }
+    for (std::size_t f = 0; f < complex.polygons.size(); ++f) {
+      const std::vector<Simplex>& pieces = complex.polygons[f].triangles;
+      for (std::size_t u = 0; u < pieces.size(); ++u) {
+        add(fmt::format("{} {}", f + 1, u + 1), pieces[u], f);
+      }
+    }
+  }
+
+  // Is each simplex a simplex? Else other evidence says so.
+  bool is_sound() {
+    return std::all_of(mesh_.simplices.begin(), mesh_.simplices.end(), [&](const Simplex& simplex) {
+      return simplex.size() == points_.dimension + 1 &&
+             std::all_of(simplex.begin(), simplex.end(),
+                         [&](Vertex v) { return mesh_.points.names(v); }) &&
+             sidedness_.orientation(simplex) != 0;
+    });
+  }
+
+  std::optional<WholeEvidence> evidence_for(Rule rule) {
+    switch (rule) {
+      case Rule::kConstrainedFacetNotLocal:
+        return facet_not_local();
+      case Rule::kVisibleVertexInBall:
+        return visible_vertex();
+      case Rule::kPolygonNotTiled:
+        return polygon_not_tiled();
+      case Rule::kUncovered: {
+        auto found = uncovered();
+        return found ? found : gap();
+      }
+      case Rule::kOutside: {
+        auto found = outside();
+        return found ? found : gap();
+      }
+      default:
+        return std::nullopt;
+    }
+  }
+
+ private:
+  // A vertex, a segment or a piece of a polygon.
+  struct Part {
+    std::string name;
+    std::vector<Point> corners;
+    std::size_t polygon;
+  };
+
+  Point at(Vertex v) const {
+    Point point;
+    for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+      point.emplace_back(points_.coordinate(v, axis));
+    }
+    return point;
+  }
+  Point middle(const Simplex& simplex) const {
+    std::vector<Point> corners;
+    for (const Vertex v : simplex) corners.push_back(at(v));
+    return circumspect::barycentre(corners);
+  }
+  bool is_enclosed() const { return domain_.complex.kind == DomainKind::kEnclosed; }
+
+  // ---- Balls ----
+
+  std::optional<WholeEvidence> facet_not_local() const {
+    for (const Violation& violation : verdict_.violations()) {
+      if (violation.rule != Rule::kConstrainedFacetNotLocal || !violation.witness.face) continue;
+      const auto found = ball_evidence(mesh_, Rule::kFacetNotLocal, violation.witness);
+      if (!found) continue;
+      std::string words;
+      for (const Integer& token : found->because) words += token.get_str() + " ";
+      return WholeEvidence{violation.rule, std::string(identifier(violation.rule)),
+                           words + text(middle(*violation.witness.face))};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<WholeEvidence> visible_vertex() const {
+    constexpr std::array<std::array<int, 4>, 3> kWeights = {
+        {{1, 1, 1, 1}, {1, 2, 3, 5}, {5, 3, 2, 1}}};
+    for (const Violation& violation : verdict_.violations()) {
+      if (violation.rule != Rule::kVisibleVertexInBall) continue;
+      const Vertex v = violation.witness.vertices.front();
+      const auto simplex = number_of(mesh_, violation.witness.simplices.front());
+      if (!simplex || !mesh_.points.names(v)) continue;
+      for (const auto& weights : kWeights) {
+        const Point inside = weighted(mesh_.simplices[*simplex - 1], weights);
+        if (const auto planes = separators(inside, at(v), false)) {
+          return WholeEvidence{
+              violation.rule, std::string(identifier(violation.rule)),
+              fmt::format("{} {} {}{}", *simplex, v + 1, text(inside), planes->words)};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  Point weighted(const Simplex& simplex, const auto& weights) const {
+    Point sum(points_.dimension, 0);
+    Rational total = 0;
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      sum = sum + Rational(weights[i]) * at(simplex[i]);
+      total += weights[i];
+    }
+    return 1 / total * sum;
+  }
+
+  // ---- Ways ----
+
+  std::optional<Separators> separators(const Point& a, const Point& b, bool with_end) const {
+    return certificate::separators(corners_, a, b, with_end);
+  }
+  static std::string leg(const Point& end, const Separators& planes) {
+    return fmt::format("{} {}{}", text(end), planes.count, planes.words);
+  }
+
+  // ---- Points of cells ----
+
+  // Some points of the part, none of them a corner.
+  static std::vector<Point> samples(const Part& part) {
+    constexpr int kMuch = 8;
+    std::vector<Point> found;
+    if (part.corners.size() < 2) return found;
+    found.push_back(circumspect::barycentre(part.corners));
+    for (const Point& corner : part.corners) {
+      found.push_back(Rational(1, kMuch + 1) * (Rational(kMuch) * corner + found.front()));
+    }
+    return found;
+  }
+  std::string named(const Part& part, const Point& point) const {
+    const std::string kind = part.corners.size() == 3 ? "piece " : "";
+    return kind + part.name + " " + text(point);
+  }
+
+  bool is_in_none(const Point& point) {
+    const HomogeneousPoint q = homogeneous(point);
+    return std::all_of(mesh_.simplices.begin(), mesh_.simplices.end(), [&](const Simplex& simplex) {
+      return sidedness_.separating_place(simplex, sidedness_.orientation(simplex), q).has_value();
+    });
+  }
+
+  std::optional<WholeEvidence> uncovered() {
+    for (const Part& part : parts_) {
+      for (const Point& point : samples(part)) {
+        if (!is_in_none(point)) continue;
+        return WholeEvidence{Rule::kUncovered, std::string(identifier(Rule::kUncovered)),
+                             named(part, point)};
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<WholeEvidence> polygon_not_tiled() {
+    std::set<std::size_t> named;
+    for (const Violation& violation : verdict_.violations()) {
+      if (violation.witness.polygon) named.insert(*violation.witness.polygon);
+    }
+    for (const Part& part : parts_) {
+      if (part.corners.size() != 3 || !(named.empty() || named.contains(part.polygon))) continue;
+      for (const Point& point : samples(part)) {
+        const HomogeneousPoint q = homogeneous(point);
+        const bool all_leave =
+            std::all_of(mesh_.simplices.begin(), mesh_.simplices.end(),
+                        [&](const Simplex& simplex) { return leaves(simplex, q, part.polygon); });
+        if (!all_leave) continue;
+        return WholeEvidence{Rule::kPolygonNotTiled,
+                             std::string(identifier(Rule::kPolygonNotTiled)),
+                             part.name + " " + text(point)};
+      }
+    }
+    return std::nullopt;
+  }
+  // The simplex misses the point, or of the least face around it a vertex is off the polygon.
+  bool leaves(const Simplex& simplex, const HomogeneousPoint& q, std::size_t polygon) {
+    const int own = sidedness_.orientation(simplex);
+    bool leaves = false;
+    for (std::size_t place = 0; place < simplex.size(); ++place) {
+      const int sign = own * sidedness_.orientation_with(simplex, place, q);
+      if (sign < 0) return true;
+      if (sign > 0 && is_off(at(simplex[place]), polygon)) leaves = true;
+    }
+    return leaves;
+  }
+  bool is_off(const Point& point, std::size_t polygon) const {
+    return std::none_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+      return part.corners.size() == 3 && part.polygon == polygon &&
+             !intersection(part.corners, {point}).empty();
+    });
+  }
+
+  // ---- Outside ----
+
+  // Those of the witnesses, and the first of all.
+  std::vector<std::size_t> suspects(Rule rule) const {
+    constexpr std::size_t kMost = 64;
+    std::vector<std::size_t> found;
+    for (const Violation& violation : verdict_.violations()) {
+      if (violation.rule != rule) continue;
+      for (const Simplex& simplex : violation.witness.simplices) {
+        if (const auto number = number_of(mesh_, simplex)) found.push_back(*number - 1);
+      }
+    }
+    for (std::size_t s = 0; s < std::min(kMost, mesh_.simplices.size()); ++s) found.push_back(s);
+    return found;
+  }
+
+  std::optional<WholeEvidence> outside() const {
+    for (const std::size_t s : suspects(Rule::kOutside)) {
+      const Point start = middle(mesh_.simplices[s]);
+      if (const auto words = way_out(mesh_.simplices[s], start)) {
+        return WholeEvidence{Rule::kOutside, std::string(identifier(Rule::kOutside)),
+                             fmt::format("{} {} {}", s + 1, text(start), *words)};
+      }
+    }
+    return std::nullopt;
+  }
+
+  // To a hole point, or beyond all vertices, in one leg at most.
+  std::optional<std::string> way_out(const Simplex& simplex, const Point& start) const {
+    const std::vector<Point>& seeds = domain_.complex.hole_seeds;
+    for (std::size_t h = 0; is_enclosed() && h < seeds.size(); ++h) {
+      const Point end = ordinary(scaled(points_, seeds[h]));
+      if (const auto planes = separators(start, end, true)) {
+        return fmt::format("1 {} hole {}", leg(end, *planes), h + 1);
+      }
+    }
+    for (const Point& direction : directions_from(simplex, start)) {
+      for (const int sign : {1, -1}) {
+        const Point normal = Rational(sign) * direction;
+        Rational offset = inner_product(normal, parts_.front().corners.front());
+        for (const Part& part : parts_) {
+          for (const Point& corner : part.corners) {
+            offset = std::max(offset, inner_product(normal, corner));
+          }
+        }
+        std::string plane;
+        for (const Rational& x : normal) plane += " " + x.get_str();
+        plane += " " + offset.get_str();
+        const Rational lacks = offset - inner_product(normal, start);
+        if (sgn(lacks) < 0) return "0 beyond" + plane;
+        if (!is_enclosed()) continue;
+        const Integer steps =
+            Integer(lacks.get_num() / (lacks.get_den() * squared_length(normal).get_num())) + 1;
+        const Point end = start + Rational(steps) * normal;
+        if (const auto planes = separators(start, end, true)) {
+          return fmt::format("1 {} beyond{}", leg(end, *planes), plane);
+        }
+      }
+    }
+    return std::nullopt;
+  }
+  // Integers: the axes, and what is perpendicular to the facets.
+  std::vector<Point> directions_from(const Simplex& simplex, const Point& start) const {
+    std::vector<Point> found;
+    for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+      found.emplace_back(points_.dimension, 0).at(axis) = 1;
+    }
+    for (std::size_t place = 0; place < simplex.size(); ++place) {
+      Simplex facet = simplex;
+      facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
+      const Point edge = at(facet[1]) - at(facet[0]);
+      found.push_back(points_.dimension == 2
+                          ? perpendicular(at(simplex[place]) - at(facet[0]), edge)
+                          : cross_product(edge, at(facet[2]) - at(facet[0])));
+      const Point away = start - at(simplex[place]);
+      found.push_back(Rational(common_denominator(away)) * away);
+    }
+    return found;
+  }
+
+  // From inside a simplex through a facet that is no other's to a point in none.
+  std::optional<WholeEvidence> gap() {
+    constexpr std::size_t kMost = 500;
+    std::size_t looked_at = 0;
+    if (!is_enclosed()) return std::nullopt;
+    std::map<Simplex, std::size_t> uses;
+    const auto without = [](const Simplex& simplex, std::size_t place) {
+      Simplex facet = simplex;
+      facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
+      return sorted(facet);
+    };
+    for (const Simplex& simplex : mesh_.simplices) {
+      for (std::size_t place = 0; place < simplex.size(); ++place) ++uses[without(simplex, place)];
+    }
+    for (std::size_t s = 0; s < mesh_.simplices.size(); ++s) {
+      const Point start = middle(mesh_.simplices[s]);
+      for (std::size_t place = 0; place < mesh_.simplices[s].size(); ++place) {
+        const Simplex facet = without(mesh_.simplices[s], place);
+        if (uses.at(facet) != 1) continue;
+        if (++looked_at > kMost) return std::nullopt;
+        const Point centre = middle(facet);
+        if (!separators(start, centre, true)) continue;  // a wall
+        Rational far = 1;
+        for (int tries = 0; tries < 8; ++tries, far /= 4) {
+          const Point end = centre + far * (centre - start);
+          if (!is_in_none(end)) continue;
+          if (const auto planes = separators(start, end, true)) {
+            return WholeEvidence{Rule::kUncovered, "domain.uncovered-or-outside",
+                                 fmt::format("{} {} {}", s + 1, text(start), leg(end, *planes))};
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  const ExactMesh& mesh_;
+  const Domain& domain_;
+  const Verdict& verdict_;
+  const ScaledPoints& points_;
+  Sidedness sidedness_;
+  std::vector<Part> parts_;
+  std::vector<std::vector<Point>> corners_;  // theirs
+};
+
+}  // namespace
+
+std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain& domain,
+                                            const Verdict& verdict, const ScaledPoints& points,
+                                            const std::vector<Vertex>& vertices) {
+  WholeSearch search(mesh, domain, verdict, points, vertices);
+  if (!search.is_sound()) return std::nullopt;
+  for (const auto& [rule, tally] : verdict.tallies()) {
+    if (auto found = search.evidence_for(rule)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace circumspect::certificate
