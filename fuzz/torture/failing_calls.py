@@ -73,7 +73,7 @@ RUNS = [
         ["drawn/sphere+ulp-7.node", "drawn/sphere+ulp-8.node"]),
     Run("campaign", CAMPAIGN + ["/bin/sh", "-c", 'cp "$2" "$1"', "{points}", "{mesh}", "OUT/five.ele"],
         in_slice={("read", "EIO", False)}),
-    Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "{points}"])]
+    Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"])]
 BEFORE = b"what was there before\n"
 
 
@@ -127,6 +127,7 @@ class Torture:
             outputs["findings"] = sorted(path.name for path in found.iterdir()) if found.is_dir() else []
             # How long it took differs, and a campaign may say that it had to do without a namespace.
             done.stdout = re.sub(rb"in [0-9.]+ (s|min)|note: a supervisor contained[^\n]*\n", b"", done.stdout)
+            done.stderr = re.sub(rb"^campaign: .*\n", b"", done.stderr, flags=re.MULTILINE)  # progress
         return done.returncode, done.stdout, done.stderr, outputs, struct.unpack("q", self.count.read_bytes())[0]
 
     def left(self, failure):
@@ -150,7 +151,9 @@ class Torture:
         if code in (0, 1):
             if code != undisturbed[0]:
                 faults.append(f"exit code {code} is not {undisturbed[0]}")
-            if out != undisturbed[1]:
+            # A finding that could not be run or read again is told with its larger input.
+            last = -1 if run.name == "campaign-finding" else None
+            if out.splitlines()[last:] != undisturbed[1].splitlines()[last:]:
                 faults.append("answered, and printed something else: " + out[-300:].decode(errors="replace"))
             if outputs != undisturbed[3]:
                 faults.append("answered, and wrote something else: " + repr(outputs)[:300])
