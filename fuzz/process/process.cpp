@@ -197,7 +197,8 @@ int status_of(pid_t child) {
   }
   std::string said;
   put(said, hello);
-  send_message(own, said);
+  // The parent would wait for ever for one of which it has not heard.
+  if (!send_message(own, said) && hello.supervisor > 0) kill(hello.supervisor, SIGKILL);
   close(own);
   const bool was_killed = hello.supervisor < 0 || WIFSIGNALED(status_of(hello.supervisor));
   if (hello.containment == Containment::kSupervisor) kill_descendants(Containment::kSupervisor);
@@ -238,6 +239,7 @@ Supervisor::Supervisor(const std::string& folder, Turn turn, std::optional<Conta
   start();
   if (supervisor_.number() > 0) return;
   end();
+  if (!folder_.empty()) removed(folder_);
   throw std::system_error(EPERM, std::generic_category(), "a process namespace");
 }
 
