@@ -1,6 +1,9 @@
 #include "inputs/families.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "inputs/family_table.hpp"
@@ -16,22 +19,46 @@ std::vector<FamilyModifier> modifier_table() {
   };
 }
 
+Family modified(Family family, const FamilyModifier& modifier) {
+  family.name += "+" + modifier.name;
+  family.about += "; " + modifier.about;
+  family.draw = [modified = modifier.modified, draw = family.draw, repeats = family.repeats_points](
+                    Dice& dice, std::size_t dimension, Count count) {
+    const PointsCase set = draw(dice, dimension, count);
+    return modified(dice, set, repeats);
+  };
+  return family;
+}
+
 std::vector<Family> with_every_modifier() {
   std::vector<Family> all = families();
   for (const FamilyModifier& modifier : family_modifiers()) {
-    for (Family family : families()) {
-      family.name += "+" + modifier.name;
-      family.about += "; " + modifier.about;
-      family.draw = [modified = modifier.modified, draw = family.draw,
-                     repeats = family.repeats_points](Dice& dice, std::size_t dimension,
-                                                      Count count) {
-        const PointsCase set = draw(dice, dimension, count);
-        return modified(dice, set, repeats);
-      };
-      all.push_back(std::move(family));
-    }
+    for (const Family& family : families()) all.push_back(modified(family, modifier));
   }
   return all;
+}
+
+template <class Named>
+const Named* find_in(const std::vector<Named>& all, std::string_view name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [name](const Named& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+// "grid+moved+ulp": the family grid, moved, then with ulp.
+std::optional<Family> composed(std::string_view name) {
+  std::size_t end = name.find('+');
+  const Family* const plain = find_in(families(), name.substr(0, end));
+  if (plain == nullptr) return std::nullopt;
+  Family family = *plain;
+  while (end != std::string_view::npos) {
+    name.remove_prefix(end + 1);
+    end = name.find('+');
+    const FamilyModifier* const modifier = find_in(family_modifiers(), name.substr(0, end));
+    if (modifier == nullptr) return std::nullopt;
+    family = modified(std::move(family), *modifier);
+  }
+  return family;
 }
 
 }  // namespace
@@ -52,10 +79,14 @@ const std::vector<Family>& modified_families() {
 }
 
 const Family* find_family(std::string_view name) {
-  const std::vector<Family>& all = modified_families();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [name](const Family& family) { return family.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  if (const Family* const found = find_in(modified_families(), name)) return found;
+  static std::mutex mutex;
+  static std::map<std::string, Family, std::less<>> asked_for;
+  const std::lock_guard lock(mutex);
+  if (const auto found = asked_for.find(name); found != asked_for.end()) return &found->second;
+  std::optional<Family> family = composed(name);
+  if (!family) return nullptr;
+  return &asked_for.emplace(std::string(name), std::move(*family)).first->second;
 }
 
 PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed) {

@@ -117,6 +117,28 @@ TEST_CASE("families: names are unique words, and are found") {
 }
 
 // What a property's failing set becomes: as few points as still fail, of small coordinates.
+TEST_CASE("families: modifiers go together, one applied after the other") {
+  const Family* const both = find_family("grid+moved+ulp");
+  REQUIRE(both != nullptr);
+  CHECK(both == find_family("grid+moved+ulp"));
+  CHECK(both->name == "grid+moved+ulp");
+  const PointsCase moved = drawn(*find_family("grid+moved"), 2, {9, true}, 7);
+  CHECK(drawn(*both, 2, {9, true}, 7).points != moved.points);
+  CHECK(drawn(*find_family("grid+ulp+moved"), 2, {9, true}, 7).points !=
+        drawn(*both, 2, {9, true}, 7).points);
+  for (const char* const none : {"grid+", "grid+moved+", "grid+moved+no", "no+ulp+moved", "+ulp"}) {
+    CHECK(find_family(none) == nullptr);
+  }
+}
+
+TEST_CASE("families: grids and cubes have as many points as are asked for") {
+  for (const char* const name : {"grid", "cube"}) {
+    for (const std::size_t dimension : {2, 3}) {
+      CHECK(drawn(*find_family(name), dimension, {1000, true}, 1).points.size() > 400);
+    }
+  }
+}
+
 TEST_CASE("families: sets shrink to few points") {
   for (const std::string_view name : {"sphere", "pythagorean-sphere", "cubic-lattice+ulp",
                                       "submerged", "twisted-prism+moved", "huge+scaled"}) {

@@ -13,10 +13,6 @@ namespace {
 constexpr int kLargestExponent = 1000;
 
 // All coordinates that are not 0 have 2^(least−1) ≤ |x| < 2^largest, as doubles.
-struct Exponents {
-  int least = 0;
-  int largest = 0;
-};
 Exponents exponents(const PointsCase& set) {
   Exponents result;
   bool first = true;
@@ -73,6 +69,71 @@ PointsCase far_from_origin(Dice& dice, const PointsCase& set, bool may_repeat_po
   PointsCase moved = set;
   for (Point& x : moved.points) x = x + translation;
   return in_doubles(moved, may_repeat_points);
+}
+
+namespace {
+
+// The number with another exponent: `moved` of its own.
+template <class Moved>
+Rational with_exponent(const Rational& value, const Moved& moved) {
+  if (sign(value) == 0) return value;
+  int exponent = 0;
+  const double mantissa = std::frexp(value.get_d(), &exponent);
+  return exact_value(std::ldexp(mantissa, moved(exponent)));
+}
+
+PointsCase times_power_of_two(PointsCase set, int shift) {
+  for (Point& x : set.points) x = power_of_two(shift) * x;
+  for (Rational& w : set.weights) w *= power_of_two(2 * shift);
+  return set;
+}
+
+PointsCase with_distinct_points(PointsCase set, bool may_repeat_points) {
+  return may_repeat_points ? set : without_repeated_points(set);
+}
+
+}  // namespace
+
+bool lie_within(const PointsCase& set, Exponents wanted) {
+  const auto [least, largest] = exponents(set);
+  return least > wanted.least && largest <= wanted.largest;
+}
+
+PointsCase brought_within(const PointsCase& set, Exponents wanted, bool may_repeat_points) {
+  const auto [least, largest] = exponents(set);
+  if (lie_within(set, wanted)) return set;
+  if (largest - least < wanted.largest - wanted.least) {
+    return times_power_of_two(
+        set, largest > wanted.largest ? wanted.largest - largest : wanted.least + 1 - least);
+  }
+  const int room = wanted.largest - wanted.least - 1;
+  const auto moved = [&, from = least, width = largest - least](int exponent) {
+    return wanted.least + 1 + (exponent - from) * room / width;
+  };
+  PointsCase brought = set;
+  for (Point& point : brought.points) {
+    for (Rational& x : point) x = with_exponent(x, moved);
+  }
+  for (Rational& w : brought.weights) {
+    w = with_exponent(w, [&](int exponent) {
+      return std::clamp(exponent, 2 * wanted.least, 2 * wanted.largest);
+    });
+  }
+  return with_distinct_points(in_doubles(brought, true), may_repeat_points);
+}
+
+PointsCase in_integers(const PointsCase& set, int bits, bool may_repeat_points) {
+  const int largest = exponents(set).largest;
+  const auto is_integer = [](const Rational& x) { return x.get_den() == 1; };
+  const bool are_integers = std::all_of(
+      set.points.begin(), set.points.end(),
+      [&](const Point& point) { return std::all_of(point.begin(), point.end(), is_integer); });
+  PointsCase whole = set;
+  if (!are_integers || largest > bits) whole = times_power_of_two(set, bits - largest);
+  const auto round = [](Rational& x) { x = exact_value(std::nearbyint(nearest_double(x))); };
+  for (Point& point : whole.points) std::for_each(point.begin(), point.end(), round);
+  std::for_each(whole.weights.begin(), whole.weights.end(), round);
+  return with_distinct_points(std::move(whole), may_repeat_points);
 }
 
 }  // namespace circumspect::generators

@@ -22,4 +22,24 @@ PointsCase scaled_by_power_of_two(Dice& dice, const PointsCase& set, bool may_re
 // exact for the smaller moves, all else loses its low bits.
 PointsCase far_from_origin(Dice& dice, const PointsCase& set, bool may_repeat_points);
 
+// Of sets of doubles, whatever family they are of: what a program is said to take.
+
+// Binary exponents: 2^least to 2^largest.
+struct Exponents {
+  int least = 0;
+  int largest = 0;
+};
+
+// Do all coordinates other than 0 lie between these powers of two, in absolute value?
+bool lie_within(const PointsCase& set, Exponents exponents);
+
+// The set as it is if they do. Else times a power of two, weights times its square; or where the exponents of its
+// coordinates are too far from each other for that, with every exponent moved by as much as brings all of them in, in
+// their order. Requires: doubles.
+PointsCase brought_within(const PointsCase& set, Exponents exponents, bool may_repeat_points);
+
+// Integers of at most so many bits: the set as it is if it is of such, else times a power of two and rounded. The
+// weights become integers too. Requires: doubles; 1 <= bits <= 53.
+PointsCase in_integers(const PointsCase& set, int bits, bool may_repeat_points);
+
 }  // namespace circumspect::generators

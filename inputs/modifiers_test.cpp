@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/in_doubles.hpp"
+#include "inputs/set_parts.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -106,6 +107,58 @@ TEST_CASE("moved: by one vector, then rounded; integers near enough stay exact")
   }
   CHECK(exact > 10);
   CHECK(exact + rounded > 30);
+}
+
+TEST_CASE("magnitudes: a set is brought within exponents, by a power of two where that does it") {
+  const PointsCase far{
+      {{power_of_two(200), Rational(0)}, {3 * power_of_two(190), power_of_two(180)}},
+      {power_of_two(300), Rational(0)}};
+  CHECK(!lie_within(far, {-100, 100}));
+  const PointsCase near = brought_within(far, {-100, 100}, false);
+  CHECK(lie_within(near, {-100, 100}));
+  CHECK(near.points[0][0] == power_of_two(99));
+  CHECK(near.points[1] == Point{3 * power_of_two(89), power_of_two(79)});
+  CHECK(near.weights == std::vector<Rational>{power_of_two(98), Rational(0)});
+  CHECK(brought_within(near, {-100, 100}, false).points == near.points);
+  const PointsCase small{{{power_of_two(-1000)}, {3 * power_of_two(-1000)}}, {}};
+  CHECK(lie_within(brought_within(small, {-100, 100}, false), {-100, 100}));
+  CHECK(brought_within(small, {-100, 100}, false).points[1][0] == 3 * power_of_two(-100));
+}
+
+TEST_CASE(
+    "magnitudes: exponents too far apart are moved together, and keep their order and their "
+    "digits") {
+  const PointsCase wide{{{power_of_two(-900)},
+                         {5 * power_of_two(-300)},
+                         {Rational(0)},
+                         {Rational(-7)},
+                         {power_of_two(800)}},
+                        {}};
+  const PointsCase near = brought_within(wide, {-20, 20}, false);
+  REQUIRE(near.points.size() == 5);
+  CHECK(lie_within(near, {-20, 20}));
+  CHECK(near.points[2][0] == 0);
+  CHECK(near.points[0][0] < near.points[1][0]);
+  CHECK(near.points[1][0] < near.points[4][0]);
+  CHECK(near.points[1][0].get_num() % 5 == 0);
+  CHECK(near.points[3][0].get_num() % 7 == 0);
+}
+
+TEST_CASE("magnitudes: integers of so many bits, and what is of such stays as it is") {
+  const PointsCase set{{{Rational(-5), Rational(100)}, {Rational(0), Rational(3)}}, {}};
+  CHECK(in_integers(set, 7, false).points == set.points);
+  const PointsCase rounded = in_integers(
+      {{{Rational(1) / 4, Rational(-1)}, {Rational(0), Rational(1) / 4}}, {}}, 1, false);
+  CHECK(rounded.points == std::vector<Point>{{0, -1}, {0, 0}});
+  for (const Point& point :
+       in_integers({{{exact_value(0.1), exact_value(1e300)}, {exact_value(1e-300), 1}}, {}}, 20,
+                   false)
+           .points) {
+    for (const Rational& x : point) {
+      CHECK(x.get_den() == 1);
+      CHECK(abs(x) <= power_of_two(20));
+    }
+  }
 }
 
 }  // namespace

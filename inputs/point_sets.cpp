@@ -1,5 +1,6 @@
 #include "inputs/point_sets.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "inputs/set_parts.hpp"
@@ -31,6 +32,17 @@ Point cube_point(std::size_t dimension, std::size_t code) {
     point[(code - corners) / 2] = 2 * ((code - corners) % 2);
   }
   return point;
+}
+
+// The least number of steps on each axis that make as many cells as are needed if each has so many points; 1 for sets
+// of no more than sixty points, which are dense on purpose.
+long steps_for(std::size_t points, std::size_t dimension, std::size_t points_each) {
+  constexpr std::size_t kFew = 60;
+  if (points <= kFew) return 1;
+  long steps = 1;
+  const double cells = static_cast<double>(points) / static_cast<double>(points_each);
+  while (std::pow(static_cast<double>(steps), static_cast<double>(dimension)) < cells) ++steps;
+  return steps;
 }
 
 }  // namespace
@@ -85,13 +97,22 @@ std::vector<Point> unrelated_denominator_points(Dice& dice, std::size_t dimensio
 }
 
 std::vector<Point> grid_points(Dice& dice, std::size_t dimension, Count count) {
-  return set_of(dice, count,
-                [&] { return several(dimension, [&] { return Rational(dice.within(0, 2)); }); });
+  const long last = std::max(2L, steps_for(count.most, dimension, 1) - 1);
+  return set_of(dice, count, [&] {
+    return several(dimension, [&] { return Rational(dice.within(0L, last)); });
+  });
 }
 
 std::vector<Point> cube_points(Dice& dice, std::size_t dimension, Count count) {
   const std::size_t codes = (std::size_t{1} << dimension) + 2 * dimension + 1;
-  return set_of(dice, count, [&] { return cube_point(dimension, dice.below(codes)); });
+  const long cubes = steps_for(count.most, dimension, codes);
+  return set_of(dice, count, [&] {
+    Point point = cube_point(dimension, dice.below(codes));
+    if (cubes > 1) {
+      for (Rational& x : point) x += 2 * dice.within(0L, cubes - 1);
+    }
+    return point;
+  });
 }
 
 std::vector<Point> sphere_points(Dice& dice, std::size_t dimension, Count count) {

@@ -39,11 +39,11 @@ std::vector<Point> clustered_points(Dice& dice, std::size_t dimension, Count cou
 // coprime: sets that cannot be scaled to integers in common.
 std::vector<Point> unrelated_denominator_points(Dice& dice, std::size_t dimension, Count count);
 
-// A part of the grid {0, 1, 2}^d: cospherical, coplanar and collinear all at once; Delaunay
+// A part of the grid {0, 1, 2}^d, or of a larger one for more points than that has: cospherical, coplanar and collinear all at once; Delaunay
 // subdivisions whose cells are not simplices (Book: Section 4.1, 4.2).
 std::vector<Point> grid_points(Dice& dice, std::size_t dimension, Count count);
 
-// Some of the corners of a cube, its centre and the centres of its facets.
+// Some of the corners of a cube, its centre and the centres of its facets; for more points, of cubes side by side.
 std::vector<Point> cube_points(Dice& dice, std::size_t dimension, Count count);
 
 // Exactly cospherical points (Book: Section 2.9, the perturbation's reason to be). Rational ones by

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +32,9 @@ struct CampaignOptions {
   std::optional<double> seconds;
   std::optional<std::size_t> cases;
   std::vector<std::string> families;
-  std::size_t max_points = 20;
+  std::vector<std::string> excluded;
+  Sizes sizes;
+  std::string known;
   std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string folder = "campaign";
   std::string corpus;
@@ -58,7 +62,10 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
           {"--claim", std::string(name(subject.claim))},
           {"--seed", std::to_string(plan.seed)},
           {"--families", join(families)},
-          {"--max-points", std::to_string(options.max_points)},
+          {"--max-points", options.sizes.max_points ? std::to_string(*options.sizes.max_points)
+                                                    : "20, of some 2000"},
+          {"--exponents", magnitudes(options.sizes)},
+          {"--known", join(plan.known)},
           {"--corpus", join(corpus)},
           {"--dimension", std::to_string(subject.dimension)},
           {"--domain-kind",
@@ -142,7 +149,7 @@ void report(const campaign::Result& result, const campaign::Plan& plan,
   }
   output.text(campaign_text(result));
   if (options.annotates) output.text(campaign_annotations(result, program));
-  output.text(campaign_verdict(result, program) + "\n");
+  output.text(campaign_verdict(result, program, plan.magnitudes) + "\n");
   if (output.wants_json()) output.json(campaign_json(result, plan, program));
 }
 
@@ -175,6 +182,37 @@ std::string overwriting_fault_of(const CampaignOptions& options, const campaign:
   return overwriting_fault(written, read);
 }
 
+// The first words of the lines of a file; what stands behind #, and empty lines, are left out.
+tl::expected<std::vector<std::string>, std::string> known_signatures(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> known;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string signature;
+    if (words >> signature) known.push_back(signature);
+  }
+  if (known.empty()) {
+    return tl::unexpected(path + ": expected a file with a signature on each line, found none");
+  }
+  return known;
+}
+
+// Reads LOW:HIGH. What is wrong with it, or an empty string.
+std::string read_exponents(const std::string& text, generators::Exponents& exponents) {
+  constexpr int kLeast = -1074;
+  constexpr int kLargest = 1023;
+  std::istringstream numbers(text);
+  char colon = 0;
+  const bool is_read = numbers >> exponents.least >> colon >> exponents.largest && colon == ':' &&
+                       numbers.peek() == std::istringstream::traits_type::eof();
+  if (is_read && kLeast <= exponents.least && exponents.least < exponents.largest &&
+      exponents.largest <= kLargest) {
+    return "";
+  }
+  return fmt::format("expected LOW:HIGH, two integers from {} to {} in ascending order, found {}",
+                     kLeast, kLargest, text);
+}
+
 // What is to be done; errors are printed.
 tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   const auto fault = [](const std::string& message, ExitCode code) {
@@ -188,7 +226,7 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   }
   campaign::Plan plan;
   plan.subject = std::move(*subject);
-  auto sources = campaign_sources(plan.subject, options.families, options.max_points);
+  auto sources = campaign_sources(plan.subject, options.families, options.excluded, options.sizes);
   if (!sources) return fault(sources.error(), ExitCode::kUsage);
   plan.sources = std::move(*sources);
   if (!options.corpus.empty()) {
@@ -196,6 +234,15 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
     if (!replayed) return fault(replayed.error(), ExitCode::kInputFault);
     plan.replayed = std::move(*replayed);
   }
+  if (!options.known.empty()) {
+    auto known = known_signatures(options.known);
+    if (!known) return fault(known.error(), ExitCode::kInputFault);
+    plan.known = std::move(*known);
+  }
+  if (options.sizes.integers && plan.subject.is_about_domains()) {
+    return fault("expected no --integers for domains, found one", ExitCode::kUsage);
+  }
+  if (!plan.subject.is_about_domains()) plan.magnitudes = magnitudes(options.sizes);
   plan.seed = options.seed;
   plan.cases = options.cases;
   plan.seconds = options.seconds;
@@ -268,16 +315,50 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->check(whole_number())
       ->option_text("N");
   command
-      ->add_option("--families", options->families,
-                   "The families to draw from, with commas between them (default: all families; "
-                   "'all': all with all modifiers). circumspect generate --list names them")
+      ->add_option(
+          "--families", options->families,
+          "The families to draw from, with commas between them (default: all families; "
+          "'all': all with all modifiers). circumspect generate --list names them; modifiers "
+          "go together, as in grid+moved+ulp")
       ->delimiter(',')
       ->option_text("NAME,...");
   command
-      ->add_option("--max-points", options->max_points,
-                   "How many points an input may have (default: 20)")
+      ->add_option("--max-points", options->sizes.max_points,
+                   "How many points an input may have (default: 20, and in a few per cent of the "
+                   "cases 64 to 2000, of points in dimensions up to 3)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
+  command
+      ->add_option("--exclude", options->excluded,
+                   "Families to leave out, with commas between them, with all their modifiers")
+      ->delimiter(',')
+      ->option_text("NAME,...");
+  CLI::Option* const exponents =
+      command
+          ->add_option_function<std::string>(
+              "--exponents",
+              [options](const std::string& text) {
+                const std::string fault = read_exponents(text, options->sizes.exponents);
+                if (!fault.empty()) throw CLI::ValidationError(fault);
+              },
+              "Coordinates other than 0 lie between 2^LOW and 2^HIGH in absolute value "
+              "(default: -100:100). Write it with =, as in --exponents=-20:20")
+          ->option_text("LOW:HIGH");
+  command
+      ->add_flag("--extreme", options->sizes.extreme,
+                 "Coordinates are as the families have them: to 2^990, to 2^-1000 and to denormal "
+                 "numbers. Signatures of what needs such numbers end in -extreme")
+      ->excludes(exponents);
+  command
+      ->add_option("--integers", options->sizes.integers,
+                   "Coordinates and weights are integers, coordinates of at most so many bits")
+      ->check(whole_number(1, 53))
+      ->option_text("BITS");
+  command
+      ->add_option("--known", options->known,
+                   "A file with a signature on each line, which are known and no findings; what "
+                   "stands behind # is left out")
+      ->option_text("FILE");
   command
       ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
       ->option_text("FOLDER");

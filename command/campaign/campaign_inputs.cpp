@@ -7,6 +7,7 @@
 
 #include "command/generate/generate_list.hpp"
 #include "command/input/domain_input.hpp"
+#include "inputs/dice.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
@@ -30,16 +31,31 @@ bool fits(const ComplexFamily& family, const campaign::Subject& subject) {
   return family.dimension == subject.dimension;
 }
 
-Source source_of(const Family& family, const campaign::Subject& subject, std::size_t max_points) {
-  return {
-      family.name,
-      [&family, dimension = subject.dimension, max_points](std::uint64_t seed) -> campaign::Input {
-        return generators::in_doubles(generators::drawn(family, dimension, {max_points}, seed),
-                                      family.repeats_points);
-      }};
+// Few points show most faults, and are soon judged. Some faults need many: of blocks, counters, buckets.
+generators::Count count_of(const Sizes& sizes, std::size_t dimension, std::uint64_t seed) {
+  constexpr std::size_t kOneIn = 32;
+  constexpr std::size_t kMost = 2000;
+  if (sizes.max_points) return {*sizes.max_points};
+  generators::Dice dice(generators::mixed(~seed));
+  if (dimension > 3 || dice.below(kOneIn) != 0) return {Sizes::kFewPoints};
+  const std::size_t least = std::size_t{64} << dice.below(5);
+  return {std::min(kMost, least + dice.below(least)), true};
 }
 
-Source source_of(const ComplexFamily& family, const campaign::Subject&, std::size_t max_points) {
+Source source_of(const Family& family, const campaign::Subject& subject, const Sizes& sizes) {
+  return {family.name,
+          [&family, dimension = subject.dimension, sizes](std::uint64_t seed) -> campaign::Input {
+            const bool repeats = family.repeats_points;
+            generators::PointsCase set = generators::in_doubles(
+                generators::drawn(family, dimension, count_of(sizes, dimension, seed), seed),
+                repeats);
+            if (sizes.integers) set = generators::in_integers(set, *sizes.integers, repeats);
+            return sizes.extreme ? set : generators::brought_within(set, sizes.exponents, repeats);
+          }};
+}
+
+Source source_of(const ComplexFamily& family, const campaign::Subject&, const Sizes& sizes) {
+  const std::size_t max_points = sizes.max_points.value_or(Sizes::kFewPoints);
   return {family.name, [&family, max_points](std::uint64_t seed) -> campaign::Input {
             return generators::in_doubles(generators::drawn(family, max_points, seed));
           }};
@@ -48,10 +64,10 @@ Source source_of(const ComplexFamily& family, const campaign::Subject&, std::siz
 // All of a list that fit.
 template <class AnyFamily>
 Sources fitting(const std::vector<AnyFamily>& families, const campaign::Subject& subject,
-                std::size_t max_points) {
+                const Sizes& sizes) {
   Sources sources;
   for (const AnyFamily& family : families) {
-    if (fits(family, subject)) sources.push_back(source_of(family, subject, max_points));
+    if (fits(family, subject)) sources.push_back(source_of(family, subject, sizes));
   }
   return sources;
 }
@@ -59,7 +75,7 @@ Sources fitting(const std::vector<AnyFamily>& families, const campaign::Subject&
 // Those of these names; `find` gives a family or null.
 template <class Find>
 tl::expected<Sources, std::string> named(const std::vector<std::string>& names, const Find& find,
-                                         const campaign::Subject& subject, std::size_t max_points) {
+                                         const campaign::Subject& subject, const Sizes& sizes) {
   Sources sources;
   for (const std::string& name : names) {
     const auto* const family = find(name);
@@ -77,7 +93,7 @@ tl::expected<Sources, std::string> named(const std::vector<std::string>& names, 
           fmt::format("expected families of dimension {} for the claim {}, found {}",
                       subject.dimension, circumspect::name(subject.claim), name));
     }
-    sources.push_back(source_of(*family, subject, max_points));
+    sources.push_back(source_of(*family, subject, sizes));
   }
   return sources;
 }
@@ -118,18 +134,42 @@ std::size_t dimension_of(const campaign::Input& input) {
 
 }  // namespace
 
+std::string magnitudes(const Sizes& sizes) {
+  if (sizes.extreme) return "extreme exponents";
+  const std::string exponents =
+      fmt::format("exponents {} to {}", sizes.exponents.least, sizes.exponents.largest);
+  return exponents + (sizes.integers ? fmt::format(", integers of {} bits", *sizes.integers) : "");
+}
+
 tl::expected<Sources, std::string> campaign_sources(const campaign::Subject& subject,
                                                     const std::vector<std::string>& names,
-                                                    std::size_t max_points) {
+                                                    const std::vector<std::string>& excluded,
+                                                    const Sizes& sizes) {
   const bool everything = names == std::vector<std::string>{"all"};
-  if (subject.is_about_domains()) {
-    const auto& all = properties::domain_families();
-    if (names.empty() || everything) return fitting(all, subject, max_points);
-    return named(names, properties::find_domain_family, subject, max_points);
+  const auto chosen = [&]() -> tl::expected<Sources, std::string> {
+    if (subject.is_about_domains()) {
+      const auto& all = properties::domain_families();
+      if (names.empty() || everything) return fitting(all, subject, sizes);
+      return named(names, properties::find_domain_family, subject, sizes);
+    }
+    if (everything) return fitting(generators::modified_families(), subject, sizes);
+    if (names.empty()) return fitting(generators::families(), subject, sizes);
+    return named(names, generators::find_family, subject, sizes);
+  };
+  auto sources = chosen();
+  for (const std::string& name : excluded) {
+    if (!sources) break;
+    const bool is_known =
+        generators::find_family(name) != nullptr || properties::find_domain_family(name) != nullptr;
+    if (!is_known) return tl::unexpected(unknown_family(name));
+    std::erase_if(*sources, [&](const Source& source) {
+      return source.family == name || source.family.rfind(name + "+", 0) == 0;
+    });
   }
-  if (everything) return fitting(generators::modified_families(), subject, max_points);
-  if (names.empty()) return fitting(generators::families(), subject, max_points);
-  return named(names, generators::find_family, subject, max_points);
+  if (sources && sources->empty()) {
+    return tl::unexpected(std::string("expected a family that is not excluded, found none"));
+  }
+  return sources;
 }
 
 tl::expected<campaign::Input, std::string> campaign_input(const campaign::Subject& subject,

@@ -1,21 +1,37 @@
 // Where the inputs of a campaign come from: families and files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "fuzz/campaign/campaign.hpp"
+#include "inputs/modifiers.hpp"
 
 namespace circumspect::cli {
 
+// How many points the inputs have, and how large and how long their numbers are.
+struct Sizes {
+  std::optional<std::size_t>
+      max_points;  // without it kFewPoints, and a few per cent have 64 to 2000
+  generators::Exponents exponents = {-100, 100};
+  bool extreme = false;  // as the families have them
+  std::optional<int> integers;
+
+  static constexpr std::size_t kFewPoints = 20;
+};
+
+// "exponents -100 to 100", and "integers of 20 bits" where they are.
+std::string magnitudes(const Sizes& sizes);
+
 // The families of these names; without names, all that fit without modifiers; "all": with modifiers.
 // Those fit that exist in the dimension and have weights or not as the claim does.
-// Errors: a name that there is not, or that does not fit.
+// Without those that are excluded. Errors: a name that there is not, or that does not fit; none is left.
 tl::expected<std::vector<campaign::Source>, std::string> campaign_sources(
     const campaign::Subject& subject, const std::vector<std::string>& names,
-    std::size_t max_points);
+    const std::vector<std::string>& excluded, const Sizes& sizes);
 
 // The points or the domain in a file, as the claim wants it, every number the nearest double.
 // Errors: a malformed file, a domain that is not valid, another dimension.

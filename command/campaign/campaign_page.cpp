@@ -62,7 +62,7 @@ picture::Page campaign_page(const campaign::Result& result, const campaign::Plan
   const report::Json findings = std::move(all["findings"]);
   all.erase("findings");
   all["findings_count"] = findings.size();
-  page.begin_with_campaign(std::move(all), campaign_verdict(result, program));
+  page.begin_with_campaign(std::move(all), campaign_verdict(result, program, plan.magnitudes));
   const std::string own = plan.subject.is_about_domains() ? "/minimal.poly" : "/minimal.node";
   for (const report::Json& details : findings) {
     const std::string folder = details["folder"].get<std::string>();

@@ -21,7 +21,8 @@ using campaign::Result;
 using Counts = std::map<std::string, std::size_t>;
 
 bool is_no_finding(const std::string& what) {
-  return what == "holds" || what == "refused" || what == "skipped" || what == "flaky";
+  return what == "holds" || what == "refused" || what == "skipped" || what == "flaky" ||
+         what == "known";
 }
 
 std::size_t count_of(const Counts& counts, const std::string& what) {
@@ -139,10 +140,47 @@ std::string for_annotation(const std::string& text, std::string_view special) {
 std::size_t judged_cases(const Result& result) {
   std::size_t judged = 0;
   for (const auto& [family, counts] : result.statistics) {
-    judged += total(counts) - count_of(counts, "refused") - count_of(counts, "skipped");
+    judged += total(counts);
+    for (const char* const none : {"refused", "skipped", "flaky"}) {
+      judged -= count_of(counts, none);
+    }
   }
   return judged;
 }
+
+namespace {
+
+// Why cases were skipped and refused, the most frequent reasons first; and what else is no finding.
+std::string reasons_text(const Result& result) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (const auto& [what, reasons] : result.reasons) {
+    std::vector<std::pair<std::size_t, std::string>> by_count;
+    for (const auto& [reason, count] : reasons) by_count.emplace_back(count, reason);
+    std::stable_sort(by_count.begin(), by_count.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::size_t i = 0; i < std::min(kShown, by_count.size()); ++i) {
+      text += fmt::format("{}: {}, {}\n", what, report::counted(by_count[i].first, "case"),
+                          on_one_line(by_count[i].second));
+    }
+  }
+  Counts all;
+  for (const auto& [family, counts] : result.statistics) {
+    for (const auto& [what, count] : counts) all[what] += count;
+  }
+  if (all["flaky"] > 0) {
+    text += fmt::format("flaky: {}, wrong once, but not when run again three times{}\n",
+                        report::counted(all["flaky"], "case"),
+                        result.first_flaky.empty() ? "" : "; " + result.first_flaky);
+  }
+  if (all["known"] > 0) {
+    text += fmt::format("known: {}, of signatures in the file of --known\n",
+                        report::counted(all["known"], "case"));
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string campaign_text(const Result& result) {
   std::size_t width = 6;
@@ -163,18 +201,38 @@ std::string campaign_text(const Result& result) {
   if (result.containment == campaign::Containment::kSupervisor) {
     text += "note: a supervisor contained the programs, and no process namespace (--containment)\n";
   }
-  std::size_t flaky = 0;
-  for (const auto& [family, counts] : result.statistics) flaky += count_of(counts, "flaky");
-  if (flaky > 0) {
-    text += fmt::format("flaky: {}, wrong once, but not when run again three times{}\n",
-                        report::counted(flaky, "case"),
-                        result.first_flaky.empty() ? "" : "; " + result.first_flaky);
+  text += reasons_text(result);
+  bool has_flat = false;
+  for (const Finding& finding : result.findings) {
+    text += finding_text(finding);
+    has_flat = has_flat || finding.signature.find("-flat") != std::string::npos;
   }
-  for (const Finding& finding : result.findings) text += finding_text(finding);
+  if (has_flat) {
+    text +=
+        "note: what ends in -flat is of points that lie in a hyperplane, or are too few not to; "
+        "--full-dimension skips those\n";
+  }
   return text;
 }
 
-std::string campaign_verdict(const Result& result, const std::string& program) {
+namespace {
+
+// ", 2 to 20 points, exponents -100 to 100, 37 families": what was tried.
+std::string tried(const Result& result, const std::string& magnitudes) {
+  std::string text;
+  if (result.points) {
+    text += fmt::format(", {} to {}", result.points->first,
+                        report::counted(result.points->second, "point"));
+  }
+  if (!magnitudes.empty()) text += ", " + magnitudes;
+  const std::size_t families = result.statistics.size();
+  return text + ", " + (families == 1 ? "1 family" : fmt::format("{} families", families));
+}
+
+}  // namespace
+
+std::string campaign_verdict(const Result& result, const std::string& program,
+                             const std::string& magnitudes) {
   const std::string end = result.interrupted ? " interrupted" : "";
   if (!result.findings.empty()) {
     return fmt::format("fails: campaign {} {} {}{}", on_one_line(program),
@@ -183,8 +241,9 @@ std::string campaign_verdict(const Result& result, const std::string& program) {
   }
   const bool holds = !result.interrupted && judged_cases(result) > 0;
   const std::string none = judged_cases(result) == 0 ? " none of them judged" : "";
-  return fmt::format("{}: campaign {} {}{}{}", holds ? "holds" : "undecided", on_one_line(program),
-                     report::counted(result.cases, "case"), none, end);
+  return fmt::format("{}: campaign {} {}{}{}{}", holds ? "holds" : "undecided",
+                     on_one_line(program), report::counted(result.cases, "case"), none, end,
+                     holds ? tried(result, magnitudes) : "");
 }
 
 report::Json campaign_json(const Result& result, const campaign::Plan& plan,
@@ -196,6 +255,7 @@ report::Json campaign_json(const Result& result, const campaign::Plan& plan,
       {"seed", plan.seed},
       {"cases", result.cases},
       {"judged", judged_cases(result)},
+      {"magnitudes", plan.magnitudes},
       {"interrupted", result.interrupted},
       {"containment", name(result.containment)},
       {"holds", result.findings.empty() && !result.interrupted && judged_cases(result) > 0},

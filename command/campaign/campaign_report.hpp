@@ -12,9 +12,10 @@ namespace circumspect::cli {
 // A table of families, then each finding in three lines.
 std::string campaign_text(const campaign::Result& result);
 
-// The last line: "fails: campaign tetgen 412 cases 2 signatures", "holds: campaign tetgen 1000 cases";
-// "undecided: …" if nothing was found and no case was judged, or it was interrupted.
-std::string campaign_verdict(const campaign::Result& result, const std::string& program);
+// The last line: "fails: campaign tetgen 412 cases 2 signatures", "holds: campaign tetgen 1000 cases, 0 to 20 points,
+// exponents -100 to 100, 37 families"; "undecided: …" if nothing was found and no case was judged, or it was interrupted.
+std::string campaign_verdict(const campaign::Result& result, const std::string& program,
+                             const std::string& magnitudes);
 
 report::Json campaign_json(const campaign::Result& result, const campaign::Plan& plan,
                            const std::string& program);

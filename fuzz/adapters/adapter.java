@@ -1,4 +1,4 @@
-// A worker for `circumspect campaign --worker --limit-memory 0 -- java -cp . Mine`: javac Mine.java
+// A worker for `circumspect campaign --worker --limit-memory 0 -- java -XX:-UsePerfData -cp . Mine`: javac Mine.java
 import java.util.Scanner;
 
 public class Mine {

@@ -10,6 +10,7 @@
 #include <set>
 #include <system_error>
 #include <thread>
+#include <tuple>
 
 #include "fuzz/campaign/finding_folder.hpp"
 #include "fuzz/campaign/runner.hpp"
@@ -45,6 +46,8 @@ class Campaign {
         const Input input = drawn(*number);
         Outcome outcome = runner.run(input);
         if (is_new(outcome)) outcome = runner.confirmed(input, outcome);
+        if (is_known(outcome)) outcome.kind = OutcomeKind::kKnown;
+        note(input, outcome);
         add(*number, std::move(outcome), runner);
       }
     } catch (const std::system_error& error) {
@@ -98,8 +101,14 @@ class Campaign {
       }
       result_.findings.push_back(std::move(finding));
     }
+    const auto place = [](const Finding& finding) {
+      const auto has = [&](const char* part) {
+        return finding.signature.find(part) != std::string::npos;
+      };
+      return std::tuple(has("-flat"), has("-extreme"), finding.case_number);
+    };
     std::sort(result_.findings.begin(), result_.findings.end(),
-              [](const Finding& a, const Finding& b) { return a.case_number < b.case_number; });
+              [&](const Finding& a, const Finding& b) { return place(a) < place(b); });
     return std::move(result_);
   }
 
@@ -149,6 +158,24 @@ class Campaign {
   bool is_new(const Outcome& outcome) {
     const std::lock_guard lock(mutex_);
     return is_finding(outcome.kind) && first_.count(outcome.signature) == 0;
+  }
+
+  bool is_known(const Outcome& outcome) const {
+    return is_finding(outcome.kind) && std::find(plan_.known.begin(), plan_.known.end(),
+                                                 outcome.signature) != plan_.known.end();
+  }
+
+  // What the report says of all cases, whatever became of them.
+  void note(const Input& input, const Outcome& outcome) {
+    constexpr std::size_t kMostReasons = 100;
+    const std::size_t points = point_count(input);
+    const std::lock_guard lock(mutex_);
+    if (!result_.points) result_.points = {points, points};
+    result_.points->first = std::min(result_.points->first, points);
+    result_.points->second = std::max(result_.points->second, points);
+    if (outcome.kind != OutcomeKind::kSkipped && outcome.kind != OutcomeKind::kRefused) return;
+    std::map<std::string, std::size_t>& reasons = result_.reasons[word(outcome.kind)];
+    if (reasons.size() < kMostReasons) ++reasons[outcome.text];
   }
 
   // Registers the outcome of a case, and of those after it that waited for it. A thread that registers

@@ -41,8 +41,10 @@ struct Plan {
   // Of this call, making small with it; without it, until the cases are done and what was found is small.
   std::optional<double> seconds = {};
   std::size_t jobs = 1;
-  std::string output;      // the folder for the journal and the findings
-  Settings settings = {};  // what must not change when it is continued
+  std::string output;                   // the folder for the journal and the findings
+  Settings settings = {};               // what must not change when it is continued
+  std::vector<std::string> known = {};  // signatures that are no findings
+  std::string magnitudes = {};          // what numbers the drawn inputs have, for the verdict
   MinimiseLimits minimise = {};
 };
 
@@ -60,12 +62,18 @@ struct Finding {
 };
 
 struct Result {
-  std::size_t cases = 0;               // in all, those of earlier calls with them
-  std::size_t cases_before = 0;        // done by earlier calls
-  std::vector<Finding> findings = {};  // in the order of their first cases
-  // For each family how often each outcome was met: "holds", "refused", "skipped", "flaky", or a signature.
+  std::size_t cases = 0;         // in all, those of earlier calls with them
+  std::size_t cases_before = 0;  // done by earlier calls
+  // In the order of their first cases; but those of extreme numbers come behind the others, and those of flat sets last.
+  std::vector<Finding> findings = {};
+  // For each family how often each outcome was met: "holds", "refused", "skipped", "flaky", "known", or a
+  // signature.
   std::map<std::string, std::map<std::string, std::size_t>> statistics = {};
   std::string first_flaky = {};  // of this call: which case was wrong once, and how
+  // Of this call: the least and the largest number of points of the cases, and how often each reason was given for
+  // what was skipped or refused, of the first reasons.
+  std::optional<std::pair<std::size_t, std::size_t>> points = {};
+  std::map<std::string, std::map<std::string, std::size_t>> reasons = {};
   bool interrupted = false;
   double seconds = 0;  // of this call
   Containment containment = Containment::kSupervisor;

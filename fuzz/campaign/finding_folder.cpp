@@ -16,6 +16,7 @@
 
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
@@ -123,11 +124,55 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "output/        what the program wrote for the small one\n"
       "said.txt       and what it said\n"
       "verdict.json   the verdict, with exact witnesses\n"
-      "reproduce.sh   runs the program on the small one and judges what it writes\n\n"
+      "reproduce.sh   runs the program on the small one and judges what it writes\n"
+      "issue.md       for the authors of the program; its version is to be added\n\n"
       "{}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
       origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
       outcome.explanation);
+}
+
+// The points as the language of a worker writes them, by the name of one of its files; otherwise one on a line.
+std::string snippet(const Subject& subject, const PointsCase& set) {
+  std::string opening = "points = [";
+  std::string closing = "]";
+  bool is_code = false;
+  for (const std::string& argument : subject.command) {
+    const std::string extension = fs::path(argument).extension().string();
+    if (extension == ".js" || extension == ".mjs") opening = "const points = [", closing = "];";
+    is_code = is_code || extension == ".js" || extension == ".mjs" || extension == ".py" ||
+              extension == ".jl";
+  }
+  std::string text = is_code ? opening + "\n" : "";
+  for (const Point& point : set.points) {
+    std::string row = formats::joined(point);
+    if (is_code) replace_all(row, " ", ", ");
+    text += is_code ? "  [" + row + "],\n" : row + "\n";
+  }
+  return text + (is_code ? closing + "\n" : "");
+}
+
+// What can be sent to the authors of the program, once they are told the version.
+std::string issue(const Subject& subject, const Input& minimal, const Outcome& outcome) {
+  const auto* const set = std::get_if<PointsCase>(&minimal);
+  const std::string own = "minimal" + own_extension(minimal);
+  const std::string input = set == nullptr ? "The domain is in `" + own + "`.\n"
+                                           : "```\n" + snippet(subject, *set) + "```\n";
+  const std::string by_hand =
+      subject.talk
+          ? fmt::format("By hand: `{} < minimal.case`, whose first line counts the points.\n",
+                        on_one_line(command_line(subject)))
+          : "";
+  return fmt::format(
+      "# {0}\n\n{1}\n\n"
+      "Command: `{2}`\n\n"
+      "Claim: {3}, judged in exact arithmetic.\n\n"
+      "## Input, {4}\n\n{5}\n"
+      "## What is wrong, exactly\n\n```\n{6}```\n\n"
+      "## To see it again\n\n"
+      "`reproduce.sh` runs the program on `{7}` and judges what it writes. {8}",
+      outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
+      count_of(minimal), input, outcome.explanation, own, by_hand);
 }
 
 // "$(printf 'a\012b')": a word with control characters that shows none. The shell cuts off line ends at the end
@@ -195,6 +240,7 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   const report::Json document = verdict_document(subject, origin, found, minimal, outcome);
   write_durably(folder + "/verdict.json", report::document_text(document));
   write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
+  write_durably(folder + "/issue.md", issue(subject, minimal, outcome));
   write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));
   fs::permissions(folder + "/reproduce.sh", fs::perms::owner_exec, fs::perm_options::add);
 }

@@ -26,7 +26,7 @@ std::string finding_folder(const std::string& output, const std::string& signatu
 // std::system_error, also if the folder holds what no campaign has begun. Links are not followed.
 void write_input(const std::string& folder, const Subject& subject, const Input& input);
 
-// Adds the smallest input, what the program made of it, the verdict, README.txt and reproduce.sh.
+// Adds the smallest input, what the program made of it, the verdict, README.txt, issue.md and reproduce.sh.
 // `runner` has just run the program on it, with this outcome.
 void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
                    const Input& found, const Input& minimal, const Outcome& outcome,

@@ -12,7 +12,7 @@ namespace circumspect::campaign {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped", "flaky".
+// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped", "flaky", "known".
 struct CaseRecord {
   std::string family;
   std::string what;
@@ -34,7 +34,7 @@ struct FindingRecord {
 //   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete, but for the
 //   minimised ⇥ SIGNATURE            smallest input, which comes with this line
 //   cut-off ⇥ SIGNATURE              or with this one, if there was no time to make it smaller
-//   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|finding ⇥ WHAT
+//   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|known|finding ⇥ WHAT
 //
 // A line that an interrupt cut off is dropped: that case is run again. Lines about findings are forced
 // to the disk (fsync), those about cases outlive this process but may be lost when the machine fails.

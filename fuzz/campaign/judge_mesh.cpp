@@ -33,7 +33,11 @@ Outcome outcome_of(const Verdict& verdict, const Mesh& mesh, const Subject& subj
   if (verdict.holds()) return {OutcomeKind::kHolds};
   Outcome outcome;
   outcome.kind = OutcomeKind::kFails;
-  outcome.signature = identifier(verdict.tallies().begin()->first);
+  const auto& [rule, tally] = *verdict.tallies().begin();
+  outcome.signature = identifier(rule);
+  if (tally.worst_margin && *tally.worst_margin < exact_value(kRounding)) {
+    outcome.signature += "-rounding";
+  }
   outcome.text = report::verdict_line(verdict, mesh, subject.mesh_name, domain);
   outcome.explanation = report::explanation(verdict, mesh, domain);
   outcome.verdict = report::verdict(verdict, mesh, subject.mesh_name, check::By::kLemma, domain);

@@ -24,6 +24,7 @@ bool is_finding(OutcomeKind kind) {
     case OutcomeKind::kSkipped:
     case OutcomeKind::kRefused:
     case OutcomeKind::kFlaky:
+    case OutcomeKind::kKnown:
     case OutcomeKind::kNotRun:
     case OutcomeKind::kInterrupted:
       return false;
@@ -42,6 +43,8 @@ std::string word(OutcomeKind kind) {
       return "refused";
     case OutcomeKind::kFlaky:
       return "flaky";
+    case OutcomeKind::kKnown:
+      return "known";
     case OutcomeKind::kFails:
       return "fails";
     case OutcomeKind::kOtherPoints:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fuzz/process/process.hpp"
+#include "inputs/modifiers.hpp"
 #include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
 #include "reference/kernel/piecewise_linear/filling.hpp"
@@ -18,6 +19,7 @@ enum class OutcomeKind {
   kSkipped,       // the input is not one for this program: it was not run
   kRefused,       // the program said that it does not take this input, as it may
   kFlaky,         // something was wrong with it once, and not when it was run again, three times
+  kKnown,         // something is wrong with it that its user knows of
   kFails,         // the mesh breaks a rule
   kOtherPoints,   // the mesh has other points than the input
   kUnreadable,    // the file of the mesh is malformed
@@ -37,14 +39,19 @@ enum class OutcomeKind {
 struct Outcome {
   OutcomeKind kind = OutcomeKind::kInterrupted;
   // What is the same for the same fault: the identifier of the first broken rule,
-  // "crash-SIGSEGV", "exit-code-3", "hang", … A name that can be one of a folder. Where no rule is
-  // broken, "-flat" is added if the points lie in a hyperplane: many programs give up on those, which
-  // must not hide that they give up on others, nor may making an input small lead from these to those.
+  // "crash-SIGSEGV", "exit-code-3", "hang", … A name that can be one of a folder. What is added sets apart what must
+  // not hide, nor be led to by making an input small: "-rounding" if a vertex is in a ball by less than kRounding of it
+  // at worst, "-extreme" if the input has a number outside of kOrdinary, and "-flat" if its points lie in a hyperplane or
+  // are too few not to. None of this has a say in what is a finding.
   std::string signature = {};
   std::string text = {};         // one line for people
   std::string explanation = {};  // the witnesses of a broken rule; else what the program said
   report::Json verdict = {};     // kFails: the whole verdict
 };
+
+// A depth in a ball, relative to it, below which it is called rounding; and what numbers are ordinary.
+inline constexpr double kRounding = 1e-9;
+inline constexpr generators::Exponents kOrdinary = {-100, 100};
 
 // An outcome as bytes, and back: for a process apart. Requires: bytes of this function.
 std::string bytes_of(const Outcome& outcome);

@@ -210,7 +210,9 @@ Outcome Runner::run(const Input& input, bool anew) {
   if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text, anew);
   if (!is_finding(outcome.kind)) return outcome;
   if (is_full(scratch_)) return not_run(scratch_ + ": the disk is full");
-  if (outcome.kind != OutcomeKind::kFails && is_flat(subject_, input)) outcome.signature += "-flat";
+  const auto* const set = std::get_if<PointsCase>(&input);
+  if (set != nullptr && !generators::lie_within(*set, kOrdinary)) outcome.signature += "-extreme";
+  if (is_flat(subject_, input)) outcome.signature += "-flat";
   return outcome;
 }
 
