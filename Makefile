@@ -23,7 +23,8 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),3)
 
 .PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-builds test-release \
         test-sanitize build-release build-sanitize soak soak-sanitize soak-fuzz mutants tsan \
-        coverage bench format clean deb dist fresh-root deps deps-demo deps-docs deps-proofs deps-test deps-deb deps-bench
+        coverage bench format clean deb dist fresh-root web web-soak deps deps-demo deps-docs deps-proofs deps-test deps-deb \
+        deps-bench deps-web
 
 deps: ; @cmake/packages.sh demo proofs test browser bench
 deps-demo: ; @cmake/packages.sh demo
@@ -32,6 +33,7 @@ deps-proofs: ; @cmake/packages.sh proofs
 deps-test: ; @cmake/packages.sh demo proofs test browser
 deps-deb: ; @cmake/packages.sh demo deb
 deps-bench: ; @cmake/packages.sh demo bench
+deps-web: ; @cmake/packages.sh demo web
 
 # The command, and what `cmake --install` installs. A first build leaves the tests out; a build that has them
 # keeps them, so that going back and forth between `make demo` and `make test` compiles nothing twice.
@@ -61,6 +63,12 @@ page: deps-test
 	@$(MAKE) --no-print-directory build
 	@oracle/picture/page/images.sh $(COMMAND) docs/images
 	@echo "built oracle/picture/page/page.built.html and docs/images"
+
+# The command as a page that runs in any browser, build/web/index.html, and its test; `web-soak` tries the whole corpus.
+web web-soak: deps-web
+	@JOBS=$(JOBS) command/web/build.sh build/web
+	@NODE_PATH=build/web/modules/node_modules node command/web/web_test.mjs build/web $(if $(filter web-soak,$@),--all)
+	@echo "built $(CURDIR)/build/web/index.html"
 
 # Debian packages of the command, the libraries and the Python package, in build/deb; lintian looks at them.
 deb: deps-deb

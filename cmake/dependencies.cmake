@@ -24,6 +24,25 @@ if(CIRCUMSPECT_STATIC)
   string(APPEND CMAKE_CXX_STANDARD_LIBRARIES " -lgmp")
 endif()
 
+# In a browser: headers and archives of all are in one folder, which command/web/libraries.sh has made. What the
+# standard library there lacks is in a header that stands before every file.
+if(EMSCRIPTEN)
+  include_directories(SYSTEM "${CIRCUMSPECT_WEB_LIBRARIES}/include")
+  foreach(package fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 CGAL::CGAL Threads::Threads TBB::tbb)
+    add_library(${package} INTERFACE IMPORTED GLOBAL)
+  endforeach()
+  target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+  target_compile_definitions(TBB::tbb INTERFACE CIRCUMSPECT_PLAIN_THREADS)
+  # WebAssembly always rounds to nearest, so no interval of CGAL's may be used, and none is: its kernel here computes
+  # with rationals alone. What it tries at the start of a program would end the program.
+  target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_ROUNDING_MATH_CHECK)
+  target_compile_options(circumspect_settings INTERFACE -fwasm-exceptions
+                         "SHELL:-include ${PROJECT_SOURCE_DIR}/command/web/libcxx.hpp")
+  list(PREPEND CMAKE_PREFIX_PATH "${CIRCUMSPECT_WEB_LIBRARIES}")
+  set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE NEVER)
+  set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY NEVER)
+endif()
+
 # circumspect_find_library(NAME HEADER [LIBRARY...] DEBIAN PACKAGE)
 # makes the target circumspect::NAME.
 function(circumspect_find_library name header)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|coverage|browser|deb|bench...
+#   cmake/packages.sh demo|docs|proofs|test|coverage|browser|web|deb|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -64,6 +64,16 @@ END
 chromium              opens the pages of --html as their readers do
 END
       ;;
+    web) cat <<'END'
+emscripten            compiles the command for browsers (WebAssembly)
+dpkg-dev              unpacks the sources of GMP and MPFR, which are compiled for them as well
+make                  compiles these
+gcc                   compiles programs that make tables for GMP
+chromium              opens the page as its readers do
+nodejs                bundles the page, and runs its tests
+npm                   fetches the modules for that, as package-lock.json names them
+END
+      ;;
     proofs) cat <<'END'
 coq                   checks the proofs and extracts the certificate checker
 ocaml-nox             compiles it
@@ -92,7 +102,7 @@ python3               checks the links of all pages
 END
       ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, browser, deb or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, browser, web, deb or bench" >&2; exit 2 ;;
   esac
 }
 

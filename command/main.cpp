@@ -76,12 +76,16 @@ ExitCode run(int argc, char** argv) {
   circumspect::cli::add_build(app, exit_code);
   circumspect::cli::add_inspect(app, exit_code);
   circumspect::cli::add_replay(app, exit_code);
+#ifndef __EMSCRIPTEN__  // a browser starts no programs, and needs no inputs for them
   circumspect::cli::add_campaign(app, exit_code);
   circumspect::cli::add_adapter(app, exit_code);
   circumspect::cli::add_minimize(app, exit_code);
   circumspect::cli::add_generate(app, exit_code);
+#endif
   circumspect::cli::add_compare(app, exit_code);
+#ifndef __EMSCRIPTEN__
   circumspect::cli::add_command_pages(app, exit_code);
+#endif
   circumspect::cli::lay_out_help(app);
   try {
     std::vector<std::string> words = circumspect::cli::with_angles_joined(argc, argv);

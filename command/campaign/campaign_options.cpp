@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -34,14 +33,6 @@ void add_bytes(CLI::App& command, const std::string& name, std::uint64_t& bytes,
           },
           about)
       ->option_text("SIZE");
-}
-
-// The number at the beginning of a text, and the unit behind it.
-bool split(const std::string& text, double& number, std::string& unit) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || !std::isfinite(number) || number < 0) return false;
-  unit.assign(end, text.data() + text.size());
-  return true;
 }
 
 void add_files(CLI::App& command, SubjectOptions& options) {
@@ -197,24 +188,12 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
 
 }  // namespace
 
-std::string read_duration(const std::string& text, double& seconds) {
-  const std::map<std::string, double> units = {{"", 1},   {"s", 1},    {"ms", 0.001},
-                                               {"m", 60}, {"min", 60}, {"h", 3600}};
-  std::string unit;
-  double number = 0;
-  if (!split(text, number, unit) || units.count(unit) == 0 || number <= 0) {
-    return fmt::format("expected a time such as 500ms, 90s, 15m or 1h, found {}", text);
-  }
-  seconds = number * units.at(unit);
-  return "";
-}
-
 std::string read_bytes(const std::string& text, std::uint64_t& bytes) {
   const std::map<std::string, int> units = {{"", 0},   {"k", 10}, {"K", 10},
                                             {"M", 20}, {"G", 30}, {"T", 40}};
   std::string unit;
   double number = 0;
-  if (!split(text, number, unit) || units.count(unit) == 0 || number > 1e6) {
+  if (!number_and_unit(text, number, unit) || units.count(unit) == 0 || number > 1e6) {
     return fmt::format("expected a size such as 64k, 512M or 2G, found {}", text);
   }
   bytes = static_cast<std::uint64_t>(std::ldexp(number, units.at(unit)));

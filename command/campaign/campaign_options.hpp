@@ -49,9 +49,7 @@ struct SubjectOptions {
 
 void add_subject_options(CLI::App& command, SubjectOptions& options);
 
-// Text such as "90", "1.5m" or "500ms" as seconds; "2G", "512M", "64k" or "0" as bytes: for options.
-// Returns what is wrong with it, or an empty string.
-std::string read_duration(const std::string& text, double& seconds);
+// Text such as "2G", "512M", "64k" or "0" as bytes: for options. Returns what is wrong with it, or an empty string.
 std::string read_bytes(const std::string& text, std::uint64_t& bytes);
 
 // An option whose value is such a text.

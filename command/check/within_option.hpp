@@ -8,6 +8,7 @@
 
 #include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 
@@ -36,7 +37,7 @@ std::string merging_note(const Verdict& exact, const Verdict& merged);
 // The same if polygons of nearly one plane are joined, which are flat up to the square root of `squared_height`.
 inline constexpr long kBentParts = 100'000;  // of the longest side of the bounding box
 inline const Rational kUsualSlope =
-    Rational(1745329251994329L, 1'000'000'000'000'000'000L);  // of 0.1deg
+    Rational(to_integer(1745329251994329), to_integer(1'000'000'000'000'000'000));  // of 0.1deg
 std::string bending_note(const Verdict& exact, const Verdict& bent, const Rational& squared_height);
 
 }  // namespace circumspect::cli

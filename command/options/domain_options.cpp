@@ -15,7 +15,7 @@ constexpr std::string_view kUnit = "deg";
 
 // Degrees as slopes: π/180, as a decimal that is taken at its word. For angles this small the
 // tangent and the angle are the same up to a quarter of a percent, and this definition is exact.
-const Rational kSlopeOfDegree(17453292519943295L, 1000000000000000000L);
+const Rational kSlopeOfDegree(to_integer(17453292519943295), to_integer(1000000000000000000));
 constexpr long kMostDegrees = 5;
 
 bool ends_in_unit(std::string_view text) {

@@ -1,12 +1,15 @@
-// Options whose values are counts or seeds.
+// Options whose values are counts, seeds, or numbers with a unit.
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace circumspect::cli {
 
@@ -25,6 +28,27 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
            (is_any ? "2^64 - 1" : std::to_string(most)) + ", found " + text;
   };
   return CLI::Validator(fault, "");
+}
+
+// The number at the beginning of a text, and the unit behind it.
+inline bool number_and_unit(const std::string& text, double& number, std::string& unit) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || !std::isfinite(number) || number < 0) return false;
+  unit.assign(end, text.data() + text.size());
+  return true;
+}
+
+// Text such as "90", "1.5m" or "500ms" as seconds. Returns what is wrong with it, or an empty string.
+inline std::string read_duration(const std::string& text, double& seconds) {
+  const std::map<std::string, double> units = {{"", 1},   {"s", 1},    {"ms", 0.001},
+                                               {"m", 60}, {"min", 60}, {"h", 3600}};
+  std::string unit;
+  double number = 0;
+  if (!number_and_unit(text, number, unit) || units.count(unit) == 0 || number <= 0) {
+    return fmt::format("expected a time such as 500ms, 90s, 15m or 1h, found {}", text);
+  }
+  seconds = number * units.at(unit);
+  return "";
 }
 
 }  // namespace circumspect::cli

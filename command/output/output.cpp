@@ -16,8 +16,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "command/campaign/campaign_options.hpp"
 #include "command/options/one_of.hpp"
+#include "command/options/whole_number.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 

@@ -98,7 +98,7 @@ void write_mesh(Lines& lines, const ExactMesh& mesh, const ScaledPoints& points,
   for (const Simplex& simplex : mesh.simplices) {
     lines << simplex.size();
     lines.gap();
-    for (const Vertex v : simplex) lines << Integer(v) + 1;
+    for (const Vertex v : simplex) lines << to_integer(v) + 1;
     lines.end_line();
   }
   lines << "spans";

@@ -65,7 +65,7 @@ class Finder {
   std::optional<Evidence> vertex_missing() const {
     for (Vertex v = 0; complex_.points.names(v); ++v) {
       if (!used_.contains(complex_.points[v]))
-        return Evidence{Rule::kDomainVertexMissing, {Integer(v) + 1}};
+        return Evidence{Rule::kDomainVertexMissing, {to_integer(v) + 1}};
     }
     return std::nullopt;
   }
@@ -75,7 +75,7 @@ class Finder {
       const Simplex& simplex = mesh_.simplices[s];
       for (std::size_t i = 0; i < simplex.size(); ++i) {
         if (!mesh_.points.names(simplex[i]) || given_.contains(mesh_.points[simplex[i]])) continue;
-        return Evidence{Rule::kSteinerForbidden, {Integer(s) + 1, Integer(i)}};
+        return Evidence{Rule::kSteinerForbidden, {to_integer(s) + 1, to_integer(i)}};
       }
     }
     return std::nullopt;
@@ -121,7 +121,7 @@ class Finder {
       const std::vector<Vertex> along = places_along(complex_.segments[s]);
       for (std::size_t i = 0; i + 1 < along.size(); ++i) {
         if (edges.contains(sorted({along[i], along[i + 1]}))) continue;
-        Evidence evidence{Rule::kSegmentMissing, {Integer(s) + 1}};
+        Evidence evidence{Rule::kSegmentMissing, {to_integer(s) + 1}};
         for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
           evidence.because.push_back(points_.coordinate(along[i], axis) +
                                      points_.coordinate(along[i + 1], axis));

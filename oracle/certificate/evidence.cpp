@@ -146,7 +146,7 @@ std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Wi
   Evidence evidence{rule, {}};
   if (rule == Rule::kHullNotConvex) {
     append_facet(evidence.because, mesh, *witness.face);
-    evidence.because.emplace_back(Integer(witness.vertices.front()) + 1);
+    evidence.because.emplace_back(to_integer(witness.vertices.front()) + 1);
     return evidence;
   }
   // Each simplex around a ridge has two of the facets there, and no facet is in three simplices: so
@@ -161,7 +161,7 @@ std::optional<Evidence> hull_evidence(const ExactMesh& mesh, Rule rule, const Wi
 
 std::optional<Evidence> uncovered_point_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                                  Vertex point) {
-  Evidence evidence{Rule::kUnusedPoint, {Integer(point) + 1}};
+  Evidence evidence{Rule::kUnusedPoint, {to_integer(point) + 1}};
   const HomogeneousPoint q = barycentre(points, {point});
   Sidedness sidedness(points);
   for (const Simplex& simplex : mesh.simplices) {
@@ -228,7 +228,7 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
   const Simplex& simplex = witness.simplices.front();
   if (rule == Rule::kVertexSubmerged) {
     append(evidence.because, entry_of(mesh, q));
-    for (const Vertex v : simplex) evidence.because.emplace_back(Integer(v) + 1);
+    for (const Vertex v : simplex) evidence.because.emplace_back(to_integer(v) + 1);
   } else if (rule == Rule::kFacetNotLocal) {
     const Simplex& facet = *witness.face;
     const auto off =
@@ -239,7 +239,7 @@ std::optional<Evidence> ball_evidence(const ExactMesh& mesh, Rule rule, const Wi
     const auto number = number_of(mesh, simplex);
     if (!number) return std::nullopt;
     evidence.because.emplace_back(static_cast<unsigned long>(*number));
-    evidence.because.emplace_back(Integer(q) + 1);
+    evidence.because.emplace_back(to_integer(q) + 1);
   }
   return evidence;
 }

@@ -87,7 +87,7 @@ Result<std::size_t> Lines::count(std::size_t column, std::string_view what) cons
   const Result<Vertex> value = integer(column, what);
   if (!value) return tl::unexpected(value.error());
   if (*value < 0) return fail_at(column, std::string(what) + ", 0 or more");
-  return static_cast<std::size_t>(*value);
+  return count_of(*value);
 }
 
 Result<Rational> Lines::number(std::size_t column, NumberReading reading) const {

@@ -1,7 +1,10 @@
 // The tokens of a text, line by line, and numbers on a line as all text formats write them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -24,6 +27,13 @@ inline constexpr std::size_t kLongestNumber = 10000;
 // The whole token as an integer: std::errc() if it is one and fits, result_out_of_range if it is
 // one and does not fit 64 bits, invalid_argument otherwise.
 std::errc parse_integer(std::string_view token, Vertex& value);
+
+// A count that a file states. Where std::size_t has 32 bits, more than fits is as many as fit: there is no such
+// file, and the reader finds that its end comes too early. Requires: value >= 0.
+constexpr std::size_t count_of(Vertex value) {
+  return static_cast<std::size_t>(std::min<std::uint64_t>(static_cast<std::uint64_t>(value),
+                                                          std::numeric_limits<std::size_t>::max()));
+}
 
 // The whole token as a number, refusing more than kLongestNumber characters.
 tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberReading reading);

@@ -126,7 +126,7 @@ Result<Rational> MixedText::number(NumberType type, std::string_view what) {
   if (type.kind != NumberType::Kind::kFloating) {
     const Result<Vertex> value = integer(type, what);
     if (!value) return tl::unexpected(value.error());
-    return Rational(*value);
+    return Rational(to_integer(*value));
   }
   if (is_binary()) {
     const std::optional<std::uint64_t> stored = bits(type.size);
@@ -163,7 +163,7 @@ Result<std::size_t> MixedText::count(NumberType type, std::string_view what) {
   const Result<Vertex> value = integer(type, what);
   if (!value) return tl::unexpected(value.error());
   if (*value < 0) return fail(std::string(what) + ", 0 or more", std::to_string(*value));
-  return static_cast<std::size_t>(*value);
+  return count_of(*value);
 }
 
 Result<std::size_t> MixedText::count_in_text(std::string_view what) {

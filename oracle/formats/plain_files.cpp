@@ -86,7 +86,7 @@ std::optional<PlainBlock> cut_near(const RandomAccess& file, std::size_t target,
   const std::size_t line = lines.second_line();
   const std::optional<std::int64_t> index = first_index(lines.tokens(line));
   if (!index || *index <= first) return std::nullopt;
-  return PlainBlock{target + line, 0, static_cast<std::size_t>(*index - first), 0};
+  return PlainBlock{target + line, 0, count_of(*index - first), 0};
 }
 
 // The blocks follow each other, and all hold some rows.
@@ -112,7 +112,7 @@ std::optional<PlainHeader> read_plain_header(const RandomAccess& file) {
     if (header.size == header.numbers.size() || !tokens.integer(number) || number < 0) {
       return std::nullopt;
     }
-    header.numbers[header.size++] = static_cast<std::size_t>(number);
+    header.numbers[header.size++] = count_of(number);
   }
   header.end = std::min(lines.before(tokens), file.size());
   return header;

@@ -83,7 +83,7 @@ class BinaryRows final : public PlyRows {
     const Result<Vertex> count = read_index(type);
     if (!count) return tl::unexpected(count.error());
     if (*count < 0) return fail("a list of 0 or more values in " + what_, std::to_string(*count));
-    return static_cast<std::size_t>(*count);
+    return count_of(*count);
   }
   Status skip(PlyType type, std::size_t count) override {
     // The count may be anything: no product of it before it is known to be small.
@@ -100,7 +100,7 @@ class BinaryRows final : public PlyRows {
     if (type.kind != Kind::kFloating) {
       const Result<Vertex> value = read_index(type);
       if (!value) return tl::unexpected(value.error());
-      return Rational(*value);
+      return Rational(to_integer(*value));
     }
     const auto bits = bytes_.unsigned_integer(type.size);
     if (!bits) return ended();

@@ -115,7 +115,7 @@ Status VtuReader::read_cells(pugi::xml_node cells, std::size_t count, std::optio
   if (!offsets) return tl::unexpected(offsets.error());
   const Vertex size = offsets->back();
   if (size < 0) return document_->fail(cells, "offsets of 0 or more", std::to_string(size));
-  const auto vertices = integers(cells, "connectivity", static_cast<std::size_t>(size));
+  const auto vertices = integers(cells, "connectivity", count_of(size));
   if (!vertices) return tl::unexpected(vertices.error());
   std::vector<Vertex> types(type ? count : 0, type.value_or(0));
   if (!type) {

@@ -126,7 +126,7 @@ Result<std::size_t> VtuDocument::count(pugi::xml_node node, const char* attribut
   const std::string text = node.attribute(attribute).value();
   Vertex value = 0;
   const std::errc error = parse_integer(text, value);
-  if (error == std::errc() && value >= 0) return static_cast<std::size_t>(value);
+  if (error == std::errc() && value >= 0) return count_of(value);
   return fail(node, std::string(attribute) + "=\"N\", an integer, 0 or more",
               text.empty() ? "none" : quote(text));
 }

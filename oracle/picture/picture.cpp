@@ -283,7 +283,7 @@ std::vector<double> direction(const Point& vector) {
 void Composer::add_ball() {
   if (!witness_.ball || sign(witness_.ball->squared_radius) <= 0) return;
   const Point& centre = witness_.ball->centre;
-  const Rational largest = Rational(1'000'000'000'000) * Rational(1'000'000'000'000);
+  const Rational largest = Rational(to_integer(1'000'000'000'000)) * to_integer(1'000'000'000'000);
   const Rational squared =
       std::min<Rational>(witness_.ball->squared_radius / (scale_ * scale_), largest);
   const double radius = std::sqrt(squared.get_d());

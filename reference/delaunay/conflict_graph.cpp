@@ -182,7 +182,7 @@ Integer binomial(std::uint64_t n, std::uint64_t m) {
   if (m > n) return 0;
   Integer result = 1;
   for (std::uint64_t i = 1; i <= m; ++i) {
-    result = exact_quotient(result * Integer(n - m + i), Integer(i));
+    result = exact_quotient(result * to_integer(n - m + i), to_integer(i));
   }
   return result;
 }
@@ -197,7 +197,7 @@ Rational bound_in_brio(int dimension, std::uint64_t j) {
   Integer denominator = 1;
   for (int i = 1; i <= dimension + 1; ++i) {
     numerator *= 2 * i;
-    denominator *= Integer(j);
+    denominator *= to_integer(j);
   }
   numerator += 1;
   if (denominator <= numerator) return 1;
@@ -210,9 +210,9 @@ Expectation expectation(int dimension, const std::vector<std::uint64_t>& numbers
                         Rational (*probability)(int dimension, std::uint64_t j)) {
   Expectation sum;
   for (std::uint64_t j = 0; j < numbers.size(); ++j) {
-    const Rational created = probability(dimension, j) * Rational(Integer(numbers[j]));
+    const Rational created = probability(dimension, j) * Rational(to_integer(numbers[j]));
     sum.simplices += created;
-    sum.conflicts += Rational(Integer(j)) * created;
+    sum.conflicts += Rational(to_integer(j)) * created;
   }
   return sum;
 }

@@ -66,7 +66,8 @@ class EdgeTable {
 
   std::span<const FacetUse> of(const Simplex& edge) const {
     const auto range = std::equal_range(uses_.begin(), uses_.end(), edge, Order());
-    return {range.first, range.second};
+    return std::span(uses_).subspan(static_cast<std::size_t>(range.first - uses_.begin()),
+                                    static_cast<std::size_t>(range.second - range.first));
   }
 
  private:

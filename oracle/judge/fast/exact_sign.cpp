@@ -251,7 +251,7 @@ void assign(Fixed<kLimbs>& result, const Dyadic& parts, int unit) {
 }
 
 void assign(Unbounded& result, const Dyadic& parts, int unit) {
-  result.value = parts.mantissa;
+  result.value = to_integer(parts.mantissa);
   if (parts.mantissa != 0) result.value <<= static_cast<unsigned long>(parts.exponent - unit);
 }
 

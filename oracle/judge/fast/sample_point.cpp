@@ -14,7 +14,7 @@ namespace {
 Integer in_units(double value, int unit) {
   const Dyadic parts = dyadic(value);
   if (parts.mantissa == 0) return 0;
-  return Integer(parts.mantissa) << static_cast<unsigned long>(parts.exponent - unit);
+  return to_integer(parts.mantissa) << static_cast<unsigned long>(parts.exponent - unit);
 }
 
 // The exponent of a power of two that divides all coordinates.

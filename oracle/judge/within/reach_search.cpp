@@ -181,8 +181,9 @@ ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, co
   for (const Point& point : cells.complex().points.points()) {
     for (const Rational& x : point) largest = std::max(largest, Rational(abs(x)));
   }
-  for (const long parts : {1'000'000'000'000L, 1'000'000'000L, 1'000'000L}) {
-    const Rational limit = largest / Rational(parts);
+  for (const std::int64_t parts :
+       std::initializer_list<std::int64_t>{1'000'000'000'000, 1'000'000'000, 1'000'000}) {
+    const Rational limit = largest / to_integer(parts);
     if (limit * limit >= squared_limit) break;
     ReachAnswer answer = up_to(limit * limit);
     if (answer.kind == ReachAnswer::Kind::kFound) return answer;

@@ -114,7 +114,7 @@ void for_each_facet(const std::vector<FacetUse>& uses,
   for (auto first = uses.begin(); first != uses.end();) {
     const auto last = std::find_if(first, uses.end(),
                                    [&](const FacetUse& use) { return use.facet != first->facet; });
-    visit({first, last});
+    visit({&*first, static_cast<std::size_t>(last - first)});
     first = last;
   }
 }

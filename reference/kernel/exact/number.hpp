@@ -2,7 +2,9 @@
 // exhaust the memory. This folder is the only place that names the number library (GMP, MPFR).
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,22 @@ using Rational = mpq_class;
 // Sign of a number: -1, 0 or 1.
 inline int sign(const Integer& value) { return sgn(value); }
 inline int sign(const Rational& value) { return sgn(value); }
+
+// An integer of the language. GMP's constructors end at `long`, which not every machine gives 64 bits.
+template <std::integral Number>
+Integer to_integer(Number value) {
+  if constexpr (sizeof(Number) <= sizeof(long)) {
+    return Integer(value);
+  } else {
+    const bool negative = value < 0;
+    const auto size =
+        negative ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+    Integer result = static_cast<unsigned long>(size >> 32U);
+    result <<= 32;
+    result += static_cast<unsigned long>(size & 0xffffffffU);
+    return negative ? Integer(-result) : result;
+  }
+}
 
 // The exact value of a finite double. Requires: value is finite.
 Rational exact_value(double value);

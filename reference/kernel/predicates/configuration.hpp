@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@
 namespace circumspect {
 
 // The index of a point in its configuration, counted from 0.
-using Vertex = std::ptrdiff_t;
+using Vertex = std::int64_t;
 
 // Point v is stored as integers X_1 … X_d over a positive denominator W, and its height
 // |p|² − weight as an integer H over W². One common W serves all points whenever it has at most

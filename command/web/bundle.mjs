@@ -1,0 +1,30 @@
+// Makes of the compiled command, and of the sources beside this, one page that needs no server and no other file.
+//   node bundle.mjs BUILD OUTPUT        BUILD has circumspect.js and circumspect.wasm; esbuild is in NODE_PATH
+import { createRequire } from 'node:module';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const page = join(here, '..', '..', 'oracle', 'picture', 'page');
+const esbuild = createRequire(join(resolve(process.env.NODE_PATH.split(':')[0]), 'none.js'))('esbuild');
+const [build, output] = process.argv.slice(2);
+const read = (...path) => readFileSync(join(...path), 'utf8');
+
+const bundled = (name) => esbuild.buildSync({ entryPoints: [join(here, name)], bundle: true, minify: true, write: false,
+  charset: 'ascii', format: 'iife', target: 'es2022', legalComments: 'none' }).outputFiles[0].text.trim();
+const inScript = (text) => text.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
+const style = esbuild.transformSync(['page.css', 'roles.css'].map((name) => read(page, name)).join('') + read(here, 'web.css'),
+  { loader: 'css', minify: true });
+
+// The claims are those that the command knows.
+const claims = read(here, '..', '..', 'oracle', 'model', 'verdict.cpp').match(/return "[a-z-]+";/g).map((line) => line.split('"')[1]);
+const parts = {
+  style: style.code.trim(),
+  claims: claims.map((claim) => `<option>${claim}</option>`).join(''),
+  worker: inScript(`${read(build, 'circumspect.js')}\n${bundled('worker.js')}`),
+  wasm: gzipSync(readFileSync(join(build, 'circumspect.wasm')), { level: 9 }).toString('base64'),
+  script: inScript(bundled('app.js')),
+};
+writeFileSync(output, read(here, 'web.html').replace(/\{\{(style|claims|worker|wasm|script)\}\}/g, (_, name) => parts[name]));
