@@ -50,7 +50,7 @@ ARROWS = {
     "fuzz/targets": ["reference/constrained", "oracle/judge/domain", "fuzz/harness"],
     **{folder: COMMAND for folder in COMMAND_FOLDERS},
     "command/mpi": COMMAND,
-    "command/web": [],
+    "command/web": ["command/check"],
     "properties/arguments": ["inputs/triangulated"],
     "properties/mutations": ["oracle/model"],
     "properties/faulty": ["reference/constrained", "fuzz/campaign", "inputs/triangulated"],

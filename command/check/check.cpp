@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
+#include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/check/remedy.hpp"
 #include "command/check/within_option.hpp"
