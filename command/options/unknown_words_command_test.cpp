@@ -19,9 +19,10 @@ std::string said(const std::vector<std::string>& arguments) {
 }
 
 TEST_CASE("subcommands") {
-  CHECK(said({"chek", "x.ele"}) ==
-        "circumspect: expected check|certify|build|inspect|replay|campaign|minimize|generate|"
-        "compare, found chek; the nearest is check");
+  CHECK(
+      said({"chek", "x.ele"}) ==
+      "circumspect: expected check|certify|build|inspect|replay|campaign|adapter|minimize|generate|"
+      "compare, found chek; the nearest is check");
   CHECK(has(said({"frobnicate"}), "|compare, found frobnicate"));
   CHECK_FALSE(has(said({"frobnicate"}), "nearest"));
   const std::string build = said({"build", "delunay", "x.node", "-o", "y.ele"});
