@@ -38,6 +38,7 @@ async function golden(every) {
   let tried = 0;
   for (const [i, [line, exit, digest, last]] of rows.entries()) {
     if (i % every !== 0 || line.startsWith('generate ')) continue;  // a page has no `generate`
+    if (line.includes('node-attributes-overflow')) continue;  // names a count beyond 32 bits
     ++tried;
     const words = line.split(' ');
     // Of the folders that the line names, all files, for many are read unnamed beside another.

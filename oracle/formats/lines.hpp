@@ -28,11 +28,11 @@ inline constexpr std::size_t kLongestNumber = 10000;
 // one and does not fit 64 bits, invalid_argument otherwise.
 std::errc parse_integer(std::string_view token, Vertex& value);
 
-// A count that a file states. Where std::size_t has 32 bits, more than fits is as many as fit: there is no such
-// file, and the reader finds that its end comes too early. Requires: value >= 0.
+// A count that a file states. Where std::size_t has 32 bits, more than 2^31 − 1 is as many, so that some more may be
+// added: there is no such file, and the reader finds that its end comes too early. Requires: value >= 0.
 constexpr std::size_t count_of(Vertex value) {
-  return static_cast<std::size_t>(std::min<std::uint64_t>(static_cast<std::uint64_t>(value),
-                                                          std::numeric_limits<std::size_t>::max()));
+  return static_cast<std::size_t>(std::min<std::uint64_t>(
+      static_cast<std::uint64_t>(value), std::numeric_limits<std::size_t>::max() / 2));
 }
 
 // The whole token as a number, refusing more than kLongestNumber characters.
