@@ -236,7 +236,12 @@ constexpr int kMostStops = 20;  // looks that find one stopped before it is give
 
 Supervisor::Supervisor(const std::string& folder, Turn turn, std::optional<Containment> wanted)
     : folder_(folder), turn_(turn), wanted_(wanted) {
-  start();
+  try {
+    start();
+  } catch (...) {
+    if (!folder_.empty()) removed(folder_);
+    throw;
+  }
   if (supervisor_.number() > 0) return;
   end();
   if (!folder_.empty()) removed(folder_);
