@@ -238,14 +238,13 @@ Supervisor::Supervisor(const std::string& folder, Turn turn, std::optional<Conta
     : folder_(folder), turn_(turn), wanted_(wanted) {
   try {
     start();
+    if (supervisor_.number() > 0) return;
+    end();
+    throw std::system_error(EPERM, std::generic_category(), "a process namespace");
   } catch (...) {
     if (!folder_.empty()) removed(folder_);
     throw;
   }
-  if (supervisor_.number() > 0) return;
-  end();
-  if (!folder_.empty()) removed(folder_);
-  throw std::system_error(EPERM, std::generic_category(), "a process namespace");
 }
 
 Supervisor::~Supervisor() {

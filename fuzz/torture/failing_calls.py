@@ -73,7 +73,8 @@ RUNS = [
         ["drawn/sphere+ulp-7.node", "drawn/sphere+ulp-8.node"]),
     Run("campaign", CAMPAIGN + ["/bin/sh", "-c", 'cp "$2" "$1"', "{points}", "{mesh}", "OUT/five.ele"],
         in_slice={("read", "EIO", False)}),
-    Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"])]
+    Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"],
+        in_slice={("pipe", "EMFILE", False)})]
 BEFORE = b"what was there before\n"
 
 
