@@ -10,14 +10,11 @@
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::properties {
-namespace {
 
 int one_input_in() {
   const char* const asked = std::getenv("CIRCUMSPECT_ONE_INPUT_IN");
   return std::max(1, asked != nullptr ? std::atoi(asked) : 1) * kOneInputIn;
 }
-
-}  // namespace
 
 bool holds(const std::string& description, int successes, const std::function<void()>& property) {
   rc::detail::TestMetadata metadata;

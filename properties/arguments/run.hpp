@@ -33,6 +33,9 @@ constexpr std::size_t points_a_side(std::size_t side) { return kOneInputIn > 1 ?
 // quarter of a second a property.
 bool holds(const std::string& description, int successes, const std::function<void()>& property);
 
+// How many inputs there are for each that is tried: CIRCUMSPECT_ONE_INPUT_IN, and more under the sanitizers.
+int one_input_in();
+
 // Has a kind of input been drawn, often enough for all its inputs, that a property must not do without? The fixed inputs
 // of `make test` have all of them. A soak, which says so in its environment (CIRCUMSPECT_SOAK), draws new ones
 // each round, where a rare kind may well be missing once: it does not ask. Nor do the sanitizers, which see
