@@ -10,8 +10,9 @@ export class Camera {
     const isSmall = ball?.centre && ball.radius < 2.5;
     this.isFlat = picture.dimension < 3;
     this.middle = isSmall ? ball.centre : [0, 0, 0];
-    // Half the height of what is seen when nothing is magnified.
-    this.size = 1.15 * Math.max(0.2, isSmall ? ball.radius : 0, ...core.map((p) => length(sub(p, this.middle))));
+    const reach = (some) => Math.max(0, ...some.map((p) => length(sub(p, this.middle))));
+    // Half the height of what is seen when nothing is magnified. A point alone is seen among all the others.
+    this.size = 1.15 * Math.max(0.2, isSmall ? ball.radius : 0, reach(core) || reach(points));
     this.reset();
     this.lookAt(core, picture.face ? points.filter((_, i) => picture.face.includes(i)) : []);
   }
@@ -61,9 +62,10 @@ export class Camera {
   lookAt(points, face) {
     if (this.isFlat) return;
     let best = -1;
-    for (let i = 0; i < 24; ++i) {
-      for (const pitch of [0.15, 0.4, 0.7, -0.3]) {
-        this.yaw = 0.2 + (i * Math.PI) / 12;
+    // Never nearly along an axis, where boxes look like squares, and what is flat is not seen to be so.
+    for (let i = 0; i < 12; ++i) {
+      for (const pitch of [0.3, 0.5, 0.75, -0.35]) {
+        this.yaw = Math.floor(i / 3) * (Math.PI / 2) + [0.45, 0.8, 1.1][i % 3];
         this.pitch = pitch;
         const seen = points.map((p) => this.project(p));
         let nearest = Infinity;
