@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "c/guard.hpp"
+#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/model/printable.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
@@ -279,7 +280,7 @@ Domain domain_of(const circumspect_domain& given) {
   take_polygon_holes(domain, input.polygons);
   input.hole_seeds =
       exact_points(domain.hole_count, domain.dimension, domain.hole_seeds, domain.exact_hole_seeds);
-  auto complex = validated(input);
+  auto complex = check::validated_domain(input);
   if (!complex) refuse_input(breach_text(complex.error()));
   complex->kind = kind_of(*complex, domain.kind);
   return {std::move(*complex)};

@@ -111,15 +111,6 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
   if (output.wants_json()) output.json(std::move(result));
 }
 
-// How long judging by definition takes, about, on a machine of 2023: every pair of simplices is looked at,
-// and every simplex with every point. By lemma nobody need wait long.
-std::optional<double> seconds_of_judging(const Mesh& mesh, const CheckOptions& options) {
-  if (options.check.by != check::By::kDefinition) return std::nullopt;
-  const auto simplices = static_cast<double>(mesh.simplices.size());
-  const auto points = static_cast<double>(mesh.points());
-  return simplices * simplices / 2 * 2e-5 + simplices * points * 2e-6;
-}
-
 void check_alone(const std::string& path, const CheckOptions& options, Output& output) {
   output.begin("reading " + path);
   auto loaded = load_mesh(path, options.input, options.check.threads);
@@ -127,7 +118,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
-  output.begin("judging " + path, seconds_of_judging(loaded->mesh, options));
+  output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
   if (!verdict) {
@@ -175,7 +166,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
                     dimension, domain.name, mesh.dimension()));
     return;
   }
-  output.begin("judging " + path, seconds_of_judging(mesh, options));
+  output.begin("judging " + path, seconds_of_judging(mesh, options.check));
   const Claim claim = claim_of(options, mesh, domain);
   std::optional<Verdict> verdict;
   if (options.within) {

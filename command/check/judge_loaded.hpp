@@ -1,6 +1,7 @@
 // From a mesh that was read to the verdict on it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -16,5 +17,9 @@ tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& loaded,
                                                 Duplicates duplicates,
                                                 const check::Options& options,
                                                 const Domain* domain = nullptr);
+
+// How long that takes by definition, about, on a machine of 2023: every pair of simplices is looked at, and every
+// simplex with every point. By lemma nobody need wait long.
+std::optional<double> seconds_of_judging(const Mesh& mesh, const check::Options& options);
 
 }  // namespace circumspect::cli

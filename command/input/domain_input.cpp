@@ -6,6 +6,7 @@
 
 #include "command/input/breach_text.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
@@ -118,7 +119,8 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   if (watch.on_breach) {
     validity.on_breach = [&](const Breach& breach) { watch.on_breach(breach, file); };
   }
-  auto complex = validated(file.input, max_breaches == 0 ? 0 : max_breaches + 1, validity);
+  auto complex =
+      check::validated_domain(file.input, max_breaches == 0 ? 0 : max_breaches + 1, validity);
   if (!complex) {
     return tl::unexpected(fault_of(std::move(complex.error()), max_breaches, std::move(file)));
   }

@@ -22,10 +22,9 @@ std::string wall_noun(const Domain& domain, std::size_t count) {
 }
 
 Regions regions_if_enclosed(const Domain& domain, const std::vector<Point>& more_seeds = {}) {
-  PiecewiseLinearComplex enclosed = domain.complex;
-  enclosed.kind = DomainKind::kEnclosed;
-  enclosed.hole_seeds.insert(enclosed.hole_seeds.end(), more_seeds.begin(), more_seeds.end());
-  return Regions(enclosed);
+  std::vector<Point> seeds = domain.complex.hole_seeds;
+  seeds.insert(seeds.end(), more_seeds.begin(), more_seeds.end());
+  return Regions(domain.complex, seeds, DomainKind::kEnclosed);
 }
 
 // The ridges that are faces of one wall alone, each with that wall: edges of triangles, in the plane
@@ -203,11 +202,10 @@ tl::expected<std::vector<Point>, std::string> seeds_beside(const std::vector<Poi
 // The walls without anything filled on either side.
 std::set<Simplex> dangling_walls(const Regions& regions) {
   std::set<Simplex> dangling;
-  for (const Simplex& wall : regions.walls().simplices()) {
-    const OrientedFacet front{wall, false};
-    if (regions.where(regions.in_front_of(front)) != Where::kInside &&
-        regions.where(regions.in_front_of(front.reverse())) != Where::kInside) {
-      dangling.insert(wall);
+  for (std::size_t wall = 0; wall < regions.walls().size(); ++wall) {
+    const auto [behind, in_front] = regions.beside(wall);
+    if (regions.where(behind) != Where::kInside && regions.where(in_front) != Where::kInside) {
+      dangling.insert(regions.walls().simplices()[wall]);
     }
   }
   return dangling;

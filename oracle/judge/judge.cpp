@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
@@ -122,10 +123,31 @@ OrReason<fast::SimplexFacts> known_facts(Claim claim, const Mesh& mesh, DomainKi
       });
 }
 
+// The verdict on a mesh that holds, if that is seen at once.
+std::optional<Verdict> held_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
+                                      const fast::SimplexFacts& facts, const Options& options) {
+  if (mesh.neighbors) return std::nullopt;
+  const auto verdict = asked_of_rows<Verdict>(
+      mesh, false,
+      [&]<std::size_t kDimension, class Index>(
+          const fast::MeshView<kDimension, Index>& view) -> OrReason<Verdict> {
+        if constexpr (kDimension == 3) {
+          auto held = held_by_facets(claim, view, mesh.faces, domain, facts, options);
+          if (held) return *std::move(held);
+        }
+        return because("something to be asked of exact numbers");
+      });
+  return verdict ? std::optional(*verdict) : std::nullopt;
+}
+
 Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
                          const Options& options) {
   const auto facts = known_facts(claim, mesh, domain.complex.kind, options);
-  Verdict verdict = judge_domain(claim, exact(mesh), domain, options, facts ? &*facts : nullptr);
+  std::optional<Verdict> held =
+      facts ? held_in_domain(claim, mesh, domain, *facts, options) : std::nullopt;
+  Verdict verdict =
+      held ? *std::move(held)
+           : judge_domain(claim, exact(mesh), domain, options, facts ? &*facts : nullptr);
   if (facts) {
     verdict.course = {true, "", facts->stages.filtered, facts->stages.exact()};
   } else {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
@@ -39,12 +41,17 @@ class FacetTable {
   };
 
   FacetTable(const fast::MeshView<kDimension, Index>& mesh, std::span<const fast::FacetId> facets)
-      : has_facet_(mesh.points(), 0) {
+      : has_facet_(mesh.points(), 0), has_hash_(std::bit_ceil(16 * facets.size() + 1), false) {
     entries_.reserve(facets.size());
     for (const fast::FacetId facet : facets) {
       const std::size_t simplex = facet.simplex();
       entries_.push_back({vertices_of(mesh.row(simplex), facet.place()), simplex});
       for (const Index v : entries_.back().facet) has_facet_[static_cast<std::size_t>(v)] = 1;
+      fast::for_each_facet_of<kVertices>(mesh.row(simplex),
+                                         [&](std::uint64_t hash, std::size_t place) {
+                                           if (place == facet.place())
+                                             has_hash_[hash & (has_hash_.size() - 1)] = true;
+                                         });
     }
     std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) { return a.facet < b.facet; });
@@ -57,16 +64,24 @@ class FacetTable {
     return vertices >= kDimension;
   }
 
-  const Entry* find(const std::array<Index, kDimension>& facet) const {
-    const auto found =
-        std::lower_bound(entries_.begin(), entries_.end(), facet,
-                         [](const Entry& entry, const auto& key) { return entry.facet < key; });
-    return found != entries_.end() && found->facet == facet ? &*found : nullptr;
+  // Adds those that the simplex shares with the one that they are named by.
+  void add_shared(std::span<const Index, kVertices> simplex, std::size_t s,
+                  std::vector<SharedFacet>& shared) const {
+    fast::for_each_facet_of<kVertices>(simplex, [&](std::uint64_t hash, std::size_t place) {
+      if (!has_hash_[hash & (has_hash_.size() - 1)]) return;
+      const auto facet = vertices_of(simplex, place);
+      const auto found =
+          std::lower_bound(entries_.begin(), entries_.end(), facet,
+                           [](const Entry& entry, const auto& key) { return entry.facet < key; });
+      if (found == entries_.end() || found->facet != facet || found->simplex == s) return;
+      shared.push_back({{facet.begin(), facet.end()}, found->simplex, simplex[place]});
+    });
   }
 
  private:
   std::vector<Entry> entries_;
   std::vector<unsigned char> has_facet_;  // of each point: is it a vertex of one of them?
+  std::vector<bool> has_hash_;
 };
 
 }  // namespace
@@ -78,13 +93,7 @@ std::vector<SharedFacet> shared_facets(const fast::MeshView<kDimension, Index>& 
   std::vector<SharedFacet> shared;
   for (std::size_t s = 0; s < mesh.size(); ++s) {
     const auto simplex = mesh.row(s);
-    if (!table.may_have(simplex)) continue;
-    for (std::size_t place = 0; place < simplex.size(); ++place) {
-      const auto facet = vertices_of(simplex, place);
-      const auto* const entry = table.find(facet);
-      if (entry == nullptr || entry->simplex == s) continue;
-      shared.push_back({{facet.begin(), facet.end()}, entry->simplex, simplex[place]});
-    }
+    if (table.may_have(simplex)) table.add_shared(simplex, s, shared);
   }
   if (shared.size() != facets.size()) {
     throw std::logic_error("a facet was taken for one of two simplices, and is not");

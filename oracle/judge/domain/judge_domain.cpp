@@ -8,15 +8,16 @@
 namespace circumspect::check {
 namespace {
 
-bool allows_steiner_points(Claim claim) {
-  return claim != Claim::kPlcTriangulation && claim != Claim::kCdt;
-}
 bool is_constrained(Claim claim) { return claim == Claim::kCdt || claim == Claim::kSteinerCdt; }
 
 }  // namespace
 
 bool is_about_balls(Claim claim) {
   return is_constrained(claim) || claim == Claim::kConformingDelaunay;
+}
+
+bool allows_steiner_points(Claim claim) {
+  return claim != Claim::kPlcTriangulation && claim != Claim::kCdt;
 }
 
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,

@@ -25,7 +25,8 @@ namespace circumspect::check {
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
                      const Options& options = {}, const fast::SimplexFacts* known = nullptr);
 
-// Does the claim say anything of balls?
+// Does the claim say anything of balls? May the mesh have vertices that the domain has not?
 bool is_about_balls(Claim claim);
+bool allows_steiner_points(Claim claim);
 
 }  // namespace circumspect::check

@@ -1,5 +1,6 @@
 #include "oracle/judge/points/delaunay.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,8 +13,75 @@
 
 namespace circumspect::check {
 
+namespace {
+
+using Arrow = std::array<Integer, 3>;
+
+Arrow cross(const Arrow& a, const Arrow& b) {
+  Arrow product;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    add_product(product[i], a[j], b[k]);
+    subtract_product(product[i], a[k], b[j]);
+  }
+  return product;
+}
+Integer dot(const Arrow& a, const Arrow& b) {
+  Integer sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) add_product(sum, a[i], b[i]);
+  return sum;
+}
+
+// Is the depth of q in the ball of a tetrahedron, over the squared radius, at most some number? By integers, whose
+// fractions need not be reduced: for a mesh with many faults, most of which are not the worst. The edges e_i from the
+// first vertex p span the volume D and have the centre p + n / 2D with n = Σ |e_i|² e_j × e_k. With w = q − p the depth is
+// w·n / D − |w|², and the squared radius |n|² / 4D².
+bool is_at_most_so_deep(const Configuration& points, const Simplex& simplex, Vertex q,
+                        const Rational& limit) {
+  const auto from_first = [&](Vertex v) {
+    Arrow arrow;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      arrow[axis] = points.numerator(v, axis) - points.numerator(simplex[0], axis);
+    }
+    return arrow;
+  };
+  const std::array<Arrow, 3> edges = {from_first(simplex[1]), from_first(simplex[2]),
+                                      from_first(simplex[3])};
+  Arrow n;
+  Integer volume;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Arrow normal = cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
+    const Integer length = dot(edges[i], edges[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) add_product(n[axis], length, normal[axis]);
+    if (i == 0) volume = dot(edges[0], normal);
+  }
+  const Arrow w = from_first(q);
+  Integer depth = dot(w, n);  // times the volume
+  subtract_product(depth, volume, dot(w, w));
+  return 4 * volume * depth * limit.get_den() <= limit.get_num() * dot(n, n);
+}
+
+// Is there no room for a witness, and has the rule been broken as badly before?
+bool adds_to_count_only(const ExactMesh& mesh, Rule rule, const Simplex& simplex, Vertex q,
+                        const Verdict& verdict) {
+  const Configuration& points = mesh.points.configuration();
+  if (verdict.keeps_more() || mesh.points.is_weighted() || !points.has_common_denominator() ||
+      points.ambient_dimension() != 3 || simplex.size() != 4) {
+    return false;
+  }
+  const auto tally = verdict.tallies().find(rule);
+  return tally != verdict.tallies().end() && tally->second.worst_margin &&
+         is_at_most_so_deep(points, simplex, q, *tally->second.worst_margin);
+}
+
+}  // namespace
+
 void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict) {
+  if (adds_to_count_only(mesh, rule, simplex, q, verdict)) {
+    verdict.count(rule);
+    return;
+  }
   const Ball ball = circumball(mesh.points, simplex);
   const Rational depth = -power(mesh.points, ball, q);
   Witness witness{.simplices = {simplex}, .face = facet, .vertices = {q}, .ball = ball};

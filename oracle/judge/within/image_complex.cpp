@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/distance.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
@@ -189,7 +190,7 @@ class Building {
       return simplex;
     };
     Witness witness;
-    const auto valid = validated(input, 1);
+    const auto valid = validated_domain(input, 1);
     if (!valid) {
       const Breach& breach = valid.error().front();
       witness = {.vertices = back(breach.vertices), .point = breach.point};

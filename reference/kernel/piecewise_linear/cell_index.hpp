@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "reference/kernel/complex/point_set.hpp"
@@ -92,29 +94,27 @@ inline std::vector<std::size_t> near_line(const BoxIndex& index, const Point& fr
   return found;
 }
 
+// The indices are made with the first question.
 class NearbyCells {
  public:
   NearbyCells(const PointSet& points, const std::vector<Simplex>& segments)
-      : boxes_(points),
-        segments_(segments),
-        vertex_index_(boxes_.of_vertices()),
-        segment_index_(boxes_.index_of(segments)) {}
+      : boxes_(points), segments_(segments) {}
 
   Box box_of(const Simplex& simplex) const { return boxes_.of(simplex); }
 
   std::vector<Vertex> vertices(const Box& box) const {
-    const std::vector<std::size_t> found = vertex_index_.meeting(box);
+    const std::vector<std::size_t> found = indices().vertices.meeting(box);
     return {found.begin(), found.end()};
   }
   std::vector<Vertex> vertices(const Point& from, const Point& to) const {
-    const std::vector<std::size_t> found = near_line(vertex_index_, from, to);
+    const std::vector<std::size_t> found = near_line(indices().vertices, from, to);
     return {found.begin(), found.end()};
   }
   std::vector<Simplex> segments(const Box& box) const {
-    return segments_at(segment_index_.meeting(box));
+    return segments_at(indices().segments.meeting(box));
   }
   std::vector<Simplex> segments(const Point& from, const Point& to) const {
-    return segments_at(near_line(segment_index_, from, to));
+    return segments_at(near_line(indices().segments, from, to));
   }
 
  private:
@@ -124,10 +124,20 @@ class NearbyCells {
     return found;
   }
 
+  struct Indices {
+    BoxIndex vertices, segments;
+  };
+  const Indices& indices() const {
+    std::call_once(asked_, [this] {
+      indices_.emplace(Indices{BoxIndex(boxes_.of_vertices()), boxes_.index_of(segments_)});
+    });
+    return *indices_;
+  }
+
   CellBoxes boxes_;
   std::vector<Simplex> segments_;
-  BoxIndex vertex_index_;
-  BoxIndex segment_index_;
+  mutable std::once_flag asked_;
+  mutable std::optional<Indices> indices_;
 };
 
 }  // namespace circumspect

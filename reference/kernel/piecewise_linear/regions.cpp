@@ -260,9 +260,9 @@ Regions::Regions(const PointSet& points, const std::vector<Simplex>& walls,
                  const std::vector<Point>& hole_seeds, DomainKind kind)
     : Regions(points, walls, {}, hole_seeds, kind) {}
 
-Regions::Regions(const PiecewiseLinearComplex& complex)
-    : Regions(complex.points, circumspect::walls(complex), complex.segments, complex.hole_seeds,
-              complex.kind) {}
+Regions::Regions(const PiecewiseLinearComplex& complex, const std::vector<Point>& hole_seeds,
+                 DomainKind kind)
+    : Regions(complex.points, circumspect::walls(complex), complex.segments, hole_seeds, kind) {}
 
 Regions::Regions(const PointSet& points, const std::vector<Simplex>& walls,
                  const std::vector<Simplex>& segments, const std::vector<Point>& hole_seeds,
@@ -298,7 +298,7 @@ void Regions::make_holes(const std::vector<Point>& hole_seeds) {
 }
 
 std::size_t Regions::in_front_of(const OrientedFacet& wall) const {
-  return region_of_side_[2 * walls_->place_of(wall.vertices) + (wall.reversed ? 1 : 0)];
+  return beside(walls_->place_of(wall.vertices))[wall.reversed ? 0 : 1];
 }
 
 std::optional<std::size_t> Regions::region_at(const Point& point) const {

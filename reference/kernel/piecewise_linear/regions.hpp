@@ -2,6 +2,7 @@
 // 4.5.1.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -93,7 +94,11 @@ class Regions {
   // Requires: no hole seed lies on a wall, unless the kind is kHull, which has no holes.
   Regions(const PointSet& points, const std::vector<Simplex>& walls,
           const std::vector<Point>& hole_seeds, DomainKind kind);
-  explicit Regions(const PiecewiseLinearComplex& complex);
+  explicit Regions(const PiecewiseLinearComplex& complex)
+      : Regions(complex, complex.hole_seeds, complex.kind) {}
+  // With other hole seeds, and of another kind, than the complex says.
+  Regions(const PiecewiseLinearComplex& complex, const std::vector<Point>& hole_seeds,
+          DomainKind kind);
 
   // How many regions there are, the unbounded one among them, and what each is: never kOnWall.
   // Without a wall there is the unbounded one alone. In the hull kind it is inside (what there is
@@ -104,6 +109,10 @@ class Regions {
 
   // The region in front of a wall (its back: of wall.reverse()). Requires: it is a wall.
   std::size_t in_front_of(const OrientedFacet& wall) const;
+  // The regions behind and in front of a wall, by its place among all walls.
+  std::array<std::size_t, 2> beside(std::size_t wall) const {
+    return {region_of_side_[2 * wall + 1], region_of_side_[2 * wall]};
+  }
 
   // Where a point is; the region of it, if it is on no wall. (Hull kind: what is beyond the convex
   // hull is outside, though no wall be there; points of the hull's boundary are inside.)

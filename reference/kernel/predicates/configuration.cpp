@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <numeric>
 
 namespace circumspect {
@@ -16,6 +17,22 @@ std::vector<std::size_t> ranks_by(std::size_t points, const IsBefore& is_before)
   std::vector<std::size_t> ranks(points);
   for (std::size_t place = 0; place < order.size(); ++place) ranks[order[place]] = place;
   return ranks;
+}
+
+// The numbers over the least power of two that makes words of them all, rounded down: in the same order, but for
+// numbers that become equal.
+std::vector<long> leading_words(const std::vector<Integer>& numbers) {
+  std::size_t bits = 0;
+  for (const Integer& number : numbers) bits = std::max(bits, bit_length(number));
+  const std::size_t dropped = bits - std::min<std::size_t>(bits, std::numeric_limits<long>::digits);
+  std::vector<long> words;
+  words.reserve(numbers.size());
+  Integer word;
+  for (const Integer& number : numbers) {
+    word = number >> dropped;
+    words.push_back(word.get_si());
+  }
+  return words;
 }
 
 // value · scale, which is known to be an integer.
@@ -35,12 +52,16 @@ Configuration::Configuration(const std::vector<Point>& points, const std::vector
                       [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
     return;
   }
-  // Over one denominator numerators are in the order of the coordinates.
+  // Over one denominator numerators are in the order of the coordinates, and their leading bits tell almost
+  // all points apart.
   const auto d = static_cast<std::ptrdiff_t>(ambient_dimension_);
+  const std::vector<long> leading = leading_words(numerators_);
   const auto at = [&](std::size_t v) {
     return numerators_.begin() + static_cast<std::ptrdiff_t>(v) * d;
   };
   ranks_ = ranks_by(points.size(), [&](std::size_t a, std::size_t b) {
+    const long of_a = leading[a * ambient_dimension_], of_b = leading[b * ambient_dimension_];
+    if (of_a != of_b) return of_a < of_b;
     return std::lexicographical_compare(at(a), at(a) + d, at(b), at(b) + d);
   });
 }
