@@ -82,7 +82,9 @@ Polygon polygon_of(const Corners& corners, fast::PlaneAxes axes) {
 // The complex of an input, if its polygons are triangles of doubles that meet properly, and it has nothing else but
 // hole seeds. Then it is a simplicial complex, so that nothing is wrong and no polygon adopts anything.
 std::optional<PiecewiseLinearComplex> complex_of_triangles(const PiecewiseLinearInput& input) {
-  if (input.polygons.empty() || input.points.front().size() != 3) return std::nullopt;
+  if (input.polygons.empty() || input.points.empty() || input.points.front().size() != 3) {
+    return std::nullopt;
+  }
   const auto triangles = triangles_of(input);
   if (!triangles) return std::nullopt;
   const auto edges = edges_of(*triangles);
