@@ -50,8 +50,8 @@ demo:
 	@rm -rf build/demo-campaign
 	@CIRCUMSPECT=$(COMMAND) CAMPAIGN_OUTPUT=build/demo-campaign bash corpus/demo.sh
 
-# The site of docs/, in build/site: every page is in its menu, every link leads somewhere.
-docs: deps-docs
+# The site of docs/, in build/site: every page is in its menu, every link leads somewhere. The command draws pictures for it.
+docs: deps-docs build
 	@python3 tidy/links.py
 	@mkdocs --quiet build --strict
 	@echo "built $(CURDIR)/build/site/index.html"

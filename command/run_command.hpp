@@ -56,6 +56,14 @@ inline Run run(std::vector<std::string> arguments, const std::string& in = "") {
 // The standard output as one JSON document; throws if it is anything else.
 inline nlohmann::json document(const Run& result) { return nlohmann::json::parse(result.out); }
 
+// What the page in a file is made of, which --html wrote: all of it, and what is shown first.
+inline nlohmann::json data_of_page(const std::string& path) {
+  const std::string page = contents(path);
+  const std::size_t data = page.find("id=\"data\">") + 10;
+  return nlohmann::json::parse(page.substr(data, page.find("</script>", data) - data));
+}
+inline nlohmann::json shown(const std::string& path) { return data_of_page(path)["results"][0]; }
+
 inline bool begins_with(const std::string& text, const std::string& beginning) {
   return text.compare(0, beginning.size(), beginning) == 0;
 }

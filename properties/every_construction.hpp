@@ -41,9 +41,10 @@ inline std::vector<NamedConstruction> every_construction(std::uint64_t seed) {
   std::vector<NamedConstruction> all = insertions(seed);
   all.push_back({"gift-wrapping", [](const PointSet& p) { return delaunay::gift_wrapping(p); }});
   all.push_back({"gift-wrapping by cells", delaunay::gift_wrapping_by_cells});
-  all.push_back({"lifted hull", delaunay::lifted_hull});
+  all.push_back({"lifted hull", [](const PointSet& p) { return delaunay::lifted_hull(p); }});
   all.push_back({"lifted hull by definition", delaunay::lifted_hull_by_definition});
-  all.push_back({"insertion by flips", delaunay::flip_insertion});
+  all.push_back(
+      {"insertion by flips", [](const PointSet& p) { return delaunay::flip_insertion(p); }});
   return all;
 }
 

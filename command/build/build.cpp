@@ -11,7 +11,7 @@
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
-#include "command/output/overwriting.hpp"
+#include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/tetgen.hpp"
@@ -30,6 +30,7 @@ struct BuildOptions {
   std::string points;
   std::string output_file;
   std::string neighbors_file;
+  std::string html;  // the steps and the numbers, to look at; empty: none
   std::string algorithm = "bowyer-watson";
   delaunay::BowyerWatsonOptions bowyer_watson = {delaunay::InsertionOrder::kBrioHilbert,
                                                  delaunay::PointLocation::kWalking, 0};
@@ -69,11 +70,12 @@ std::string facts(const BuildOptions& options, const ExactMesh& mesh,
 }
 
 Triangulation construct_triangulation(const BuildOptions& options, const PointSet& points,
-                                      const Progress& progress, delaunay::Statistics& statistics) {
+                                      const Progress& progress, delaunay::Statistics& statistics,
+                                      Steps* steps) {
   if (options.what == "lexicographic") return delaunay::lexicographic(points);
   delaunay::BowyerWatsonOptions how = options.bowyer_watson;
   how.progress = progress;
-  return constructions().at(options.algorithm)(points, {how, &statistics});
+  return constructions().at(options.algorithm)(points, {how, &statistics, steps});
 }
 
 // Writes the files asked for; false if one could not be written.
@@ -108,21 +110,36 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   const ExactMesh& mesh = loaded->mesh;
   output.begin("triangulating " + options.points);
   delaunay::Statistics statistics;
-  const Triangulation triangulation =
-      construct_triangulation(options, mesh.points, output.progress(), statistics);
+  Steps steps(mesh);
+  const bool has_steps = !options.html.empty() && mesh.points.size() <= kMostStepPoints;
+  const Triangulation triangulation = construct_triangulation(
+      options, mesh.points, output.progress(), statistics, has_steps ? &steps : nullptr);
   output.end_watch();
   if (!write_files(options, mesh, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
   }
-  if (!output.wants_text()) return;
-  if (options.statistics) output.text(statistics_text(statistics));
-  if (mesh.points.is_weighted()) output.text(not_vertices_text(mesh, triangulation));
-  output.text(fmt::format(
-      "built: {} {} {} {}{}\n", options.what, on_one_line(loaded->name),
+  if (!output.wants_text() && options.html.empty()) return;
+  picture::Facts told;
+  told.heading = loaded->name;
+  if (options.statistics) told.text += statistics_text(statistics);
+  if (mesh.points.is_weighted()) told.text += not_vertices_text(mesh, triangulation);
+  told.line = fmt::format(
+      "built: {} {} {} {}{}", options.what, on_one_line(loaded->name),
       report::counted(mesh.points.size(), "point"),
       report::counted_simplices(triangulation.simplices().size(), triangulation.dimension()),
-      facts(options, mesh, triangulation)));
+      facts(options, mesh, triangulation));
+  output.text(told.text + told.line + "\n");
+  if (options.html.empty()) return;
+  if (has_steps) {
+    steps.done(triangulation.simplices());
+    told.steps = steps.json();
+  } else {
+    told.text += fmt::format("steps: none are shown of more than {} points\n", kMostStepPoints);
+  }
+  picture::Page page;
+  page.add_facts(std::move(told), {});
+  write_page(options.html, page, output);
 }
 
 // What is wrong with the names of the files that are to be written; empty if nothing is.
@@ -132,14 +149,16 @@ std::string output_fault(const BuildOptions& options) {
   if (!options.neighbors_file.empty()) {
     written.push_back({"the neighbours", options.neighbors_file});
   }
-  std::string fault = overwriting_fault(written, {options.points});
+  std::string fault = page_fault(options.html, written, {options.points});
   if (!fault.empty() || options.output_file.empty()) return fault;
   return output_name_fault(options.output_file, {".ele", ".json"});
 }
 
 ExitCode run(const BuildOptions& options) {
-  if (options.output_file.empty() && options.output.format == OutputFormat::kText) {
-    return usage_error("expected -o OUT.ele, -o OUT.json or --format json, found none");
+  if (options.output_file.empty() && options.html.empty() &&
+      options.output.format == OutputFormat::kText) {
+    return usage_error(
+        "expected -o OUT.ele, -o OUT.json, --format json or --html FILE, found none");
   }
   if (const std::string fault = output_fault(options); !fault.empty()) {
     return usage_error(fault);
@@ -224,6 +243,11 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
       ->option_text("OUT.neigh");
   if (what != "lexicographic") add_algorithm_options(*command, *options);
+  const std::string steps = what == "lexicographic"
+                                ? "the triangulation, if it has few points"
+                                : "the triangulation, of few points also how the algorithm makes "
+                                  "it, step by step";
+  add_page_option(*command, options->html, steps);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

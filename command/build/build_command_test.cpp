@@ -1,4 +1,8 @@
 // The command `build`: what it writes, other CDTs, and Steiner points.
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,6 +16,8 @@ namespace circumspect::cli {
 // circumspect build and inspect, as their users run them.
 
 namespace {
+
+const std::string kDomains = std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/";
 
 std::string cube(int first_index) {
   std::string text = "8 3 0 0\n";
@@ -43,6 +49,99 @@ TEST_CASE("build: what it writes, check accepts as canonical, counting from 0, 1
         0);
     CHECK(contents(again) == contents(mesh));
   }
+}
+
+// What the steps of a page lead to: simplices by the places of their points.
+std::set<std::set<int>> played(const nlohmann::json& steps) {
+  std::set<std::set<int>> alive;
+  for (const auto& frame : steps["frames"]) {
+    if (frame.contains("all")) break;
+    for (const auto& gone : frame.value("deleted", nlohmann::json::array())) {
+      CHECK(alive.erase(gone.get<std::set<int>>()) == 1);
+    }
+    for (const auto& next : frame.value("created", nlohmann::json::array())) {
+      CHECK(alive.insert(next.get<std::set<int>>()).second);
+    }
+  }
+  return alive;
+}
+
+TEST_CASE("build: a page plays the steps of each algorithm up to the triangulation") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string points =
+      folder.write("<script>alert(1)<!--.node",
+                   "8 2\n3 0 0\n4 1 0\n5 0 1\n6 1 1\n7 1/2 1/4\n8 3 1/3\n9 1 -2\n10 1/2 5/7\n");
+  const std::string cubes = folder.write("cube.node", cube(1));
+  const std::map<std::string, std::string> names = {
+      {"bowyer-watson", "DigCavity"},
+      {"gift-wrapping", "Finish"},
+      {"flips", "Flip algorithm"},
+      {"lifted-hull", "Convex hull of the lifted points"}};
+  for (const auto& [algorithm, name] : names) {
+    CAPTURE(algorithm);
+    CHECK(
+        run({"build", "delaunay", points, "--algorithm", algorithm, "--statistics", "--html", page})
+            .exit_code == 0);
+    CHECK(!has(contents(page), "<script>alert"));
+    const auto result = shown(page);
+    CHECK(has(result["facts"].get<std::string>(), "created: "));
+    const auto& frames = result["steps"]["frames"];
+    CHECK(std::any_of(frames.begin(), frames.end(),
+                      [&name = name](const auto& frame) { return frame["step"] == name; }));
+    const auto all = frames.back()["all"].get<std::set<std::set<int>>>();
+    CHECK(all.size() == 9);
+    if (algorithm == "lifted-hull") {
+      std::set<std::set<int>> lower;
+      for (const auto& frame : frames) {
+        if (frame.value("lower", false)) lower.insert(frame["outline"].get<std::set<int>>());
+      }
+      CHECK(lower == all);
+      CHECK(result["steps"]["picture"]["dimension"] == 3);
+      CHECK(result["steps"]["picture"]["points"].size() == 16);
+    } else {
+      CHECK(played(result["steps"]) == all);
+      CHECK(result["steps"]["picture"]["names"][0] == "3");
+      CHECK(run({"build", "delaunay", cubes, "--algorithm", algorithm, "--html", page}).exit_code ==
+            0);
+      CHECK(played(shown(page)["steps"]).size() == 6);
+    }
+  }
+}
+
+TEST_CASE("build: a page of flips that insert polygons, and pages without steps") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string notched = kDomains + "figure-4-13-chazelle-1.poly";
+  CHECK(run({"build", "cdt", notched, "--algorithm", "polygon-flips", "--html", page}).exit_code ==
+        0);
+  const auto frames = shown(page)["steps"]["frames"];
+  CHECK(frames.size() == 5);
+  CHECK(frames[1]["step"] == "FlipInsertPolygon");
+  // What the flips come to has all of the mesh, and what is outside.
+  const auto whole = played(shown(page)["steps"]);
+  for (const auto& simplex : frames.back()["all"]) {
+    CHECK(whole.count(simplex.get<std::set<int>>()) == 1);
+  }
+  const std::string rooms = kDomains + "two-rooms.poly";
+  CHECK(run({"build", "cdt", rooms, "--html", page}).exit_code == 0);
+  CHECK(shown(page)["steps"]["frames"].size() == 1);
+  std::string many = "201 2\n";
+  for (int i = 0; i < 201; ++i) {
+    many += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(i * i % 101) + "\n";
+  }
+  CHECK(run({"build", "delaunay", folder.write("many.node", many), "--html", page}).exit_code == 0);
+  CHECK(!shown(page).contains("steps"));
+  CHECK(shown(page)["facts"] == "steps: none are shown of more than 200 points\n");
+  const std::string four =
+      folder.write("four.node", "5 4\n1 0 0 0 0\n2 1 0 0 0\n3 0 1 0 0\n4 0 0 1 0\n5 0 0 0 1\n");
+  CHECK(run({"build", "delaunay", four, "--html", page}).exit_code == 0);
+  CHECK(!shown(page).contains("steps"));
+  // It never replaces what is read.
+  const std::string before = contents(four);
+  CHECK(run({"build", "delaunay", four, "--html", four}).exit_code == 2);
+  CHECK(contents(four) == before);
+  CHECK(run({"build", "cdt", rooms, "--html", "-"}).exit_code == 2);
 }
 
 TEST_CASE("build: flat sets and small ones, by .ele and by JSON") {
@@ -276,12 +375,6 @@ TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if 
 
 // ---- Steiner points ----
 // build steiner-cdt: which algorithm makes it, and how many Steiner points it takes.
-
-namespace {
-
-const std::string kDomains = std::string(CIRCUMSPECT_CORPUS_DIR) + "/domains/";
-
-}  // namespace
 
 TEST_CASE("build steiner-cdt: all algorithms give the same files") {
   const ScratchFolder folder;

@@ -10,11 +10,12 @@
 #include "command/build/constrained_constructions.hpp"
 #include "command/build/domain_mesh_output.hpp"
 #include "command/build/mesh_output.hpp"
+#include "command/build/steps.hpp"
 #include "command/input/breach_text.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
-#include "command/output/overwriting.hpp"
+#include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
@@ -26,6 +27,7 @@ struct ConstrainedOptions {
   std::string what;
   std::string input_file;
   std::string output_file;
+  std::string html;  // the steps, to look at; empty: none
   std::optional<std::string> algorithm;
   DomainOptions said;  // of the domain
   SearchLimits search;
@@ -97,12 +99,51 @@ void say_no_mesh(const ConstrainedOptions& options, const NoMesh& none, Output& 
 std::string write(const ConstrainedOptions& options, const std::string& points_name,
                   const DomainMesh& mesh, Vertex first_index) {
   std::vector<Written> written;
-  for (const std::string& path : files_of_domain_mesh(options.output_file, mesh)) {
-    written.push_back({"the mesh", path});
+  if (!options.output_file.empty()) {
+    for (const std::string& path : files_of_domain_mesh(options.output_file, mesh)) {
+      written.push_back({"the mesh", path});
+    }
   }
-  std::string fault = overwriting_fault(written, {options.input_file, points_name});
+  std::string fault = page_fault(options.html, written, {options.input_file, points_name});
+  if (options.output_file.empty()) return fault;
   if (fault.empty()) fault = domain_mesh_fault(options.output_file, mesh);
   return fault.empty() ? write_domain_mesh(options.output_file, mesh, first_index) : fault;
+}
+
+// How flips insert the polygons into the Delaunay triangulation of the vertices. Book: Section 5.8.
+void add_polygon_flips(const Domain& domain, Steps& steps) {
+  std::vector<constrained::PolygonFlips> runs;
+  const auto cdt = constrained::cdt_by_polygon_insertion(domain.complex, {}, &runs);
+  steps.begun(delaunay::bowyer_watson(domain.complex.points).simplices(),
+              "It begins with the Delaunay triangulation of the vertices.");
+  for (std::size_t polygon = 0; polygon < runs.size(); ++polygon) {
+    for (const constrained::TimedFlip& flip : runs[polygon].flips) {
+      steps.flipped(domain.polygon_name(polygon), flip);
+    }
+  }
+}
+
+void write_steps(const ConstrainedOptions& options, const Domain& domain, const DomainMesh& mesh,
+                 const std::string& text, Output& output) {
+  const ExactMesh points{mesh.points, {}, {}, domain.first_index};
+  picture::Facts facts;
+  facts.heading = options.input_file;
+  const std::size_t last = text.rfind('\n', text.size() - 2);
+  const std::size_t end = last == std::string::npos ? 0 : last + 1;
+  facts.line = text.substr(end, text.size() - end - 1);
+  facts.text = text.substr(0, end);
+  if (mesh.points.size() <= kMostStepPoints) {
+    Steps steps(points);
+    const bool by_flips = options.what == "cdt" && options.algorithm == "polygon-flips";
+    if (by_flips && domain.complex.ambient_dimension() == 3) add_polygon_flips(domain, steps);
+    steps.done(mesh.triangulation.simplices);
+    facts.steps = steps.json();
+  } else {
+    facts.text += fmt::format("steps: none are shown of more than {} points\n", kMostStepPoints);
+  }
+  picture::Page page;
+  page.add_facts(std::move(facts), {});
+  write_page(options.html, page, output);
 }
 
 // Standard output holds the mesh alone, as a JSON document or, for "-", as an .ele.
@@ -141,7 +182,7 @@ void build(const ConstrainedOptions& options, Output& output) {
                  options.input_file + ": " + full);
     return;
   }
-  if (!options.output_file.empty()) {
+  if (!options.output_file.empty() || !options.html.empty()) {
     const std::string failure = write(options, loaded->file.points_name, *mesh, domain.first_index);
     if (!failure.empty()) {
       output.error(ExitCode::kUsage, "domain", options.input_file, failure);
@@ -156,7 +197,9 @@ void build(const ConstrainedOptions& options, Output& output) {
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(*mesh, domain.first_index));
   }
-  output.text(steiner_text(*mesh, domain.first_index) + built_line(options, *mesh));
+  const std::string text = steiner_text(*mesh, domain.first_index) + built_line(options, *mesh);
+  output.text(text);
+  if (!options.html.empty()) write_steps(options, domain, *mesh, text, output);
 }
 
 ExitCode run(const ConstrainedOptions& options) {
@@ -164,10 +207,10 @@ ExitCode run(const ConstrainedOptions& options) {
     return usage_error(fault);
   }
   const bool to_json = options.output.format == OutputFormat::kJson;
-  if (options.output_file.empty() && !to_json) {
+  if (options.output_file.empty() && options.html.empty() && !to_json) {
     return usage_error(
-        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, OUT.json or --format "
-        "json, found none");
+        "expected -o OUT.ele, OUT.mesh, OUT.msh, OUT.vtu, OUT.obj, OUT.ply, OUT.json, --format "
+        "json or --html FILE, found none");
   }
   const std::string name_fault = output_name_fault(
       options.output_file, {".ele", ".mesh", ".msh", ".vtu", ".obj", ".ply", ".json"});
@@ -253,6 +296,10 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
                          usual_algorithm(what) + ")")
         ->option_text(algorithms);
   }
+  add_page_option(*command, options->html,
+                  what == "cdt"
+                      ? "the mesh, of few points also how polygon-flips makes it, step by step"
+                      : "the mesh, if it has few points");
   if (what == "cdt") add_search_options(*command, options->search);
   if (has_steiner_points(what)) {
     command

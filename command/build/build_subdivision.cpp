@@ -29,7 +29,8 @@ struct SubdivisionOptions {
 
 const std::map<std::string, SubdivisionConstruction>& subdivisions() {
   static const std::map<std::string, SubdivisionConstruction> table = {
-      {"lifted-hull", delaunay::delaunay_subdivision},
+      {"lifted-hull",
+       [](const PointSet& points) { return delaunay::delaunay_subdivision(points); }},
       {"by-definition", delaunay::delaunay_subdivision_by_definition},
       {"gift-wrapping-cells", delaunay::gift_wrapping_cells}};
   return table;

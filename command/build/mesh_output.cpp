@@ -104,7 +104,31 @@ Construction plain(Triangulation (*construct)(const PointSet&)) {
 }
 
 Triangulation by_insertion(const PointSet& points, const ConstructionOptions& options) {
-  return delaunay::bowyer_watson(points, options.bowyer_watson, options.statistics);
+  delaunay::BowyerWatsonOptions how = options.bowyer_watson;
+  if (options.steps != nullptr) {
+    how.watch = [&options](const auto& insertion) { options.steps->inserted(insertion); };
+  }
+  return delaunay::bowyer_watson(points, how, options.statistics);
+}
+
+Triangulation by_flips(const PointSet& points, const ConstructionOptions& options) {
+  if (options.steps == nullptr) return delaunay::flip_insertion(points);
+  return delaunay::flip_insertion(
+      points, [&options](const delaunay::FlipStep& step) { options.steps->flipped(step); });
+}
+
+Triangulation by_wrapping(const PointSet& points, const ConstructionOptions& options) {
+  if (options.steps == nullptr) return delaunay::gift_wrapping(points);
+  return delaunay::gift_wrapping(points, [&options](const auto& facet, std::optional<Vertex> apex) {
+    options.steps->finished(facet, apex);
+  });
+}
+
+Triangulation by_lifting(const PointSet& points, const ConstructionOptions& options) {
+  if (options.steps == nullptr) return delaunay::lifted_hull(points);
+  return delaunay::lifted_hull(points, [&options](const Face& facet, bool is_lower) {
+    options.steps->wrapped(facet, is_lower);
+  });
 }
 
 }  // namespace
@@ -113,10 +137,10 @@ const std::map<std::string, Construction>& constructions() {
   static const std::map<std::string, Construction> table = {
       {"bowyer-watson", by_insertion},
       {"by-definition", plain(delaunay::by_definition)},
-      {"flips", plain(delaunay::flip_insertion)},
-      {"gift-wrapping", plain(delaunay::gift_wrapping)},
+      {"flips", by_flips},
+      {"gift-wrapping", by_wrapping},
       {"gift-wrapping-cells", plain(delaunay::gift_wrapping_by_cells)},
-      {"lifted-hull", plain(delaunay::lifted_hull)},
+      {"lifted-hull", by_lifting},
       {"lifted-hull-by-definition", plain(delaunay::lifted_hull_by_definition)},
   };
   return table;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "command/build/steps.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
@@ -43,6 +44,7 @@ formats::JsonFile json_file(const ExactMesh& mesh, const Triangulation& triangul
 struct ConstructionOptions {
   delaunay::BowyerWatsonOptions bowyer_watson = {};
   delaunay::Statistics* statistics = nullptr;
+  Steps* steps = nullptr;
 };
 
 using Construction = std::function<Triangulation(const PointSet&, const ConstructionOptions&)>;

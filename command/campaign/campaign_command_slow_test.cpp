@@ -370,6 +370,15 @@ TEST_CASE("minimize: the smallest input, or exit code 3 if it does not fail") {
   CHECK(begins_with(last_line(result.out), "minimized: program "));
   // Five of a plane fail as well, but that has a signature of its own.
   CHECK(begins_with(contents(output), "6 3 0 0\n"));
+  const std::string page = program.folder.path("page.html");
+  const Run drawn = run({"minimize", output, "-o", "-", "--html", page, "--limit-memory", "0", "--",
+                         program.path, "{points}", "{mesh}"});
+  CHECK(drawn.exit_code == 0);
+  const auto card = shown(page);
+  CHECK(card["finding"]["minimal"] == contents(output));
+  CHECK(card["finding"]["signature"] == card["report"]["rules"][0]["rule"]);
+  CHECK(card["pictures"][0]["dimension"] == 3);
+  CHECK(run({"minimize", output, "-o", page, "--html", page, "--", program.path}).exit_code == 2);
   const Program right(kRight);
   const Run holds = run({"minimize", input, "-o", output, "--limit-memory", "0", "--", right.path,
                          "{points}", "{mesh}"});

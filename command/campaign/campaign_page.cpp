@@ -6,6 +6,7 @@
 #include "command/campaign/campaign_report.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/input/domain_input.hpp"
+#include "command/output/output.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
 
@@ -22,11 +23,10 @@ std::string small_input(const std::string& path) {
   return on_lines(text.str());
 }
 
-// Adds what reproduce.sh of the finding judges: the mesh in the folder, and the points or the domain beside it.
+// Adds what is judged of a finding: the mesh in `path`, of the points or the domain in `input_file`.
 // False if it cannot be read any more.
-bool add_judged(const report::Json& finding, const std::string& folder,
+bool add_judged(const report::Json& finding, const std::string& path, const std::string& input_file,
                 const campaign::Subject& subject, picture::Page& page) {
-  const std::string path = folder + "/output/" + subject.mesh_name;
   const std::string extension = formats::extension(path);
   InputOptions input;
   input.duplicates = Duplicates::kMerge;
@@ -36,11 +36,11 @@ bool add_judged(const report::Json& finding, const std::string& folder,
   if (subject.merges_coplanar) said.merged_slope = 0;
   std::optional<LoadedDomain> domain;
   if (subject.is_about_domains()) {
-    auto loaded = load_domain(folder + "/minimal.poly", input, said);
+    auto loaded = load_domain(input_file, input, said);
     if (!loaded) return false;
     domain = std::move(*loaded);
   } else if (extension == ".ele" || extension == ".qhull-i") {
-    input.points = folder + "/minimal.node";
+    input.points = input_file;
   }
   const auto dimension =
       domain ? std::optional(domain->domain.complex.ambient_dimension()) : std::nullopt;
@@ -72,7 +72,27 @@ picture::Page campaign_page(const campaign::Result& result, const campaign::Plan
                             {"text", details.value("text", "not made small yet")},
                             {"minimal", small_input(folder + own)},
                             {"reproduce", on_one_line(folder + "/reproduce.sh")}};
-    if (has_rule && add_judged(finding, folder, plan.subject, page)) continue;
+    if (has_rule && add_judged(finding, folder + "/output/" + plan.subject.mesh_name, folder + own,
+                               plan.subject, page)) {
+      continue;
+    }
+    page.add_finding(std::move(finding));
+  }
+  return page;
+}
+
+picture::Page minimal_page(report::Json finding, const campaign::Input& input,
+                           const campaign::Subject& subject, const campaign::Runner& runner) {
+  picture::Page page;
+  const std::string extension = subject.is_about_domains() ? ".poly" : ".node";
+  // Beside the program's own folder, so that nothing of the program is in its place.
+  const std::string file = runner.work_folder() + "-minimal" + extension;
+  const auto text =
+      campaign::file_text(input, extension, subject.first_index, subject.dimension).value_or("");
+  finding["minimal"] = text.size() > kLongestInput ? "" : on_lines(text);
+  const std::string mesh = runner.mesh_file();
+  const bool is_written = write_file(file, [&](std::ostream& out) { out << text; }).empty();
+  if (mesh.empty() || !is_written || !add_judged(finding, mesh, file, subject, page)) {
     page.add_finding(std::move(finding));
   }
   return page;

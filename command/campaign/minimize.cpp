@@ -5,12 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "command/campaign/campaign_inputs.hpp"
 #include "command/campaign/campaign_options.hpp"
+#include "command/campaign/campaign_page.hpp"
 #include "command/campaign/campaign_report.hpp"
 #include "command/output/output.hpp"
-#include "command/output/overwriting.hpp"
+#include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "fuzz/campaign/runner.hpp"
@@ -24,6 +26,7 @@ namespace {
 struct MinimizeOptions {
   std::string input;
   std::string output_file;
+  std::string html;  // what is left of it, to look at; empty: none
   SubjectOptions subject;
   OutputOptions output;
 };
@@ -89,6 +92,14 @@ void minimize(const MinimizeOptions& options, const campaign::Subject& subject,
   }
   report(options, subject, outcome, campaign::point_count(input), campaign::point_count(minimal),
          output);
+  if (!options.html.empty()) {
+    const report::Json finding = {
+        {"signature", outcome.signature},
+        {"count", 1},
+        {"text", outcome.text},
+        {"reproduce", on_one_line(fmt::format("{}", fmt::join(subject.command, " ")))}};
+    write_page(options.html, minimal_page(finding, minimal, subject, runner), output);
+  }
   if (interrupted) output.exit_with(ExitCode::kUndecided);
 }
 
@@ -118,7 +129,7 @@ ExitCode run(const MinimizeOptions& options) {
   std::vector<std::string> read = files_of_domain(options.input);
   read.insert(read.end(), subject->command.begin(), subject->command.end());
   const std::string overwriting =
-      overwriting_fault({{"the small input", options.output_file}}, read);
+      page_fault(options.html, {{"the small input", options.output_file}}, read);
   if (!overwriting.empty()) return fault(ExitCode::kUsage, overwriting);
   if (!options.output.quiet) say(note_on_names(options.subject));
   const auto input = campaign_input(*subject, options.input);
@@ -157,6 +168,7 @@ void add_minimize(CLI::App& app, ExitCode& exit_code) {
       ->add_option("-o,--output", options->output_file, "The file for the small input; - is stdout")
       ->required()
       ->option_text("OUT");
+  add_page_option(*command, options->html, "the small input and the witness in the mesh of it");
   add_subject_options(*command, options->subject);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });

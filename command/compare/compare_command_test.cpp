@@ -138,14 +138,6 @@ TEST_CASE("compare: a file that cannot be read, and two on one standard input") 
   CHECK(run({"compare", a}).exit_code == 2);
 }
 
-// What the page in this file is made of.
-nlohmann::json shown(const std::string& path) {
-  const std::string page = contents(path);
-  const std::size_t data = page.find("id=\"data\">") + 10;
-  return nlohmann::json::parse(
-      page.substr(data, page.find("</script>", data) - data))["results"][0];
-}
-
 TEST_CASE("compare: a page has a card for each place at which the meshes differ") {
   const ScratchFolder folder;
   // Two squares apart, counted from 1 and from 0; a triangle that both have; a point that only B has.
@@ -201,6 +193,50 @@ TEST_CASE("compare: a page names a point by both meshes' index where one simplex
   const std::string b = mesh(folder, "b", kUnitSquare, kFallingDiagonal);
   CHECK(run({"compare", a, b, "--html", page}).exit_code == 1);
   CHECK(shown(page)["pictures"][0]["names"] == nlohmann::json({"2", "3", "4", ""}));
+}
+
+TEST_CASE(
+    "compare: a page names a point as both meshes do, though one alone has it at a difference") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  // B has the triangle 2 4 3, too, whose corner 4 is in A the corner of one that both have.
+  const std::string points = "6 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 2 1\n6 2 2\n";
+  const std::string a = mesh(folder, "a", points, "3 3\n1 1 2 3\n2 4 5 6\n3 1 2 5\n");
+  const std::string b = mesh(folder, "b", points, "3 3\n1 1 2 3\n2 4 5 6\n3 2 4 3\n");
+  CHECK(run({"compare", a, b, "--html", page}).exit_code == 1);
+  std::set<std::string> names;
+  const auto result = shown(page);
+  for (const auto& picture : result["pictures"]) {
+    for (const auto& name : picture["names"]) names.insert(name.get<std::string>());
+  }
+  CHECK(names == std::set<std::string>{"", "1", "2", "3", "4", "5"});
+}
+
+TEST_CASE("compare: what differs is never called common, however many simplices one place has") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  // A fan of forty triangles, none of which B has.
+  std::string points = "42 2\n1 0 0\n";
+  std::string fan = "40 3\n";
+  for (int i = 0; i < 41; ++i) {
+    points += std::to_string(i + 2) + " " + std::to_string(i - 20) + " 10\n";
+    if (i < 40) {
+      fan += std::to_string(i + 1) + " 1 " + std::to_string(i + 3) + " " + std::to_string(i + 2) +
+             "\n";
+    }
+  }
+  const std::string a = mesh(folder, "a", points, fan);
+  const std::string b = mesh(folder, "b", points, "1 3\n1 2 42 22\n");
+  CHECK(run({"compare", a, b, "--html", page}).exit_code == 1);
+  const auto result = shown(page);
+  REQUIRE(result["cards"].size() >= 2);
+  std::size_t simplices = 0;
+  for (std::size_t i = 0; i < result["cards"].size(); ++i) {
+    CHECK(result["cards"][i]["simplices"].size() <= 30);
+    CHECK(result["pictures"][i]["near"].empty());  // both have nothing in common
+    simplices += result["cards"][i]["simplices"].size();
+  }
+  CHECK(simplices == 41);
 }
 
 TEST_CASE("compare: a page of meshes that are the same, or that no picture shows, has words") {

@@ -1,6 +1,7 @@
 #include "command/input/breach_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -66,6 +67,8 @@ std::string offset_text(const Rational& offset) {
   return exact.size() > kLongestExact ? "~ " + decimal : exact + " ~ " + decimal;
 }
 
+bool is_off_a_plane(const Breach& breach) { return breach.offset && breach.vertices.size() >= 3; }
+
 // The subject that is off a plane, then the plane: the last three vertices.
 std::string off_plane_text(const Breach& breach, const formats::DomainFile& file) {
   const std::vector<Vertex> plane(breach.vertices.end() - 3, breach.vertices.end());
@@ -100,9 +103,12 @@ std::string breach_place(const Breach& breach, const formats::DomainFile& file) 
   return file.name + (line == 0 ? "" : ":" + std::to_string(line));
 }
 
-std::string breach_line(const Breach& breach, const formats::DomainFile& file) {
+namespace {
+
+// Which parts of the input are in question, and how: what stands behind the meaning.
+std::string breach_words(const Breach& breach, const formats::DomainFile& file) {
   std::vector<std::string> parts;
-  const bool is_off_plane = breach.offset && breach.vertices.size() >= 3;
+  const bool is_off_plane = is_off_a_plane(breach);
   for (const std::size_t polygon : breach.polygons) {
     parts.push_back("polygon " + polygon_name(polygon, file));
   }
@@ -115,8 +121,14 @@ std::string breach_line(const Breach& breach, const formats::DomainFile& file) {
   }
   if (breach.point) parts.push_back("point " + point_text(*breach.point));
   if (is_off_plane) parts.push_back(off_plane_text(breach, file));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string breach_line(const Breach& breach, const formats::DomainFile& file) {
   return fmt::format("{}: {}: {}", identifier(breach.kind), meaning(breach.kind),
-                     fmt::join(parts, ", "));
+                     breach_words(breach, file));
 }
 
 report::Json breach_json(const Breach& breach, const formats::DomainFile& file) {
@@ -136,6 +148,111 @@ report::Json breach_json(const Breach& breach, const formats::DomainFile& file) 
   if (breach.point) object["point"] = report::point(*breach.point);
   if (breach.offset) object["offset"] = to_string(*breach.offset);
   return object;
+}
+
+// ---- Pictures ----
+
+namespace {
+
+constexpr std::size_t kMostEdges = 200;  // of a polygon, as many are drawn
+
+// Calls the visitor for each edge of the lines of a polygon, in their order.
+template <typename Visitor>
+void for_each_edge(const PolygonLines& polygon, Visitor visitor) {
+  for (const auto& line : polygon.lines) {
+    if (line.size() < 2) continue;
+    for (std::size_t i = 0; i < (line.size() > 2 ? line.size() : 1); ++i) {
+      visitor(Simplex{line[i], line[(i + 1) % line.size()]});
+    }
+  }
+}
+
+// What a card draws, and in which groups.
+struct Drawn {
+  Witness witness = {};
+  report::Json groups = report::Json::array();
+
+  // What was added since the last group; without a role, the next one.
+  void group(const std::string& words, bool closed = false, std::string_view role = {}) {
+    std::size_t count = witness.simplices.size();
+    for (const report::Json& before : groups) count -= before["count"].get<std::size_t>();
+    constexpr std::string_view kRoles[] = {"first", "second", "third"};
+    if (role.empty()) role = kRoles[std::min<std::size_t>(groups.size(), 2)];
+    groups.push_back({{"role", role}, {"words", words}, {"count", count}, {"closed", closed}});
+  }
+  void polygon(const PolygonLines& polygon, std::string words, std::string_view role = {}) {
+    std::size_t edges = 0;
+    for_each_edge(polygon, [&](Simplex edge) {
+      if (++edges <= kMostEdges) witness.simplices.push_back(std::move(edge));
+    });
+    if (edges > kMostEdges) words += fmt::format(", {} of {} edges", kMostEdges, edges);
+    group(words, polygon.lines.size() == 1 && edges > 2 && edges <= kMostEdges, role);
+  }
+};
+
+}  // namespace
+
+std::pair<report::Json, Witness> breach_card(const Breach& breach,
+                                             const formats::DomainFile& file) {
+  Drawn drawn;
+  Witness& witness = drawn.witness;
+  for (const std::size_t place : breach.polygons) {
+    drawn.polygon(file.input.polygons[place], "polygon " + polygon_name(place, file));
+  }
+  for (const Simplex& segment : breach.segments) {
+    witness.simplices.push_back(segment);
+    drawn.group(segment_text(segment, file));
+  }
+  witness.vertices = breach.vertices;
+  if (is_off_a_plane(breach)) {
+    witness.simplices.emplace_back(breach.vertices.end() - 3, breach.vertices.end());
+    drawn.group("the plane of vertices " + labels_in_file(witness.simplices.back(), file));
+    witness.vertices.resize(breach.vertices.size() - 3);
+  }
+  witness.point = breach.point;
+  if (breach.offset) witness.values.push_back({"offset", *breach.offset});
+  std::string caption = breach_words(breach, file);
+  if (!caption.empty()) caption.front() = static_cast<char>(std::toupper(caption.front()));
+  return {{{"rule", identifier(breach.kind)},
+           {"meaning", meaning(breach.kind)},
+           {"caption", caption + "."},
+           {"around", "segments and polygons around it"},
+           {"groups", drawn.groups}},
+          std::move(witness)};
+}
+
+std::optional<std::pair<report::Json, Witness>> domain_card(const formats::DomainFile& file) {
+  std::size_t edges = file.input.segments.size();
+  for (const PolygonLines& polygon : file.input.polygons) {
+    for_each_edge(polygon, [&](const Simplex&) { ++edges; });
+  }
+  if (edges == 0 || edges > kMostEdges) return std::nullopt;
+  Drawn drawn;
+  for (const PolygonLines& polygon : file.input.polygons) {
+    drawn.polygon(polygon, "polygons", "first");
+  }
+  for (const auto& segment : file.input.segments) drawn.witness.simplices.push_back(segment);
+  drawn.group("segments", false, "second");
+  return std::pair(report::Json{{"meaning", "the domain as it was read"},
+                                {"caption", "The polygons of the domain, and its segments."},
+                                {"groups", drawn.groups}},
+                   std::move(drawn.witness));
+}
+
+Mesh skeleton(const formats::DomainFile& file) {
+  Mesh mesh;
+  mesh.coordinates = numbers_of(file.input.points, file.dimension);
+  mesh.labels = file.labels;
+  mesh.first_index = file.first_index;
+  std::vector<Simplex> edges = file.input.segments;
+  for (const PolygonLines& polygon : file.input.polygons) {
+    for_each_edge(polygon, [&](Simplex edge) { edges.push_back(std::move(edge)); });
+  }
+  for (Simplex& edge : edges) edge = sorted(std::move(edge));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  mesh.simplices = IndexLists(edges);
+  return mesh;
 }
 
 }  // namespace circumspect::cli

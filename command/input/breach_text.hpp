@@ -1,9 +1,13 @@
-// What keeps an input from being a piecewise linear complex, in words.
+// What keeps an input from being a piecewise linear complex, in words and for pictures.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -20,6 +24,16 @@ std::string breach_line(const Breach& breach, const formats::DomainFile& file);
 
 // {"rule", "meaning", …}: what the breach has, vertices by the user's indices, exact values.
 report::Json breach_json(const Breach& breach, const formats::DomainFile& file);
+
+// What a card of a page (picture::Facts) shows of it: the polygons, the segments and the vertices in question, by
+// the points of the file.
+std::pair<report::Json, Witness> breach_card(const Breach& breach, const formats::DomainFile& file);
+
+// The whole domain, if it has few edges.
+std::optional<std::pair<report::Json, Witness>> domain_card(const formats::DomainFile& file);
+
+// The points of the file, and its segments and the edges of its polygons: what may be drawn around a breach.
+Mesh skeleton(const formats::DomainFile& file);
 
 // "(0, 1/3, 0.125)": a double stands as its shortest decimal, a long fraction as "~ 0.3333333333333333".
 std::string point_text(const Point& point);

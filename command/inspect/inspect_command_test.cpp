@@ -2,6 +2,7 @@
 // interrupts, and what a terminal shows.
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include <doctest/doctest.h>
@@ -75,6 +76,112 @@ TEST_CASE("inspect: one line for each fact, and --only some of them") {
       has(wrong.err, "expected --only dimension|genericity|simplices for points, found validity"));
   CHECK(run({"inspect", cube, "--only", "cdts"}).exit_code == 2);
 }
+
+// ---- Pages ----
+
+TEST_CASE("inspect: a page has a card for each breach of a domain, with a picture") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string name = folder.path("<script>alert(1)<!--.poly");
+  // A corner that is off the plane of its polygon.
+  folder.write("<script>alert(1)<!--.poly",
+               "4 3\n9 9 0 0\n10 10 0 0\n11 10 1 0\n12 9 1 1/3\n1 0\n1\n4 9 10 11 12\n0\n");
+  const Run plain = run({"inspect", name});
+  const Run drawn = run({"inspect", name, "--html", page});
+  CHECK(drawn.exit_code == 3);
+  CHECK(drawn.out == plain.out);
+  CHECK(!has(contents(page), "<script>alert"));
+  const auto result = shown(page);
+  CHECK(has(plain.out, result["line"].get<std::string>()));
+  CHECK(result["verdict"] == "fails");
+  REQUIRE(result["cards"].size() == 1);
+  const auto& off = result["cards"][0];
+  CHECK(off["rule"] == "plc.polygon-not-planar");
+  CHECK(off["groups"][0] ==
+        nlohmann::json(
+            {{"role", "first"}, {"words", "polygon 1 (line 7)"}, {"count", 4}, {"closed", true}}));
+  CHECK(off["groups"][1]["words"] == "the plane of vertices 9 10 11");
+  CHECK(off["vertices"] == nlohmann::json({12}));
+  CHECK(off["values"]["offset"]["exact"] == "1/3");
+  CHECK(off["coordinates"]["12"] == nlohmann::json({"9", "1", "1/3"}));
+  // Two squares that cross.
+  const std::string two =
+      folder.write("two.poly",
+                   "8 3\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 1 -1\n6 2 3 -1\n7 2 3 1\n8 2 1 1\n"
+                   "2 0\n1\n4 1 2 3 4\n1\n4 5 6 7 8\n0\n");
+  CHECK(run({"inspect", two, "--max-errors", "1", "--html", page}).exit_code == 3);
+  REQUIRE(shown(page)["cards"].size() == 1);
+  const auto cross = shown(page)["cards"][0];
+  CHECK(cross["simplices"].size() >= 5);
+  CHECK(has(cross["caption"].get<std::string>(), "olygon 1 (line 1"));
+  const auto picture = shown(page)["pictures"][0];
+  CHECK(picture["dimension"] == 3);
+  CHECK(picture["simplices"].size() == cross["simplices"].size());
+  CHECK(picture.contains("point"));
+}
+
+TEST_CASE("inspect: a page of what is in order has the facts, and the points of one sphere") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  const std::string cube = folder.write("cube.poly", kCube);
+  const std::string square = folder.write("s.node", "5 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 3 3\n");
+  CHECK(run({"inspect", cube, square, "--html", page}).exit_code == 0);
+  const auto results = data_of_page(page)["results"];
+  REQUIRE(results.size() == 2);
+  CHECK(results[0]["verdict"] == "holds");
+  CHECK(results[0]["cards"][0]["meaning"] == "the domain as it was read");
+  CHECK(results[0]["cards"][0]["simplices"].size() == 24);
+  CHECK(results[0]["pictures"][0]["core"] == 8);
+  CHECK(has(results[0]["facts"].get<std::string>(), "segments: edge-protected\n"));
+  CHECK(results[1]["cards"][0]["vertices"] == nlohmann::json({1, 2, 3, 4}));
+  CHECK(results[1]["cards"][0]["ball"]["centre"] == nlohmann::json({"1/2", "1/2"}));
+  CHECK(results[1]["pictures"][0]["near"].size() == 4);
+  // Of four coordinates there are words.
+  const std::string four = folder.write("four.node",
+                                        "6 4\n1 1 0 0 0\n2 -1 0 0 0\n3 0 1 0 0\n4 0 0 1 0\n"
+                                        "5 0 0 0 1\n6 0 0 0 -1\n");
+  CHECK(run({"inspect", four, "--html", page}).exit_code == 0);
+  CHECK(has(contents(page), "The points have 4 coordinates, and a picture shows three."));
+  const std::string none = folder.write("none.node", "0 3 0 0\n");
+  CHECK(run({"inspect", none, "--html", page}).exit_code == 0);
+  CHECK(shown(page)["cards"].empty());
+}
+
+TEST_CASE("inspect: a page has the first hundred of many breaches, and says so") {
+  const ScratchFolder folder;
+  const std::string page = folder.path("page.html");
+  std::string points;
+  std::string segments;
+  for (int i = 0; i < 150; ++i) {
+    const auto at = [&](int corner) { return std::to_string(4 * i + corner + 1); };
+    const std::string x = std::to_string(10 * i);
+    const std::string right = std::to_string(10 * i + 2);
+    points += at(0) + " " + x + " 0\n" + at(1) + " " + right + " 2\n" + at(2) + " " + x + " 2\n" +
+              at(3) + " " + right + " 0\n";
+    segments += std::to_string(2 * i + 1) + " " + at(0) + " " + at(1) + "\n" +
+                std::to_string(2 * i + 2) + " " + at(2) + " " + at(3) + "\n";
+  }
+  const std::string crossed =
+      folder.write("x.poly", "600 2\n" + points + "300 0\n" + segments + "0\n");
+  CHECK(run({"inspect", crossed, "--max-errors", "0", "--html", page}).exit_code == 3);
+  CHECK(shown(page)["cards"].size() == 100);
+  CHECK(shown(page)["cards_note"] == "100 of 150 have a card here; a page has at most 100.");
+}
+
+TEST_CASE("inspect: a page never replaces what is read, and there is none of what is not") {
+  const ScratchFolder folder;
+  const std::string cube = folder.write("cube.poly", kCube);
+  const Run over = run({"inspect", cube, "--html", cube});
+  CHECK(over.exit_code == 2);
+  CHECK(has(over.err, "expected another name for the page"));
+  CHECK(contents(cube) == kCube);
+  CHECK(has(run({"inspect", cube, "--html", "-"}).err, "expected a file for --html, found -"));
+  const std::string page = folder.path("page.html");
+  CHECK(run({"inspect", folder.write("broken.poly", "3 x\n"), "--html", page}).exit_code == 3);
+  CHECK(!std::filesystem::exists(page));
+}
+
+// ---- Long work ----
 
 TEST_CASE("inspect: whether there is a CDT may stay open, unless --decide asks") {
   const ScratchFolder folder;

@@ -141,8 +141,8 @@ constexpr std::string_view kValidity = "validity", kRegions = "regions",
 class Inspection {
  public:
   Inspection(const std::string& path, const DomainInspection& options,
-             const std::vector<std::string>& only, Output& output)
-      : path_(path), options_(options), only_(only), output_(output) {}
+             const std::vector<std::string>& only, Output& output, picture::Page* page)
+      : path_(path), options_(options), only_(only), output_(output), page_(page) {}
 
   void run(const InputOptions& input) {
     output_.begin("deciding whether " + path_ + " is valid");
@@ -156,7 +156,7 @@ class Inspection {
     const auto loaded =
         load_domain(path_, input, options_.said, options_.max_errors, Leak::kTold, watch);
     if (!loaded && breaches_ > 0) {
-      end_invalid();
+      end_invalid(loaded.error().file);
     } else if (!loaded) {
       output_.error(ExitCode::kInputFault, "domain", path_, loaded.error().message);
     } else {
@@ -180,23 +180,26 @@ class Inspection {
     }
     ++breaches_;
     if (options_.max_errors != 0 && breaches_ > options_.max_errors) return;
-    output_.text(breach_line(breach, file) + "\n");
+    tell(breach_line(breach, file) + "\n");
+    if (page_ != nullptr && drawn_.size() < picture::kMostCards) drawn_.push_back(breach);
     if (output_.wants_json() && breaches_ <= kMostInJson) {
       known_["breaches"].push_back(breach_json(breach, file));
     }
   }
-  void end_invalid() {
+  void end_invalid(const formats::DomainFile& file) {
     const bool truncated = options_.max_errors != 0 && breaches_ > options_.max_errors;
     const std::size_t listed = truncated ? options_.max_errors : breaches_;
-    std::string text;
-    if (truncated) text = fmt::format("… stopped at {}; --max-errors 0 lists all\n", listed);
-    output_.text(
-        text + fmt::format("inspected: {} no piecewise linear complex, {}{} {} of which the "
-                           "first is {}\n",
-                           on_one_line(path_), truncated ? "more than " : "", listed,
-                           listed == 1 && !truncated ? "breach" : "breaches", identifier(first_)));
+    if (truncated) tell(fmt::format("… stopped at {}; --max-errors 0 lists all\n", listed));
     known_["truncated"] = truncated || breaches_ > kMostInJson;
-    if (output_.wants_json()) output_.json(known_);
+    picture::Facts facts;
+    facts.holds = false;
+    facts.noun = "Breach";
+    facts.cards_of = listed;
+    for (const Breach& breach : drawn_) facts.cards.push_back(breach_card(breach, file));
+    end(fmt::format("{} no piecewise linear complex, {}{} {} of which the first is {}",
+                    on_one_line(path_), truncated ? "more than " : "", listed,
+                    listed == 1 && !truncated ? "breach" : "breaches", identifier(first_)),
+        std::move(facts), page_ == nullptr ? Mesh() : skeleton(file));
   }
 
   // ---- Valid ----
@@ -204,7 +207,7 @@ class Inspection {
   void add_validity(const PiecewiseLinearComplex& complex, const formats::DomainFile& file) {
     for (const std::string& note : file.notes) output_.note(note);
     notes_told_ = file.notes.size();
-    output_.text(fmt::format("valid: {} {}\n", on_one_line(path_), counts_of(complex)));
+    tell(fmt::format("valid: {} {}\n", on_one_line(path_), counts_of(complex)));
     know({{"domain", path_},
           {"valid", true},
           {"dimension", complex.ambient_dimension()},
@@ -235,8 +238,13 @@ class Inspection {
         output_.error(ExitCode::kInputFault, "file", options_.refutations, error);
       }
     }
-    output_.text(fmt::format("inspected: {} {}\n", on_one_line(path_), summary_));
-    if (output_.wants_json()) output_.json(known_);
+    picture::Facts facts;
+    facts.noun = "Domain";
+    if (auto card = domain_card(loaded.file); page_ != nullptr && card) {
+      facts.cards.push_back(*std::move(card));
+    }
+    end(fmt::format("{} {}", on_one_line(path_), summary_), std::move(facts),
+        page_ == nullptr ? Mesh() : skeleton(loaded.file));
   }
 
   void add_regions(const LoadedDomain& loaded) {
@@ -247,7 +255,7 @@ class Inspection {
     for (const Adoption& adoption : facts_.adoptions) {
       lines += adoption_line(loaded.domain, adoption);
     }
-    output_.text(lines);
+    tell(lines);
     summary_ += fmt::format(" {} {}", regions_of(complex, facts_), word(complex.kind));
     report::Json ignored = report::Json::array();
     for (const std::size_t seed : facts_.ignored_hole_seeds) {
@@ -268,7 +276,7 @@ class Inspection {
         lines += segment_line(loaded.domain, protection);
       }
     }
-    output_.text(lines + fmt::format("segments: {}\n", protection_word(facts_)));
+    tell(lines + fmt::format("segments: {}\n", protection_word(facts_)));
     summary_ += fmt::format(" {}", protection_word(facts_));
     know({{"edge_protected", facts_.is_edge_protected},
           {"edge_protected_under_perturbation", facts_.is_edge_protected_under_perturbation}});
@@ -282,11 +290,27 @@ class Inspection {
     if (facts_.cdt == CdtAnswer::kUnknown && options_.decide) {
       output_.exit_with(ExitCode::kUndecided);
     }
-    output_.text(cdt_line(facts_));
+    tell(cdt_line(facts_));
     summary_ += fmt::format(" cdt {}", word(facts_.cdt));
     know({{"cdt", word(facts_.cdt)}, {"cdt_proved", facts_.cdt != CdtAnswer::kUnknown}});
     if (facts_.triangulation)
       know({{"triangulation_without_steiner_points", *facts_.triangulation}});
+  }
+
+  void tell(const std::string& text) {
+    output_.text(text);
+    if (page_ != nullptr) told_ += text;
+  }
+
+  // The last line, and the page.
+  void end(const std::string& summary, picture::Facts facts, const Mesh& mesh) {
+    facts.line = "inspected: " + summary;
+    output_.text(facts.line + "\n");
+    if (output_.wants_json()) output_.json(known_);
+    if (page_ == nullptr) return;
+    facts.heading = path_;
+    facts.text = told_;
+    page_->add_facts(std::move(facts), mesh);
   }
 
   void know(const report::Json& more) {
@@ -301,6 +325,9 @@ class Inspection {
   const DomainInspection& options_;
   const std::vector<std::string>& only_;
   Output& output_;
+  picture::Page* page_;
+  std::string told_;           // for the page
+  std::vector<Breach> drawn_;  // likewise: the first ones
   std::size_t breaches_ = 0;
   BreachKind first_ = {};
   std::size_t notes_told_ = 0;
@@ -342,12 +369,12 @@ std::vector<std::string> domain_facts() {
 
 void inspect_domain(const std::string& path, const InputOptions& input,
                     const DomainInspection& options, const std::vector<std::string>& only,
-                    Output& output) {
+                    Output& output, picture::Page* page) {
   if (const std::string fault = domain_options_fault(options.said); !fault.empty()) {
     output.error(ExitCode::kUsage, "domain", path, fault);
     return;
   }
-  Inspection(path, options, only, output).run(input);
+  Inspection(path, options, only, output, page).run(input);
 }
 
 }  // namespace circumspect::cli

@@ -9,6 +9,7 @@
 #include "command/input/input.hpp"
 #include "command/inspect/domain_facts.hpp"
 #include "command/output/output.hpp"
+#include "oracle/picture/page.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -31,9 +32,10 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
 // The facts that --only may name: in the order in which they are found, and printed at once.
 std::vector<std::string> domain_facts();
 
-// `only`: some of the facts; none means all. Requires: domain_facts() has them.
+// `only`: some of the facts; none means all. Requires: domain_facts() has them. What is found is added to `page`, if
+// there is one.
 void inspect_domain(const std::string& path, const InputOptions& input,
                     const DomainInspection& options, const std::vector<std::string>& only,
-                    Output& output);
+                    Output& output, picture::Page* page);
 
 }  // namespace circumspect::cli

@@ -1,5 +1,7 @@
 // Outputs never replace inputs; pages and pictures.
+#include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <doctest/doctest.h>
 
@@ -296,6 +298,55 @@ TEST_CASE("pictures: points of four coordinates have words in a page, and no cel
   const Run cells = run({"check", mesh, "--vtu", files.cells});
   CHECK(cells.exit_code == 2);
   CHECK(has(cells.err, "expected points of at most 3 coordinates for --vtu, found 4"));
+}
+
+TEST_CASE("pictures: 1e300 beside 1e-300, rational coordinates, and no points at all") {
+  PicturedFiles files;
+  const std::string wide = files.write(
+      "wide", "4 2\n1 -2e300 0\n2 2e300 0\n3 0 1e-300\n4 0 -1e-300\n", "2 3\n1 1 2 3\n2 4 2 1\n");
+  CHECK(run({"check", wide, "--html", files.page}).exit_code == 1);
+  const auto picture = shown(files.page)["pictures"][0];
+  std::set<std::vector<double>> places;
+  for (const auto& point : picture["points"]) {
+    places.insert(point.get<std::vector<double>>());
+    for (const auto& x : point) CHECK(std::abs(x.get<double>()) <= 1);
+  }
+  CHECK(places.size() == 3);  // no eye tells 3 from 4
+  CHECK(shown(files.page)["report"]["violations"][0]["coordinates"]["1"][0]
+            .get<std::string>()
+            .size() == 302);
+  // What stretches the direction in which they differ does, as far as doubles reach.
+  const std::string thin = files.write(
+      "thin", "4 2\n1 -2e150 0\n2 2e150 0\n3 0 1e-150\n4 0 -1e-150\n", "2 3\n1 1 2 3\n2 4 2 1\n");
+  CHECK(run({"check", thin, "--html", files.page}).exit_code == 1);
+  const auto heights = shown(files.page)["pictures"][0]["thin"]["heights"];
+  CHECK(std::signbit(heights[2].get<double>()) != std::signbit(heights[3].get<double>()));
+  CHECK(heights[3] != 0);
+  const std::string thirds = files.write("thirds", "4 2\n1 -2/3 0\n2 2/3 0\n3 0 1/3\n4 0 -1/12\n",
+                                         "2 3\n1 1 2 3\n2 4 2 1\n");
+  CHECK(run({"check", thirds, "--html", files.page}).exit_code == 1);
+  CHECK(shown(files.page)["report"]["violations"][0]["coordinates"]["1"] ==
+        nlohmann::json({"-2/3", "0"}));
+  CHECK(shown(files.page)["pictures"][0]["dimension"] == 2);
+  const std::string none = files.write("none", "0 2 0 0\n", "0 3\n");
+  CHECK(run({"check", none, "--allow-empty", "--html", files.page}).exit_code == 0);
+  CHECK(shown(files.page)["pictures"].empty());
+}
+
+TEST_CASE("pictures: a hundred thousand violations make no large page") {
+  PicturedFiles files;
+  std::string points = "100003 2\n1 0 0\n2 1 0\n3 0 1\n";
+  for (int i = 4; i <= 100003; ++i) {
+    points += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(i % 7) + "\n";
+  }
+  const std::string mesh = files.write("many", points, "1 3\n1 1 2 3\n");
+  CHECK(run({"check", mesh, "--claim", "triangulation", "--max-errors", "0", "--quiet", "--html",
+             files.page})
+            .exit_code == 1);
+  CHECK(shown(files.page)["cards_note"] ==
+        "100 of 100000 violations have a card here; a page has at most 100, and --format json "
+        "gives the others.");
+  CHECK(contents(files.page).size() < 3'000'000);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The page: files, a question, and the answer. The command itself runs in a worker, which is ended to cancel.
 import { button, element } from '../../oracle/picture/page/elements.js';
 import { Plane } from './draw.js';
+import { figures } from './figures.js';
 import { bytesOf, packState, unpackState, unpacked } from './link.js';
 
 const byId = (id) => document.getElementById(id);
@@ -28,6 +29,14 @@ const examples = {
       + '1\n3 1 2 5\n1\n3 1 5 4\n1\n3 2 3 6\n1\n3 2 6 5\n1\n3 3 1 4\n1\n3 3 4 6\n0\n' }] },
   'Points, and what is known of them': { ask: 'inspect', mesh: 'grid.node', files: [
     { name: 'grid.node', text: '5 2 0 0\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 0.5 0.25\n' }] },
+  ...figures,
+};
+
+// Whose steps the page of pictures shows.
+const algorithms = {
+  'build delaunay': { 'bowyer-watson': 'Bowyer–Watson (5.2)', 'gift-wrapping': 'gift-wrapping (5.6)', flips: 'flips (4.4)',
+    'lifted-hull': 'the lifted hull (4.2)' },
+  'build cdt': { '': 'the usual one', 'polygon-flips': 'FlipInsertPolygon (5.8)' },
 };
 
 let files = [];  // { name, text } or { name, bytes }
@@ -87,6 +96,7 @@ function words() {
     if (value('domain')) list.push('--domain', value('domain'));
     if (value('points')) list.push('--points', value('points'));
   }
+  if (algorithms[ask] && value('algorithm')) list.push('--algorithm', value('algorithm'));
   return [...list, ...value('more').split(/\s+/).filter(Boolean)];
 }
 
@@ -107,7 +117,11 @@ function refresh() {
   fill(byId('mesh'), undefined);
   fill(byId('domain'), 'domain', 'none');
   fill(byId('points'), 'points', 'in the mesh, or beside it');
-  for (const row of document.querySelectorAll('[data-of]')) row.hidden = row.dataset.of !== ask;
+  for (const row of document.querySelectorAll('[data-of]')) row.hidden = !row.dataset.of.split(',').includes(ask);
+  const names = Object.entries(algorithms[ask] ?? {});
+  if (names.some(([name]) => ![...byId('algorithm').options].some((option) => option.value === name))) {
+    byId('algorithm').replaceChildren(...names.map(([name, words_]) => element('option', { value: name }, words_)));
+  }
   byId('run').disabled = files.length === 0;
   byId('files').replaceChildren(...files.map(fileEntry));
   showCommand();
@@ -169,14 +183,15 @@ async function read(list) {
 }
 
 function state() {
-  return { ask: value('ask'), mesh: value('mesh'), domain: value('domain'), points: value('points'), claim: value('claim'), more: value('more'), files };
+  return { ask: value('ask'), mesh: value('mesh'), domain: value('domain'), points: value('points'), claim: value('claim'),
+    algorithm: value('algorithm'), more: value('more'), files };
 }
 
 function take(given) {
   files = given.files.map((file) => ({ ...file }));
   byId('ask').value = given.ask in commands ? given.ask : 'check';
   refresh();
-  for (const key of ['mesh', 'domain', 'points', 'claim', 'more']) {
+  for (const key of ['mesh', 'domain', 'points', 'claim', 'algorithm', 'more']) {
     byId(key).value = given[key] ?? '';
     if (byId(key).selectedIndex < 0) byId(key).selectedIndex = 0;
   }
@@ -217,7 +232,7 @@ function show(answer, list, seconds) {
       element('pre', { tabindex: '0', 'aria-label': 'Output of the command', id: 'output' }, out + err)));
   }
   if (answer.written[page]) {
-    const frame = element('iframe', { sandbox: 'allow-scripts', title: 'Pictures of the violations', id: 'pictures' });
+    const frame = element('iframe', { sandbox: 'allow-scripts', title: 'Pictures', id: 'pictures' });
     frame.srcdoc = text(answer.written[page]);
     const save = element('a', { download: 'verdict.html' }, 'Save the page of pictures');
     save.href = URL.createObjectURL(new Blob([answer.written[page]], { type: 'text/html' }));
@@ -230,21 +245,21 @@ function show(answer, list, seconds) {
 async function ask() {
   running?.();
   const list = words();
-  const pictured = list[0] === 'check';
   const building = list[0] === 'build';
   say('Running …');
   byId('cancel').disabled = false;
   const start = performance.now();
   const built = value('ask') === 'build delaunay' && value('mesh') === 'drawn.node' ? 'drawn.ele' : 'built.ele';
-  const extra = pictured ? ['--html', page] : building ? ['-o', built] : [];
-  const answer = await run([...list, ...extra], pictured ? [page] : building ? [built, built.replace('ele', 'node')] : []);
+  const extra = building ? ['-o', built] : [];
+  const answer = await run([...list, ...extra, '--html', page], [page, ...(building ? [built, built.replace('ele', 'node')] : [])]);
   byId('cancel').disabled = true;
   if (!answer) {
     say('Cancelled.');
     return;
   }
   show(answer, [...list, ...(building ? extra : [])], (performance.now() - start) / 1000);
-  if (building) keepBuilt(answer.written);
+  const { [page]: _, ...meshes } = answer.written;
+  if (building) keepBuilt(meshes);
   say(`Done: ${byId('verdict').textContent}`);
 }
 
@@ -282,7 +297,7 @@ byId('question').addEventListener('submit', (event) => {
   ask();
 });
 byId('cancel').addEventListener('click', () => running?.());
-for (const id of ['mesh', 'domain', 'points', 'claim', 'more']) byId(id).addEventListener('input', showCommand);
+for (const id of ['mesh', 'domain', 'points', 'claim', 'algorithm', 'more']) byId(id).addEventListener('input', showCommand);
 byId('ask').addEventListener('input', refresh);
 byId('choose').addEventListener('change', (event) => read(event.target.files));
 byId('paste').addEventListener('click', () => {

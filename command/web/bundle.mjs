@@ -13,7 +13,7 @@ const [build, output] = process.argv.slice(2);
 const read = (...path) => readFileSync(join(...path), 'utf8');
 
 const bundled = (name) => esbuild.buildSync({ entryPoints: [join(here, name)], bundle: true, minify: true, write: false,
-  charset: 'ascii', format: 'iife', target: 'es2022', legalComments: 'none' }).outputFiles[0].text.trim();
+  charset: 'ascii', loader: { '.poly': 'text', '.node': 'text', '.ele': 'text' }, format: 'iife', target: 'es2022', legalComments: 'none' }).outputFiles[0].text.trim();
 const inScript = (text) => text.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 const style = esbuild.transformSync(['page.css', 'roles.css'].map((name) => read(page, name)).join('') + read(here, 'web.css'),
   { loader: 'css', minify: true });

@@ -144,6 +144,28 @@ async function inChromium() {
     await shared.dispatchEvent('pointerdown');
     await verdict(page, /^fails: delaunay drawn\.ele/);
     await page.screenshot({ path: join(shots, 'drawn.png'), fullPage: true });
+    // The steps of an algorithm, and the link to them.
+    await page.selectOption('#ask', 'build delaunay');
+    await page.selectOption('#mesh', 'drawn.node');
+    for (const algorithm of ['bowyer-watson', 'flips', 'lifted-hull', 'gift-wrapping']) {
+      await page.selectOption('#algorithm', algorithm);
+      await page.getByRole('button', { name: 'Run' }).click();
+      await page.waitForFunction((name) => document.getElementById('status').textContent.startsWith('Done: built') &&
+        document.getElementById('command').textContent.includes(name), algorithm);
+    }
+    const steps = page.frameLocator('#pictures');
+    await steps.locator('#step', { hasText: /^Step 1 of \d+\. Finish/ }).waitFor();
+    await steps.getByRole('button', { name: 'Next step' }).click();
+    await steps.locator('#step', { hasText: /^Step 2 of/ }).waitFor();
+    await page.getByRole('button', { name: 'Link to all this' }).click();
+    await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link is in'));
+    const linked = await opened(browser, faults, await page.evaluate(() => location.hash));
+    await verdict(linked, /^built: delaunay drawn\.node/);
+    assert.equal(await linked.locator('#algorithm').inputValue(), 'gift-wrapping');
+    await linked.close();
+    await page.selectOption('#examples', { label: 'Figure 4.14: a vertex behind a polygon, by FlipInsertPolygon' });
+    await verdict(page, /^built: cdt occluded\.poly/);
+    await steps.locator('#step', { hasText: 'Begin' }).waitFor();
     // A run that takes long is cancelled, and the page still answers.
     await page.setInputFiles('#choose', [{ name: 'many.node', mimeType: 'text/plain', buffer: Buffer.from(manyPoints(3000)) }]);
     await page.selectOption('#ask', 'build delaunay');

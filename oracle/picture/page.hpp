@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "oracle/judge/points/cells.hpp"
@@ -17,6 +18,21 @@ namespace circumspect::picture {
 
 // As many violations have a card, with their pictures: pages stay small enough to be sent.
 inline constexpr std::size_t kMostCards = 100;
+
+// What a command finds that is no verdict.
+struct Facts {
+  std::string heading;  // what they are about: the name of a file
+  std::string line;     // the last line that the command prints of it
+  std::string text;     // what it prints above, a fact a line: "points: 5 points of dimension 2"
+  bool holds = true;    // false: it is at fault
+  std::string noun = "Fact";  // what a card shows
+  // Of each card what is shown, by the vertices of a mesh, and how: `meaning`, `caption`, and if need be `rule`, `around`,
+  // `ball_words` and `groups` of the simplices, each with its `role`, `words` and `count`, and `closed` if they
+  // are the edges of a polygon in their order.
+  std::vector<std::pair<report::Json, Witness>> cards = {};
+  std::size_t cards_of = 0;  // how many there would be
+  report::Json steps = {};   // of a construction: see steps.hpp
+};
 
 class Page {
  public:
@@ -40,6 +56,11 @@ class Page {
   // is their difference.
   void add_difference(const Mesh& a, const Mesh& b, const check::Difference& found,
                       const report::Json& report, const std::string& line);
+
+  // Facts, with a card for each of those that can be seen. `mesh` is what may be drawn around them.
+  void add_facts(Facts facts, const Mesh& mesh);
+
+  bool is_empty() const { return results_.empty(); }
 
   // Texts are escaped, so that no name of a file, whatever it holds, is read as markup.
   void write(std::ostream& out) const;

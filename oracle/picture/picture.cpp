@@ -48,7 +48,7 @@ class Composer {
   void choose_frame();
   bool is_near(const Simplex& simplex);
   double in_frame(const Rational& x, std::size_t axis) const;
-  std::array<double, 3> position(Place place) const;
+  std::array<double, 3> position(const Point& point) const;
   void add_ball();
   void add_thin();
 
@@ -181,18 +181,16 @@ double Composer::in_frame(const Rational& x, std::size_t axis) const {
   return scaled.get_d();
 }
 
-std::array<double, 3> Composer::position(Place place) const {
+std::array<double, 3> Composer::position(const Point& point) const {
   std::array<double, 3> at = {0, 0, 0};
-  for (std::size_t axis = 0; axis < points_[place].size(); ++axis) {
-    at[axis] = in_frame(points_[place][axis], axis);
-  }
+  for (std::size_t axis = 0; axis < point.size(); ++axis) at[axis] = in_frame(point[axis], axis);
   return at;
 }
 
 // In doubles: whether something is drawn decides nothing.
 bool Composer::is_near(const Simplex& simplex) {
   return std::all_of(simplex.begin(), simplex.end(), [this](Vertex v) {
-    const auto at = position(vertex(v));
+    const auto at = position(points_[vertex(v)]);
     return std::all_of(at.begin(), at.end(), [](double x) { return std::abs(x) < kFar; });
   });
 }
@@ -264,20 +262,25 @@ Json Composer::walls() {
   return found;
 }
 
-// A vector's direction, rounded; whatever its length.
-std::vector<double> direction(const Point& vector) {
+// A vector as its direction, whatever its length, and its length in units of its largest coordinate.
+struct Direction {
+  std::array<double, 3> unit = {0, 0, 1};
   Rational largest = 0;
-  for (const Rational& x : vector) largest = std::max<Rational>(largest, abs(x));
-  if (sign(largest) == 0) return {0, 0, 1};
-  std::vector<double> unit;
-  double squared = 0;
-  for (const Rational& x : vector) {
-    unit.push_back(Rational(x / largest).get_d());
-    squared += unit.back() * unit.back();
+  double length = 0;
+};
+
+Direction direction(const Point& vector) {
+  Direction found;
+  for (const Rational& x : vector) found.largest = std::max<Rational>(found.largest, abs(x));
+  if (sign(found.largest) == 0) return found;
+  found.unit.fill(0);
+  for (std::size_t i = 0; i < vector.size(); ++i) {
+    found.unit[i] = Rational(vector[i] / found.largest).get_d();
+    found.length += found.unit[i] * found.unit[i];
   }
-  for (double& x : unit) x /= std::sqrt(squared);
-  unit.resize(3, 0);
-  return unit;
+  found.length = std::sqrt(found.length);
+  for (double& x : found.unit) x /= found.length;
+  return found;
 }
 
 void Composer::add_ball() {
@@ -288,23 +291,18 @@ void Composer::add_ball() {
       std::min<Rational>(witness_.ball->squared_radius / (scale_ * scale_), largest);
   const double radius = std::sqrt(squared.get_d());
   const Point from_centre = points_.front() - centre;
-  const std::vector<double> normal = direction(from_centre);
+  const std::array<double, 3> normal = direction(from_centre).unit;
   // The distance from the first point to the sphere, without taking the difference of large numbers.
   const Rational distance = squared_length(from_centre) / (scale_ * scale_);
   const double beyond = distance > largest ? 0
                                            : Rational(squared - distance).get_d() /
                                                  (radius + std::sqrt(distance.get_d()));
-  const std::array<double, 3> first = position(0);
-  Json surface = Json::array();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    surface.push_back(first[axis] + beyond * normal[axis]);
+  const std::array<double, 3> first = position(points_.front());
+  std::array<double, 3> surface = first;
+  for (std::size_t axis = 0; axis < 3; ++axis) surface[axis] += beyond * normal[axis];
   json_["ball"] = {{"radius", radius}, {"normal", normal}, {"surface", surface}};
   if (radius > 1e5) return;
-  Json at = Json::array();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    at.push_back(axis < centre.size() ? in_frame(centre[axis], axis) : 0.0);
-  }
-  json_["ball"]["centre"] = at;
+  json_["ball"]["centre"] = position(centre);
 }
 
 // Across the largest triangle (in the plane: the longest edge) of the witness's points.
@@ -329,20 +327,13 @@ void Composer::add_thin() {
     }
   } while (next_subset(chosen, candidates));
   if (sign(most) == 0) return;
-  Rational largest = 0;
-  for (const Rational& x : normal) largest = std::max<Rational>(largest, abs(x));
-  double length = 0;
-  for (const Rational& x : normal) {
-    const double share = Rational(x / largest).get_d();
-    length += share * share;
-  }
-  length = std::sqrt(length);
+  const auto [unit, largest, length] = direction(normal);
   Json heights = Json::array();
   for (const Point& point : points_) {
     const Rational height = inner_product(normal, point - centre_) / (largest * scale_);
     heights.push_back(abs(height) > 1000000 ? 0.0 : height.get_d() / length);
   }
-  json_["thin"] = {{"normal", direction(normal)}, {"heights", heights}};
+  json_["thin"] = {{"normal", unit}, {"heights", heights}};
 }
 
 Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& boundary) {
@@ -368,7 +359,7 @@ Json Composer::compose(const Surroundings& around, const std::vector<Simplex>& b
   json_["points"] = Json::array();
   for (Place place = 0; place < points_.size(); ++place) {
     Json at = Json::array();
-    for (const double x : position(place)) at.push_back(shortened(x));
+    for (const double x : position(points_[place])) at.push_back(shortened(x));
     json_["points"].push_back(at);
   }
   json_["names"] = names_;

@@ -65,10 +65,16 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
 }
 
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
-  const Witness& witness = broken.witness;
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
+  object.update(witness(broken.witness, mesh, domain));
+  return object;
+}
+
+}  // namespace
+
+Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   const NamedCells named = named_cells(witness, mesh);
-  object["simplices"] = named.simplices;
+  Json object = {{"simplices", named.simplices}};
   if (named.face) object["face"] = *named.face;
   object["vertices"] = labels_of(mesh, witness.vertices);
   if (witness.point) object["point"] = point(*witness.point);
@@ -87,8 +93,6 @@ Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) 
   }
   return object;
 }
-
-}  // namespace
 
 // Beyond ASCII only strings hold anything, so that what stands there may be escaped anywhere.
 std::string document_text(const Json& document, int indent) {

@@ -27,6 +27,9 @@ Json point(const Point& point);
 // Centre and squared radius exactly, and the radius as a correctly rounded decimal.
 Json ball(const Ball& ball);
 
+// What a witness consists of, by the user's indices; `domain` is the one that it is about.
+Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain = nullptr);
+
 // One judged mesh; `domain` is the one that the claim is about.
 Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by,
              const Domain* domain = nullptr);

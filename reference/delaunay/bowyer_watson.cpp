@@ -122,14 +122,21 @@ Triangulation BowyerWatson::triangulation() const {
 
 namespace {
 
+const Insertion& told(const BowyerWatsonOptions& options, const Insertion& insertion) {
+  if (options.watch) options.watch(insertion);
+  return insertion;
+}
+
 // Inserts the vertices one by one; `locate` finds a simplex in conflict with each, or nothing.
 template <typename Locate>
 void insert_all(BowyerWatson& algorithm, const std::vector<Vertex>& vertices,
-                const Progress& progress, Locate locate) {
+                const BowyerWatsonOptions& options, Locate locate) {
   std::size_t done = 0;
   for (const Vertex u : vertices) {
-    tell(progress, "points inserted", done++, vertices.size());
-    if (const std::optional<Simplex> located = locate(u)) algorithm.insert(u, *located);
+    tell(options.progress, "points inserted", done++, vertices.size());
+    if (const std::optional<Simplex> located = locate(u)) {
+      told(options, algorithm.insert(u, *located));
+    }
   }
 }
 
@@ -138,17 +145,17 @@ void insert_all(const PointSet& points, BowyerWatson& algorithm,
   Statistics& statistics = algorithm.statistics();
   const SimplexDictionary& dictionary = algorithm.dictionary();
   if (options.location == PointLocation::kLinearScan) {
-    insert_all(algorithm, vertices, options.progress,
+    insert_all(algorithm, vertices, options,
                [&](Vertex u) { return linear_scan(points, dictionary, u, statistics); });
   } else if (options.location == PointLocation::kWalking) {
-    insert_all(algorithm, vertices, options.progress, [&](Vertex u) {
+    insert_all(algorithm, vertices, options, [&](Vertex u) {
       return walk(points, dictionary, algorithm.most_recent_solid(), u, statistics);
     });
   } else {
     ConflictGraph graph(points, dictionary, vertices, statistics);
     for (const Vertex u : vertices) {
       const std::optional<Simplex> located = graph.conflict_of(u);
-      if (located) graph.update(algorithm.insert(u, *located));
+      if (located) graph.update(told(options, algorithm.insert(u, *located)));
     }
   }
 }
@@ -162,6 +169,7 @@ Triangulation bowyer_watson(const PointSet& points, const BowyerWatsonOptions& o
   std::vector<Vertex> sequence = insertion_order(points, options.order, options.seed);
   BowyerWatson algorithm(points, first_independent(points, sequence));
   std::erase_if(sequence, [&](Vertex u) { return contains(algorithm.first_simplex(), u); });
+  told(options, algorithm.last_insertion());
   insert_all(points, algorithm, sequence, options);
   if (statistics != nullptr) *statistics = algorithm.statistics();
   return algorithm.triangulation();

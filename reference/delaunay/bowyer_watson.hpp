@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "reference/delaunay/insertion_order.hpp"
@@ -16,8 +17,9 @@ namespace circumspect::delaunay {
 
 // What the insertion of one vertex changes, with ghosts; all simplices positively oriented.
 struct Insertion {
-  Vertex vertex;
+  Vertex vertex = kGhost;  // the ghost for the start, which inserts a whole simplex
   // The simplices that were in conflict with the vertex: their union is the cavity.
+  // The first is that in which point location found it.
   std::vector<Simplex> deleted;
   // One for each facet of the cavity, with the vertex for its apex.
   std::vector<Simplex> created;
@@ -89,6 +91,7 @@ struct BowyerWatsonOptions {
   PointLocation location = PointLocation::kLinearScan;
   std::uint64_t seed = 0;  // of the random orders
   Progress progress = {};
+  std::function<void(const Insertion&)> watch = {};  // is told of the start and of each insertion
 };
 
 // Inserts all points. Any number of points, any dimension; one answer, whatever the options.

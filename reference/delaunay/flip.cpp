@@ -171,7 +171,7 @@ bool is_locally_delaunay(const PointSet& points, const StarIndex& triangulation,
 }
 
 FlipRun flip_until_done(const PointSet& points, StarIndex& triangulation,
-                        std::vector<Simplex> facets, FlipTest test) {
+                        std::vector<Simplex> facets, FlipTest test, const FlipWatch& watch) {
   FlipRun run;
   while (!facets.empty()) {
     const Simplex facet = facets.back();
@@ -184,6 +184,7 @@ FlipRun flip_until_done(const PointSet& points, StarIndex& triangulation,
       continue;
     }
     triangulation.replace(flip->deleted, flip->created);
+    if (watch) watch({*flip, {}, facet});
     ++run.flips;
     // The flip may have created what blocked others: look at them again, after the facets of the new
     // simplices.
@@ -264,29 +265,28 @@ std::vector<Simplex> cone_over_visible_hull_facets(const PointSet& points,
 }  // namespace
 
 VertexInsertion insert_vertex_by_flips(const PointSet& points, StarIndex& triangulation, Vertex u,
-                                       FlipTest test) {
+                                       FlipTest test, const FlipWatch& watch) {
   VertexInsertion insertion;
-  std::vector<Simplex> created;
+  ExtendedFlip split;
   for (const Simplex& simplex : triangulation.simplices()) {
     const std::optional<Simplex> face = face_holding(points, simplex, u);
     if (!face) continue;
     insertion.dimension_of_face = face->size() - 1;
     insertion.is_submerged = !lies_below(points, simplex, u, test);
     if (insertion.is_submerged) return insertion;
-    const auto split = extended_flip(triangulation, basic_flip(points, simplex, u));
-    triangulation.replace(split.value().deleted, split.value().created);
-    created = split.value().created;
+    split = extended_flip(triangulation, basic_flip(points, simplex, u)).value();
     break;
   }
   if (!insertion.dimension_of_face) {
-    created = cone_over_visible_hull_facets(points, triangulation, u);
-    triangulation.replace({}, created);
+    split.created = cone_over_visible_hull_facets(points, triangulation, u);
   }
-  insertion.run = flip_until_done(points, triangulation, facets_of(created), test);
+  triangulation.replace(split.deleted, split.created);
+  if (watch) watch({split, u, {}});
+  insertion.run = flip_until_done(points, triangulation, facets_of(split.created), test, watch);
   return insertion;
 }
 
-Triangulation flip_insertion(const PointSet& points) {
+Triangulation flip_insertion(const PointSet& points, const FlipWatch& watch) {
   const int k = points.dimension();
   if (points.empty()) return Triangulation(k, {});
   Simplex first;
@@ -294,9 +294,12 @@ Triangulation flip_insertion(const PointSet& points) {
     first.push_back(static_cast<Vertex>(v));
   }
   StarIndex triangulation({first});
+  const ExtendedFlip start{{}, {first}};
+  if (watch) watch({start, {}, {}});
   for (Vertex u = 0; points.names(u); ++u) {
     if (contains(first, u)) continue;
-    if (insert_vertex_by_flips(points, triangulation, u).run.is_stuck()) {
+    if (insert_vertex_by_flips(points, triangulation, u, FlipTest::kPerturbed, watch)
+            .run.is_stuck()) {
       throw std::logic_error("flip_insertion: stuck, which is impossible");
     }
   }

@@ -1,6 +1,7 @@
 // Bistellar flips, the flip algorithm, and insertion by flips. Book: Section 4.4.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,6 +88,15 @@ tl::expected<ExtendedFlip, BlockedFlip> flip(const PointSet& points, StarIndex& 
 // not the canonical one, or get stuck; even after the insertion of one vertex nothing is promised.
 enum class FlipTest { kPerturbed, kUnperturbed };
 
+// What a flip was for: a vertex to insert, or a facet that was not locally Delaunay; neither for the simplex
+// that insertion starts with.
+struct FlipStep {
+  const ExtendedFlip& flip;
+  std::optional<Vertex> vertex = {};
+  std::optional<Simplex> facet = {};
+};
+using FlipWatch = std::function<void(const FlipStep&)>;  // is told of each flip once it is done
+
 // A facet that is not locally Delaunay, and the simplices without which it cannot be flipped.
 struct BlockedFacet {
   Simplex facet;
@@ -112,7 +122,8 @@ bool is_locally_delaunay(const PointSet& points, const StarIndex& triangulation,
 // Looks first at the facets given, then at those that appear.
 // Requires: all other facets of the triangulation are locally Delaunay.
 FlipRun flip_until_done(const PointSet& points, StarIndex& triangulation,
-                        std::vector<Simplex> facets, FlipTest test = FlipTest::kPerturbed);
+                        std::vector<Simplex> facets, FlipTest test = FlipTest::kPerturbed,
+                        const FlipWatch& watch = {});
 
 struct FlippedTriangulation {
   Triangulation triangulation;
@@ -158,10 +169,11 @@ struct VertexInsertion {
 // Requires: the vertices span the affine hull of the points; all facets are locally Delaunay under
 // the test; u is not a vertex and, if it was once flipped out, still submerged.
 VertexInsertion insert_vertex_by_flips(const PointSet& points, StarIndex& triangulation, Vertex u,
-                                       FlipTest test = FlipTest::kPerturbed);
+                                       FlipTest test = FlipTest::kPerturbed,
+                                       const FlipWatch& watch = {});
 
 // The canonical (weighted) Delaunay triangulation: k+1 affinely independent points, then all others
 // in the order of their indices. Any number of points, any dimension.
-Triangulation flip_insertion(const PointSet& points);
+Triangulation flip_insertion(const PointSet& points, const FlipWatch& watch = {});
 
 }  // namespace circumspect::delaunay

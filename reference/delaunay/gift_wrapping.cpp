@@ -89,11 +89,13 @@ Simplex nearest_neighbour_seed(const PointSet& points) {
 // ---- Gift-wrapping ----
 
 std::vector<Simplex> gift_wrap(const PointSet& points, const std::vector<std::size_t>& axes,
-                               UnfinishedFacets unfinished, const std::vector<Vertex>& candidates) {
+                               UnfinishedFacets unfinished, const std::vector<Vertex>& candidates,
+                               const FinishWatch& watch) {
   SimplexDictionary dictionary;
   while (!unfinished.empty()) {
     const OrientedFacet facet = unfinished.first();
     const std::optional<Vertex> apex = apex_of_facet(points, axes, facet, candidates);
+    if (watch) watch(facet, apex);
     if (apex) {
       const Simplex simplex = join(facet, *apex);
       dictionary.add(simplex);
@@ -105,19 +107,19 @@ std::vector<Simplex> gift_wrap(const PointSet& points, const std::vector<std::si
   return dictionary.simplices();
 }
 
-Triangulation gift_wrapping(const PointSet& points, const Simplex& seed) {
+Triangulation gift_wrapping(const PointSet& points, const Simplex& seed, const FinishWatch& watch) {
   const Flat flat = flat_through(points, all_vertices(points));
   UnfinishedFacets unfinished;
   unfinished.add(OrientedFacet::of(seed));
   unfinished.add(OrientedFacet::of(seed).reverse());
   return Triangulation(points.dimension(),
-                       gift_wrap(points, flat.axes, unfinished, all_vertices(points)));
+                       gift_wrap(points, flat.axes, unfinished, all_vertices(points), watch));
 }
 
-Triangulation gift_wrapping(const PointSet& points) {
+Triangulation gift_wrapping(const PointSet& points, const FinishWatch& watch) {
   if (points.empty()) return Triangulation(-1, {});
   if (points.dimension() == 0) return Triangulation(0, {{0}});
-  return gift_wrapping(points, hull_facet_seed(points));
+  return gift_wrapping(points, hull_facet_seed(points), watch);
 }
 
 // ---- Gift wrapping cells ----

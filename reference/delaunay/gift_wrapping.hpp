@@ -2,6 +2,7 @@
 // Section 5.6.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,20 +42,25 @@ Simplex hull_facet_seed(const PointSet& points);
 // Requires: points.dimension() ≥ 1; the set is generic (Definition 4.2) and not weighted.
 Simplex nearest_neighbour_seed(const PointSet& points);
 
+// Is told of each facet that is finished: with which apex, or that it is on the hull.
+using FinishWatch = std::function<void(const OrientedFacet&, std::optional<Vertex>)>;
+
 // Finishes unfinished facets until none is left, and returns the simplices constructed, positively
 // oriented. Requires: every unfinished facet is in the canonical triangulation of some set, and so
 // is the simplex in front of it, if there is one, with a candidate for its apex. Throws
 // std::logic_error if the simplices found contradict that by being in each other's way.
 std::vector<Simplex> gift_wrap(const PointSet& points, const std::vector<std::size_t>& axes,
-                               UnfinishedFacets unfinished, const std::vector<Vertex>& candidates);
+                               UnfinishedFacets unfinished, const std::vector<Vertex>& candidates,
+                               const FinishWatch& watch = {});
 
 // The canonical (weighted) Delaunay triangulation, seeded with a hull facet (hull_facet_seed).
 // Any number of points, any dimension; time O(n h) for h simplices.
-Triangulation gift_wrapping(const PointSet& points);
+Triangulation gift_wrapping(const PointSet& points, const FinishWatch& watch = {});
 
 // The same from a seed of the caller's. Requires: points.dimension() ≥ 1; the seed is a facet, a
 // (k−1)-simplex, of the canonical triangulation.
-Triangulation gift_wrapping(const PointSet& points, const Simplex& seed);
+Triangulation gift_wrapping(const PointSet& points, const Simplex& seed,
+                            const FinishWatch& watch = {});
 
 // ---- Gift wrapping cells ----
 // Gift-wrapping whole cells of cospherical points, without any perturbation.

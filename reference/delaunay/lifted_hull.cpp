@@ -114,7 +114,7 @@ PolyhedralComplex delaunay_subdivision_by_definition(const PointSet& points) {
   return PolyhedralComplex(points, k, {cells.begin(), cells.end()}, facets_by_definition);
 }
 
-PolyhedralComplex delaunay_subdivision(const PointSet& points) {
+PolyhedralComplex delaunay_subdivision(const PointSet& points, const HullWatch& watch) {
   const int k = points.dimension();
   if (points.empty()) return PolyhedralComplex(points, k, {}, facets_by_wrapping);
   const PointSet companions = lifted(points);
@@ -122,9 +122,12 @@ PolyhedralComplex delaunay_subdivision(const PointSet& points) {
   std::vector<Face> cells;
   if (companions.dimension() == k) {
     cells.push_back(all);  // all lifted points lie on one hyperplane: a single cell
+    if (watch) watch(all, true);
   } else {
     for (const Face& facet : facets_by_wrapping(companions, all)) {
-      if (is_downward_facing(points, companions, facet)) cells.push_back(facet);
+      const bool is_lower = is_downward_facing(points, companions, facet);
+      if (watch) watch(facet, is_lower);
+      if (is_lower) cells.push_back(facet);
     }
   }
   return PolyhedralComplex(points, k, std::move(cells), facets_by_wrapping);
@@ -134,8 +137,8 @@ Triangulation lifted_hull_by_definition(const PointSet& points) {
   return least_vertex_triangulation(points, delaunay_subdivision_by_definition(points));
 }
 
-Triangulation lifted_hull(const PointSet& points) {
-  return least_vertex_triangulation(points, delaunay_subdivision(points));
+Triangulation lifted_hull(const PointSet& points, const HullWatch& watch) {
+  return least_vertex_triangulation(points, delaunay_subdivision(points, watch));
 }
 
 }  // namespace circumspect::delaunay

@@ -1,6 +1,8 @@
 // The Delaunay triangulation by its definition and by lifting. Book: Section 4.2.
 #pragma once
 
+#include <functional>
+
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/polytope.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
@@ -39,11 +41,13 @@ Triangulation least_vertex_triangulation(const PointSet& points, const Polyhedra
 PolyhedralComplex delaunay_subdivision_by_definition(const PointSet& points);
 
 // By gift-wrapping the whole convex hull of the lifted points in R^{d+1}, of which the
-// downward-facing facets are kept. Time O(n f) for a hull with f facets.
-PolyhedralComplex delaunay_subdivision(const PointSet& points);
+// downward-facing facets are kept. Time O(n f) for a hull with f facets. The watch is told of each facet, and
+// whether it faces downwards.
+using HullWatch = std::function<void(const Face&, bool)>;
+PolyhedralComplex delaunay_subdivision(const PointSet& points, const HullWatch& watch = {});
 
 // The canonical Delaunay triangulation, as the least-vertex triangulation of the subdivision.
 Triangulation lifted_hull_by_definition(const PointSet& points);
-Triangulation lifted_hull(const PointSet& points);
+Triangulation lifted_hull(const PointSet& points, const HullWatch& watch = {});
 
 }  // namespace circumspect::delaunay

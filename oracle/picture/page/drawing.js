@@ -1,7 +1,7 @@
 // What is drawn for a broken rule: polygons, lines, dots and balls, each with a role that has a colour and a
 // line in the legend, and a sentence that says what is to be seen.
 import {
-  add, between, commonPart, cross, crosses, dot, edges, length, middle, pierces, section, sub, times,
+  add, between, commonPart, cross, crosses, dot, ears, edges, length, middle, pierces, section, sub, times,
   triangles, unit,
 } from './vectors.js';
 
@@ -74,6 +74,9 @@ export class Drawing {
         `${noun(v.simplices[i])} ${list(v.simplices[i])}${i === 2 && bad.length > 3 ? ' and others' : ''}`,
         drawn && !NO_FACES.includes(v.rule));
     });
+    this.outlines(v.groups ?? []);
+    if (v.ball_words) this.ball('ball', v.ball_words);
+    for (const outline of picture.outlines ?? []) this.face(outline);
     if (picture.face) {
       const face = this.all(picture.face);
       this.polygon(face, 'face', `${noun(v.face)} ${list(v.face)}`);
@@ -84,6 +87,7 @@ export class Drawing {
       if (i !== null) this.dot(i, 'vertex', `vertex ${list(v.vertices)}`);
     }
     if (picture.point !== undefined) this.dot(picture.point, 'point', 'the point of the witness');
+    for (const i of picture.dots ?? []) this.dot(i, 'corner');
     this.domainCell();
     this.caption = v.caption ?? RULES[v.rule]?.(this, v, picture) ?? '';
     for (const simplex of picture.near) this.simplexOutline(simplex, 'near', v.around ?? 'simplices around it');
@@ -92,6 +96,31 @@ export class Drawing {
       this.line(...this.all(segment), 'wall', 'segments and polygons of the domain');
     }
     for (const triangle of picture.walls.triangles) this.polygon(this.all(triangle), 'wall');
+  }
+
+  // A convex polygon by its corners, in whatever order.
+  face({ corners, role, words }) {
+    const at = this.all(corners);
+    const m = middle(at);
+    const u = unit(sub(at[0], m));
+    // Whichever of the others is not in line with the first spans the plane with it.
+    const across = at.map((p) => sub(sub(p, m), times(u, dot(u, sub(p, m))))).sort((a, b) => length(b) - length(a))[0];
+    const angle = (p) => Math.atan2(dot(unit(across), sub(p, m)), dot(u, sub(p, m)));
+    at.sort((a, b) => angle(a) - angle(b));
+    this.polygon(at, role, words);
+    at.forEach((p, i) => this.line(p, at[(i + 1) % at.length], role, words));
+  }
+
+  // What lies within the edges of a polygon, which are a group of simplices.
+  outlines(groups) {
+    let first = 0;
+    for (const { role, words, count, closed } of groups) {
+      const corners = this.picture.simplices.slice(first, first + count).map(([corner]) => corner);
+      first += count;
+      if (!closed || corners.includes(null)) continue;
+      const at = this.all(corners);
+      for (const triangle of ears(at)) this.polygon(triangle, role, words);
+    }
   }
 
   simplexOutline(simplex, role, words) {

@@ -3,6 +3,7 @@
 import { relativeDepth } from './drawing.js';
 import { button, element, svg, table } from './elements.js';
 import { Solid, colourOf } from './solid.js';
+import { player } from './player.js';
 import { View } from './view.js';
 
 const data = JSON.parse(document.getElementById('data').textContent);
@@ -161,6 +162,15 @@ function finding({ signature, count, text, minimal, reproduce }) {
   return parts;
 }
 
+// The lines of a command, "what: words", as a table.
+function told(text, title) {
+  const rows = text.trimEnd().split('\n').map((line) => {
+    const colon = line.indexOf(': ');
+    return colon < 0 ? ['', line] : [line.slice(0, colon), line.slice(colon + 2)];
+  });
+  return table(title, 'What was found', ['what', 'value'], rows);
+}
+
 // The cards of a verdict are its violations; a page that shows no verdict brings its own.
 const cardsOf = (result) => result.report?.violations ?? result.cards ?? [];
 
@@ -171,7 +181,10 @@ function section(result, first) {
   const parts = [...(result.finding ? finding(result.finding) : []), element('h2', {}, heading),
     element('p', { class: `verdict ${report?.verdict ?? result.verdict}` }, result.line)];
   for (const note of result.notes ?? []) parts.push(element('p', { class: 'note' }, note));
+  if (result.steps?.left_out) parts.push(element('p', { class: 'note' }, result.steps.left_out));
   if (result.cards_note) parts.push(element('p', { class: 'note' }, result.cards_note));
+  if (result.facts) parts.push(told(result.facts, heading));
+  if (result.steps) parts.push(player(result.steps, stage, views));
   cardsOf(result).forEach((v, i) => parts.push(
     card(v, result.pictures[i], `violation-${first + i}`, `${result.noun ?? 'Violation'} ${first + i}`)));
   if (report) parts.push(element('details', {}, element('summary', {}, 'Facts'), facts(report)));

@@ -1,5 +1,5 @@
 // Opens pages in Chromium as their readers do, and looks at what happens.
-//   node page_test.mjs COMMAND FOLDER           two pages, and what can be done with them
+//   node page_test.mjs COMMAND FOLDER           five pages, and what can be done with them
 //   node page_test.mjs COMMAND FOLDER --all     a page for every mesh of the corpus that breaks a rule
 // COMMAND is circumspect; pages and screenshots are left in FOLDER. The modules are in the folder that NODE_PATH names.
 import assert from 'node:assert/strict';
@@ -156,6 +156,44 @@ async function ofTwoMeshes(browser) {
   await opened.done();
 }
 
+// A domain that is none: its polygons are filled, and lie in the place of the picture.
+async function ofADomain(browser) {
+  const opened = await Opened.at(browser, written('inspect', ['corpus/domains/invalid/plc.polygons-cross.poly'], 'inspect'));
+  const { page } = opened;
+  assert.match(await page.locator('.legend').first().textContent(), /polygon 1 \(line \d+\)polygon 2/);
+  assert.match(await page.locator('.caption').first().textContent(), /^Polygon 1 \(line \d+\), polygon 2/);
+  assert.match(await page.locator('table').first().textContent(), /plc\.polygons-cross/);
+  await opened.accessible();
+  await opened.shot('inspect');
+  await opened.done();
+}
+
+// A construction, step by step: by buttons, keys and the slider.
+async function ofSteps(browser) {
+  const points = join(folder, 'steps.node');
+  writeFileSync(points, '5 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 0.5 0.25\n');
+  const opened = await Opened.at(browser, written('steps', ['delaunay', points, '--algorithm', 'flips'], 'build'));
+  const { page } = opened;
+  const at = async (pattern) => assert.match(await page.locator('#step').textContent(), pattern);
+  await at(/^Step 1 of 8\. The first simplex/);
+  await changes(page, 'the next step', () => page.getByRole('button', { name: 'Next step' }).click());
+  await at(/^Step 2 of 8\. Insert a vertex\. Vertex 4 lies outside/);
+  await changes(page, 'the key for the next step', () => page.keyboard.press('.'));
+  await at(/^Step 3 of 8\. Flip algorithm\. The facet 2 3 is not locally Delaunay/);
+  assert.equal(await page.locator('.view ellipse.ball').count(), 1, 'the ball of the facet is drawn');
+  await page.keyboard.press(',');
+  await at(/^Step 2 of/);
+  await page.getByLabel('Step', { exact: true }).focus();
+  await page.keyboard.press('End');
+  await at(/^Step 8 of 8\. Done\. The triangulation has 4 triangles/);
+  await page.getByRole('button', { name: 'Play' }).click();
+  await page.locator('#step', { hasText: 'Step 2 of' }).waitFor();
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await opened.accessible();
+  await opened.shot('steps');
+  await opened.done();
+}
+
 // What the corpus says that is wrong on purpose: the words of `check` for each of its meshes.
 function rejected() {
   const rows = (file) => readFileSync(join(corpus, file), 'utf8').trim().split('\n').map((line) => line.split('\t'));
@@ -219,6 +257,8 @@ try {
   await inSpace(browser);
   await inThePlane(browser);
   await ofTwoMeshes(browser);
+  await ofADomain(browser);
+  await ofSteps(browser);
   if (mode === '--all') {
     await everything(browser);
     await withoutWebGl();

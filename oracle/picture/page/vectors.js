@@ -38,6 +38,25 @@ export function edges(simplex) {
   return pairs;
 }
 
+// The triangles of a nearly flat polygon, whose ears are cut off one by one. Of one that crosses itself there may be fewer.
+export function ears(polygon) {
+  const normal = polygon.reduce((sum, p, i) => add(sum, cross(p, polygon[(i + 1) % polygon.length])), [0, 0, 0]);
+  const side = (a, b, p) => dot(normal, cross(sub(b, a), sub(p, a)));
+  const rest = [...polygon];
+  const found = [];
+  while (rest.length > 2) {
+    const at = rest.findIndex((b, i) => {
+      const [a, c] = [rest.at(i - 1), rest[(i + 1) % rest.length]];
+      return side(a, b, c) > 0 && rest.every((p) => [a, b, c].includes(p) ||
+        side(a, b, p) < 0 || side(b, c, p) < 0 || side(c, a, p) < 0);
+    });
+    if (at < 0) break;
+    found.push([rest.at(at - 1), rest[at], rest[(at + 1) % rest.length]]);
+    rest.splice(at, 1);
+  }
+  return found;
+}
+
 // The part of a flat polygon where n·x <= d.
 export function clipped(polygon, n, d) {
   const kept = [];

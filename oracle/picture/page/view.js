@@ -17,8 +17,9 @@ const KEYS = {
 
 export class View {
   // `stage` lends the one WebGL renderer: stage.enter(view) calls view.become(solid) if there is one.
-  constructor(violation, picture, stage, name) {
-    Object.assign(this, { violation, picture, stage, explode: 0, cut: 1, stretch: 1, showsLabels: true });
+  // `changes`: whether it will show other drawings of the same points.
+  constructor(violation, picture, stage, name, changes = false) {
+    Object.assign(this, { violation, picture, stage, changes, explode: 0, cut: 1, stretch: 1, showsLabels: true });
     this.most = largestStretch(picture);
     this.drawing = new Drawing(violation, picture);
     this.camera = new Camera(this.drawing);
@@ -29,7 +30,18 @@ export class View {
       'aria-label': `${name}. ${this.drawing.caption} Arrow keys turn it, with Shift they move it, plus and minus ` +
         'magnify, 0 resets.' }, this.image);
     this.listen();
-    this.node = element('div', { class: 'picture' }, this.stand, this.controls(), this.legend());
+    this.legend = element('ul', { class: 'legend' });
+    this.node = element('div', { class: 'picture' }, this.stand, this.controls(), this.legend);
+    this.explain();
+    this.render();
+  }
+
+  // Shows another drawing in the place of this one, seen as before.
+  show(violation, picture) {
+    Object.assign(this, { violation, picture });
+    this.drawing = new Drawing(violation, picture, this.stretch);
+    this.isNew = true;
+    this.explain();
     this.render();
   }
 
@@ -89,7 +101,7 @@ export class View {
       this.render();
     };
     const rows = [];
-    if (this.picture.near.length + this.picture.simplices.length > 1) {
+    if (this.changes || this.picture.near.length + this.picture.simplices.length > 1) {
       rows.push(slider('Explode', 0, 1.5, 0, (x) => change('explode', x)));
     }
     if (this.picture.dimension === 3) rows.push(slider('Cut away', 0, 1, 0, (x) => change('cut', 1 - x)));
@@ -117,10 +129,9 @@ export class View {
     return element('div', { class: 'controls' }, ...rows);
   }
 
-  legend() {
-    const entries = [...this.drawing.legend].map(([role, words]) =>
-      element('li', {}, element('span', { class: `key ${role}`, 'aria-hidden': 'true' }), words));
-    return element('ul', { class: 'legend' }, ...entries);
+  explain() {
+    this.legend.replaceChildren(...[...this.drawing.legend].map(([role, words]) =>
+      element('li', {}, element('span', { class: `key ${role}`, 'aria-hidden': 'true' }), words)));
   }
 
   become(solid) {

@@ -1,0 +1,105 @@
+"""What `make docs` adds to the pages of docs/: pictures to turn, made by the command from the corpus.
+
+mkdocs calls it (`hooks` in mkdocs.yml). Each rule of docs/rules.md gets the page of a mesh that breaks it, each breach that of a
+domain, and each finding that of its mesh, or of its input where the program wrote none. They are what `--html` writes, but for
+the program of the page, which stands once in pictures/page.js: the site would have 120 MB otherwise.
+"""
+import html
+import os
+import pathlib
+import re
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+COMMAND = os.environ.get("CIRCUMSPECT", str(ROOT / "build" / "release" / "bin" / "circumspect"))
+CORPUS = ROOT / "corpus"
+PROGRAM = re.compile(r"<script>(.*?)</script>", re.DOTALL)
+POLICY = re.compile(r'<meta http-equiv="?Content-Security-Policy"?[^>]*>')
+
+
+def rows(path):
+    return [line.split("\t") for line in (CORPUS / path).read_text(encoding="utf-8").splitlines() if line]
+
+
+def of_rules():
+    """The words of the command for each rule and each breach: the first of the corpus that breaks it."""
+    words = {}
+    for mesh, claim, found, *_ in rows("expected.tsv"):
+        if mesh.startswith("reject/"):
+            name, *options = claim.split(" ")
+            words.setdefault(found, ["check", f"corpus/{mesh}", "--claim", name, *options])
+    for mesh, domain, claim, found, *_ in rows("domains/expected.tsv"):
+        if mesh.startswith("reject/"):
+            file, *kinds = domain.split(" ")
+            name, *options = claim.split(" ")
+            kind = [word for one in kinds if one in ("hull", "enclosed") for word in ("--domain-kind", one)]
+            words.setdefault(found, ["check", f"corpus/domains/{mesh}", "--domain", f"corpus/domains/{file}", "--claim", name,
+                                     *options, *kind])
+    words.pop("holds", None)
+    for domain in sorted((CORPUS / "domains" / "invalid").glob("plc.*.poly"), key=lambda path: path.stem):
+        words.setdefault(domain.stem.split("--")[0], ["inspect", str(domain.relative_to(ROOT))])
+    return words
+
+
+def of_findings():
+    words = {}
+    for name, claim, _, given, mesh, *_ in rows("findings/expected.tsv"):
+        claim, kind = (claim.split(" ") + ["enclosed"])[:2]
+        folder = "corpus/findings/"
+        if mesh == "-":
+            words[name] = (["build", "delaunay", folder + given, "--duplicates", "merge"] if claim == "delaunay"
+                           else ["inspect", folder + given])
+            continue
+        of = (["--points", folder + given, "--duplicates", "merge"] if claim == "delaunay"
+              else ["--domain", folder + given, "--domain-kind", kind])
+        words[name] = ["check", folder + mesh, "--claim", claim, *of]
+    return words
+
+
+def frame(name, words, to):
+    """Where a picture stands in a page. It is there while it is open, for browsers draw few pictures of space at a time."""
+    name = html.escape(name)
+    at = f"{to}pictures/{name}.html"
+    return (f'<details class="seen" ontoggle="const f = this.querySelector(\'iframe\'); f.src = this.open ? f.dataset.src : \'about:blank\'">'
+            f'<summary>{words}</summary><p><a href="{at}">Alone</a></p><iframe title="{name}" data-src="{at}" '
+            f'style="width:100%;height:46rem;border:1px solid"></iframe></details>')
+
+
+def on_page_content(content, page, **_):
+    if page.file.src_path == "rules.md":
+        known = {name: words for name, words in of_rules().items() if f"<code>{name}</code>" in content}
+
+        def row(match):
+            name = match[2]
+            return match[0] if name not in known else f'{match[1]}<a href="#see-{name}"><code>{name}</code></a>{match[3]}'
+
+        content = re.sub(r"(<td>)<code>([a-z.-]+)</code>(</td>)", row, content)
+        return content + "<h2 id=\"see\">What it looks like</h2>" + "".join(
+            f'<div id="see-{name}">{frame(name, f"<code>{name}</code>", "")}</div>' for name in known)
+    if page.file.src_path.startswith("findings/"):
+        known = of_findings()
+        return re.sub(r'(<h[23] id="([\w.-]+)">.*?</h[23]>)',
+                      lambda match: match[1] + (frame(match[2], "See it", "../") if match[2] in known else ""), content)
+    return content
+
+
+def on_post_build(config, **_):
+    folder = pathlib.Path(config["site_dir"]) / "pictures"
+    folder.mkdir(parents=True, exist_ok=True)
+    missing = []
+    for name, words in {**of_rules(), **of_findings()}.items():
+        path = folder / f"{name}.html"
+        path.unlink(missing_ok=True)
+        subprocess.run([COMMAND, *words, "--quiet", "--html", str(path)], cwd=ROOT, check=False, stderr=subprocess.DEVNULL,
+                       timeout=60)
+        if not path.is_file():
+            missing.append(name)
+            continue
+        text = path.read_text(encoding="utf-8")
+        program = max(PROGRAM.findall(text), key=len)
+        (folder / "page.js").write_text(program, encoding="utf-8")
+        # A page that loads its program from beside it must be allowed to.
+        text = POLICY.sub("", text).replace(f"<script>{program}</script>", '<script src="page.js"></script>')
+        path.write_text(text, encoding="utf-8")
+    if missing:
+        raise SystemExit(f"tidy/site.py: {COMMAND} wrote no page of {', '.join(missing)}")
