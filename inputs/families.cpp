@@ -89,6 +89,15 @@ const Family* find_family(std::string_view name) {
   return &asked_for.emplace(std::string(name), std::move(*family)).first->second;
 }
 
+Count count_of_a_campaign(std::size_t dimension, std::uint64_t seed) {
+  constexpr std::size_t kOneIn = 32;
+  constexpr std::size_t kMost = 2000;
+  Dice dice(mixed(~seed));
+  if (dimension > 3 || dice.below(kOneIn) != 0) return {kFewPoints};
+  const std::size_t least = std::size_t{64} << dice.below(5);
+  return {std::min(kMost, least + dice.below(least)), true};
+}
+
 PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed) {
   // Mixed, lest the throws of one seed be those of another, some throws later.
   Dice dice(mixed(seed));

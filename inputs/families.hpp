@@ -44,6 +44,11 @@ const std::vector<Family>& modified_families();
 // none. It lives as long as the program.
 const Family* find_family(std::string_view name);
 
+// How many points a campaign asks for, unless it is told otherwise: few show most faults and are soon judged. One set
+// in 32 has 64 to 2000, for faults of blocks, counters and buckets. Those of more than three dimensions never do.
+constexpr std::size_t kFewPoints = 20;
+Count count_of_a_campaign(std::size_t dimension, std::uint64_t seed);
+
 // The set that a seed stands for, the same on every machine. That of a modified family is made of the one
 // of the same seed without modifier. Requires: the family exists in the dimension.
 PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed);

@@ -7,7 +7,6 @@
 
 #include "command/generate/generate_list.hpp"
 #include "command/input/domain_input.hpp"
-#include "inputs/dice.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
@@ -31,15 +30,9 @@ bool fits(const ComplexFamily& family, const campaign::Subject& subject) {
   return family.dimension == subject.dimension;
 }
 
-// Few points show most faults, and are soon judged. Some faults need many: of blocks, counters, buckets.
 generators::Count count_of(const Sizes& sizes, std::size_t dimension, std::uint64_t seed) {
-  constexpr std::size_t kOneIn = 32;
-  constexpr std::size_t kMost = 2000;
   if (sizes.max_points) return {*sizes.max_points};
-  generators::Dice dice(generators::mixed(~seed));
-  if (dimension > 3 || dice.below(kOneIn) != 0) return {Sizes::kFewPoints};
-  const std::size_t least = std::size_t{64} << dice.below(5);
-  return {std::min(kMost, least + dice.below(least)), true};
+  return generators::count_of_a_campaign(dimension, seed);
 }
 
 Source source_of(const Family& family, const campaign::Subject& subject, const Sizes& sizes) {
@@ -55,7 +48,7 @@ Source source_of(const Family& family, const campaign::Subject& subject, const S
 }
 
 Source source_of(const ComplexFamily& family, const campaign::Subject&, const Sizes& sizes) {
-  const std::size_t max_points = sizes.max_points.value_or(Sizes::kFewPoints);
+  const std::size_t max_points = sizes.max_points.value_or(generators::kFewPoints);
   return {family.name, [&family, max_points](std::uint64_t seed) -> campaign::Input {
             return generators::in_doubles(generators::drawn(family, max_points, seed));
           }};

@@ -14,13 +14,10 @@ namespace circumspect::cli {
 
 // How many points the inputs have, and how large and how long their numbers are.
 struct Sizes {
-  std::optional<std::size_t>
-      max_points;  // without it kFewPoints, and a few per cent have 64 to 2000
+  std::optional<std::size_t> max_points;  // without it generators::count_of_a_campaign
   generators::Exponents exponents = {-100, 100};
   bool extreme = false;  // as the families have them
   std::optional<int> integers;
-
-  static constexpr std::size_t kFewPoints = 20;
 };
 
 // "exponents -100 to 100", and "integers of 20 bits" where they are.

@@ -134,6 +134,51 @@ void fold_at_the_hull(const PointSet& points, Simplices& simplices) {
   simplices.insert(simplices.end(), folded.begin(), folded.end());
 }
 
+// Of two neighbours on one sphere only the first is written.
+void cut_cospherical_cells_short(const PointSet& points, Simplices& simplices) {
+  std::set<std::size_t> dropped;
+  for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> uses) {
+    if (uses.size() < 2) return;
+    const auto [one, other] = std::minmax(uses[0].simplex, uses[1].simplex);
+    const FacetUse& far = uses[0].simplex == other ? uses[0] : uses[1];
+    if (in_ball(points.configuration(), simplices[one], simplices[other][far.opposite]) == 0) {
+      dropped.insert(other);
+    }
+  });
+  Simplices kept;
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
+    if (!dropped.contains(i)) kept.push_back(simplices[i]);
+  }
+  simplices = kept;
+}
+
+// The simplices whose barycentre is halfway between the least and the largest abscissa.
+Simplices on_the_seam(const PointSet& points, const Simplices& simplices) {
+  Rational low = points[0][0], high = low;
+  for (const Point& p : points.points()) {
+    low = std::min(low, p[0]);
+    high = std::max(high, p[0]);
+  }
+  Simplices on_it;
+  for (const Simplex& simplex : simplices) {
+    Rational sum = 0;
+    for (const Vertex v : simplex) sum += points[v][0];
+    if (2 * sum == (low + high) * static_cast<long>(simplex.size())) on_it.push_back(simplex);
+  }
+  return on_it;
+}
+
+void leave_out_the_seam(const PointSet& points, Simplices& simplices) {
+  for (const Simplex& simplex : on_the_seam(points, simplices)) {
+    std::erase(simplices, simplex);
+  }
+}
+
+void list_the_seam_twice(const PointSet& points, Simplices& simplices) {
+  const Simplices again = on_the_seam(points, simplices);
+  simplices.insert(simplices.end(), again.begin(), again.end());
+}
+
 void mix_orientations(const PointSet& points, Simplices& simplices) {
   for (Simplex& simplex : simplices) simplex = positively_oriented(points, simplex);
   for (std::size_t i = 1; i < simplices.size(); i += 2) {
@@ -213,6 +258,16 @@ std::vector<Fault> corruptions_of_any_dimension() {
          "A simplex lies over another, on the same side of a hull facet, though a test from one "
          "side finds the facet locally Delaunay.",
          fold_at_the_hull),
+      by("cospherical-cells-cut-short",
+         "Of a cell of cospherical points one simplex is written, and not the others: facets of a "
+         "hull code that are not simplices.",
+         cut_cospherical_cells_short),
+      by("seam-owned-by-nobody",
+         "Two processes write the simplices with barycentres left and right of a border, `<` and "
+         "`>`: those on it are lost.",
+         leave_out_the_seam),
+      by("seam-owned-twice", "The same with `<=` and `>=`: both processes write them.",
+         list_the_seam_twice),
       by("inner-vertex-forgotten",
          "An inner vertex was deleted, and is still in the list of points.", forget_inner_vertex),
   };

@@ -22,50 +22,6 @@ namespace {
 using Input = PiecewiseLinearInput;
 using Result = std::optional<ExactMesh>;
 
-// What a program does that takes another domain for the one that it was given.
-Result cdt_of(const Input& input) {
-  const auto complex = validated(input, 1);
-  return complex ? cdt_mesh(*complex) : std::nullopt;
-}
-
-Result without_constraints(const Input& input) {
-  const PointSet points(input.points);
-  if (input.kind != DomainKind::kHull ||
-      points.dimension() < static_cast<int>(points.ambient_dimension())) {
-    return std::nullopt;
-  }
-  return ExactMesh{points, delaunay::bowyer_watson(points).simplices()};
-}
-
-Result without_polygons(Input input) {
-  if (input.kind != DomainKind::kHull || input.polygons.empty()) return std::nullopt;
-  for (const Simplex& segment : assemble(input).segments) input.segments.push_back(segment);
-  input.polygons.clear();
-  return cdt_of(input);
-}
-
-Result with_holes_filled(Input input) {
-  if (input.hole_seeds.empty() || input.kind == DomainKind::kHull) return std::nullopt;
-  input.hole_seeds.clear();
-  return cdt_of(input);
-}
-
-Result with_the_outside(Input input) {
-  if (input.kind == DomainKind::kHull) return std::nullopt;
-  input.kind = DomainKind::kHull;
-  return cdt_of(input);
-}
-
-Result without_lone_vertices(const Input& input) {
-  const std::vector<bool> used = generators::is_used(input);
-  std::vector<bool> dropped(used.size());
-  std::transform(used.begin(), used.end(), dropped.begin(), [](bool is_used) { return !is_used; });
-  Input rest = input;
-  generators::drop_points(rest, dropped);
-  if (rest.points.empty()) return std::nullopt;
-  return cdt_of(rest);
-}
-
 Result without_dangling_faces(const Input& input) {
   Result mesh = cdt_of(input);
   if (mesh) mesh->faces.clear();
@@ -199,6 +155,25 @@ bool is_strictly_inside(const PointSet& points, const Simplex& simplex, Vertex v
   return true;
 }
 
+// Each seed of a hole takes away the simplex around it, and the search goes no further.
+Result with_holes_of_one_simplex(const Input& input) {
+  if (input.hole_seeds.empty() || input.kind == DomainKind::kHull) return std::nullopt;
+  Input filled = input;
+  filled.hole_seeds.clear();
+  Result mesh = cdt_of(filled);
+  if (!mesh) return std::nullopt;
+  for (const Point& seed : input.hole_seeds) {
+    std::vector<Point> points = mesh->points.points();
+    points.push_back(seed);
+    if (!duplicates(points).empty()) continue;
+    const PointSet with_seed(points);
+    std::erase_if(mesh->simplices, [&](const Simplex& simplex) {
+      return is_strictly_inside(with_seed, simplex, static_cast<Vertex>(points.size()) - 1);
+    });
+  }
+  return mesh;
+}
+
 // The first vertex of no cell is inserted last, into the simplex around it, and nothing is flipped.
 Result with_a_vertex_split_in(const Input& input) {
   const std::vector<bool> used = generators::is_used(input);
@@ -257,73 +232,59 @@ Result through_a_leak(const Input& input) {
   return of_some_regions(input, [](auto region, auto first) { return region != first; });
 }
 
-Fault by(std::string name, std::string about, Claim claim, DomainMesher mesh,
-         std::vector<std::size_t> dimensions = {2, 3}) {
-  return {std::move(name), std::move(about),     Kind::kDomain, claim, {},
-          std::move(mesh), std::move(dimensions)};
-}
-
-std::vector<Fault> of_another_domain() {
-  return {
-      by("constraints-ignored",
-         "The Delaunay triangulation of the vertices, as if there were no segments and polygons.",
-         Claim::kCdt, without_constraints),
-      by("polygons-ignored",
-         "Segments are recovered, the polygons between them are taken for granted.", Claim::kCdt,
-         without_polygons, {3}),
-      by("hole-filled", "Hole seeds are not read.", Claim::kCdt, with_holes_filled),
-      by("outside-kept",
-         "The convex hull is filled where the domain is what the walls enclose: no carving.",
-         Claim::kCdt, with_the_outside),
-      by("lone-vertices-forgotten", "Vertices that are in no segment and polygon are not inserted.",
-         Claim::kCdt, without_lone_vertices),
-  };
-}
-
 }  // namespace
 
 std::vector<Fault> domain_faults() {
-  std::vector<Fault> all = of_another_domain();
-  const std::vector<Fault> spoilt = {
-      by("dangling-faces-not-written",
-         "Segments and triangles that are faces of no simplex of the mesh are not written.",
-         Claim::kCdt, without_dangling_faces),
-      by("first-region-only",
-         "Only the region around the first simplex is kept, though there are "
-         "more beyond inner walls.",
-         Claim::kCdt, of_the_first_region),
-      by("leak",
-         "The carving of the outside floods through a wall that it does not recognise, and empties "
-         "the "
-         "region behind it.",
-         Claim::kCdt, through_a_leak),
-      by("steiner-points-in-a-cdt",
-         "Segments are split, though the claim is a triangulation without further vertices.",
-         Claim::kCdt, with_steiner_points),
-      by("conforming-claimed",
-         "A constrained Delaunay triangulation, said to be conforming Delaunay: the two are often "
-         "confused in manuals.",
-         Claim::kConformingDelaunay, cdt_of),
-      by("steiner-point-one-ulp-off",
-         "A Steiner point is rounded, and then off its segment by a unit in the last place.",
-         Claim::kSteinerCdt, with_a_steiner_point_off),
-      by("hanging-node",
-         "A segment is split in one of the simplices around it and not in the others: subdomains "
-         "refined apart.",
-         Claim::kSteinerCdt, with_a_hanging_node),
-      by("polygon-tiled-twice", "The triangles of a polygon are not the same on both of its sides.",
-         Claim::kCdt, with_a_polygon_tiled_twice, {3}),
-      by("not-locally-delaunay",
-         "All constraints are there, but a facet off the walls is not locally Delaunay: flips that "
-         "recovered a segment were not followed by flips that restore.",
-         Claim::kCdt, with_a_flip_too_many),
-      by("vertex-only-split-in",
-         "A vertex is inserted into the simplex around it, and nothing around is flipped: visible "
-         "vertices are in balls.",
-         Claim::kCdt, with_a_vertex_split_in),
+  return {
+      domain_fault(
+          "dangling-faces-not-written",
+          "Segments and triangles that are faces of no simplex of the mesh are not written.",
+          Claim::kCdt, without_dangling_faces),
+      domain_fault("first-region-only",
+                   "Only the region around the first simplex is kept, though there are "
+                   "more beyond inner walls.",
+                   Claim::kCdt, of_the_first_region),
+      domain_fault("leak",
+                   "The carving of the outside floods through a wall that it does not recognise, "
+                   "and empties "
+                   "the "
+                   "region behind it.",
+                   Claim::kCdt, through_a_leak),
+      domain_fault(
+          "steiner-points-in-a-cdt",
+          "Segments are split, though the claim is a triangulation without further vertices.",
+          Claim::kCdt, with_steiner_points),
+      domain_fault(
+          "conforming-claimed",
+          "A constrained Delaunay triangulation, said to be conforming Delaunay: the two are often "
+          "confused in manuals.",
+          Claim::kConformingDelaunay, cdt_of),
+      domain_fault(
+          "steiner-point-one-ulp-off",
+          "A Steiner point is rounded, and then off its segment by a unit in the last place.",
+          Claim::kSteinerCdt, with_a_steiner_point_off),
+      domain_fault(
+          "hanging-node",
+          "A segment is split in one of the simplices around it and not in the others: subdomains "
+          "refined apart.",
+          Claim::kSteinerCdt, with_a_hanging_node),
+      domain_fault("hole-of-one-simplex",
+                   "A seed of a hole takes away the simplex around it, and no neighbours of that.",
+                   Claim::kCdt, with_holes_of_one_simplex),
+      domain_fault("polygon-tiled-twice",
+                   "The triangles of a polygon are not the same on both of its sides.", Claim::kCdt,
+                   with_a_polygon_tiled_twice, {3}),
+      domain_fault("not-locally-delaunay",
+                   "All constraints are there, but a facet off the walls is not locally Delaunay: "
+                   "flips that "
+                   "recovered a segment were not followed by flips that restore.",
+                   Claim::kCdt, with_a_flip_too_many),
+      domain_fault(
+          "vertex-only-split-in",
+          "A vertex is inserted into the simplex around it, and nothing around is flipped: visible "
+          "vertices are in balls.",
+          Claim::kCdt, with_a_vertex_split_in),
   };
-  all.insert(all.end(), spoilt.begin(), spoilt.end());
-  return all;
 }
 
 }  // namespace circumspect::faulty

@@ -6,6 +6,7 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::faulty {
 namespace {
@@ -27,6 +28,11 @@ std::optional<ExactMesh> cdt_mesh(const PiecewiseLinearComplex& complex) {
   const auto cdt = constrained::gift_wrapping_cdt(complex);
   if (!cdt) return std::nullopt;
   return mesh_of(complex.points, *cdt);
+}
+
+std::optional<ExactMesh> cdt_of(const PiecewiseLinearInput& input) {
+  const auto complex = validated(input, 1);
+  return complex ? cdt_mesh(*complex) : std::nullopt;
 }
 
 SteinerMesh steiner_mesh(const PiecewiseLinearComplex& complex) {

@@ -32,6 +32,9 @@ struct Fault {
   std::vector<std::size_t> dimensions = {2, 3};  // in which the mistake can be made
   std::size_t most_points = 12;                  // of an input
   bool oriented = false;                         // the program promises one orientation besides
+  // Inputs have as many points as a campaign draws, of which the program is given at most `most_points`:
+  // the mistake takes more than a few to show.
+  bool needs_many = false;
 };
 
 // All of them.
@@ -40,21 +43,28 @@ const std::vector<Fault>& faults();
 // Where they are from, each in a file of its own.
 std::vector<Fault> predicate_faults();
 std::vector<Fault> insertion_faults();
+std::vector<Fault> size_faults();
 std::vector<Fault> flip_faults();
 std::vector<Fault> preparation_faults();
 std::vector<Fault> weight_faults();
 std::vector<Fault> corruptions();
+std::vector<Fault> constraint_faults();
 std::vector<Fault> domain_faults();
 
 // Programs without any fault, for the same inputs: nothing may be found in them.
 std::vector<Fault> right_programs();
 
-// ---- Implementation fault ----
-// Faults of programs that triangulate points without weights.
+// Of programs that triangulate points without weights, and of those that fill domains.
 
 inline Fault implementation_fault(std::string name, std::string about, Triangulator triangulate) {
   return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
           std::move(triangulate)};
+}
+
+inline Fault domain_fault(std::string name, std::string about, Claim claim, DomainMesher mesh,
+                          std::vector<std::size_t> dimensions = {2, 3}) {
+  return {std::move(name), std::move(about),     Kind::kDomain, claim, {},
+          std::move(mesh), std::move(dimensions)};
 }
 
 }  // namespace circumspect::faulty

@@ -21,8 +21,9 @@ std::string_view name(Kind kind) {
 const std::vector<Fault>& faults() {
   static const std::vector<Fault> all = [] {
     std::vector<Fault> table;
-    for (const auto part : {predicate_faults, insertion_faults, flip_faults, preparation_faults,
-                            weight_faults, corruptions, domain_faults}) {
+    for (const auto part :
+         {predicate_faults, insertion_faults, size_faults, flip_faults, preparation_faults,
+          weight_faults, corruptions, constraint_faults, domain_faults}) {
       const std::vector<Fault> more = part();
       table.insert(table.end(), more.begin(), more.end());
     }

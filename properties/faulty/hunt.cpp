@@ -25,6 +25,7 @@ using generators::PointsCase;
 
 constexpr std::chrono::hours kNoTimeLimit{1000};  // what comes out must not depend on it
 constexpr std::size_t kMostVertices = 9;          // of domains
+constexpr std::size_t kTrialsOfMany = 15;         // of large inputs, for each takes long
 
 // Any two inputs of any two seeds are unrelated.
 using generators::mixed;
@@ -79,7 +80,9 @@ std::optional<Catch> caught(const Fault& fault, const Case& whole, const HuntOpt
   const generators::StillFails<Case> breaks_it = [&](const Case& smaller) {
     return broken_rule(fault, generators::in_doubles(smaller), check::By::kLemma) == rule;
   };
-  const Case least = generators::minimised(whole, breaks_it, {options.most_trials, kNoTimeLimit});
+  const std::size_t most_trials =
+      fault.needs_many ? std::min(options.most_trials, kTrialsOfMany) : options.most_trials;
+  const Case least = generators::minimised(whole, breaks_it, {most_trials, kNoTimeLimit});
   const bool by_definition =
       !broken_rule(fault, generators::in_doubles(least), check::By::kDefinition).empty();
   return Catch{0, "", rule, size_of(whole), size_of(least), by_definition};
@@ -102,7 +105,11 @@ std::optional<Catch> caught_in_points(const Fault& fault, std::uint64_t seed,
   const auto families = point_families(fault, dimension);
   if (families.empty()) return std::nullopt;
   const generators::Family& family = *choice(families, seed + 1);
-  const PointsCase set = generators::drawn(family, dimension, {fault.most_points}, seed);
+  const generators::Count count = fault.needs_many
+                                      ? generators::count_of_a_campaign(dimension, seed)
+                                      : generators::Count{fault.most_points};
+  if (count.most > fault.most_points) return std::nullopt;
+  const PointsCase set = generators::drawn(family, dimension, count, seed);
   auto found = caught(fault, generators::in_doubles(set), options);
   if (found) found->family = family.name;
   return found;

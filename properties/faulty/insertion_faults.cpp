@@ -13,19 +13,13 @@ namespace circumspect::faulty {
 
 namespace {
 
-Fault inserting_with(std::string name, std::string about, const Mistakes& mistakes) {
-  return {std::move(name), std::move(about), Kind::kImplementation, Claim::kDelaunay,
-          [mistakes](const PointArray& points) { return plain_delaunay(points, mistakes); }};
-}
-
-// The least and the largest coordinate on an axis. Requires: points.size() > 0.
-std::pair<double, double> extent(const PointArray& points, std::size_t axis) {
-  double low = points.point(0)[axis], high = low;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    low = std::min(low, points.point(i)[axis]);
-    high = std::max(high, points.point(i)[axis]);
-  }
-  return {low, high};
+Fault inserting_with(std::string name, std::string about, const Mistakes& mistakes,
+                     std::size_t most_points = 12) {
+  Fault fault = implementation_fault(
+      std::move(name), std::move(about),
+      [mistakes](const PointArray& points) { return plain_delaunay(points, mistakes); });
+  fault.most_points = most_points;
+  return fault;
 }
 
 double largest_extent(const PointArray& points) {
@@ -159,6 +153,39 @@ std::vector<Fault> insertion_faults() {
           "The halves of the points are triangulated apart and nothing is put between them: "
           "divide and conquer, or tiles in parallel, before the merge is written.",
           [](const PointArray& points) { return in_two_halves(points, 0); }),
+      inserting_with(
+          "first-simplex-as-it-comes",
+          "The first d + 1 points are taken for a positively oriented simplex, in whatever order "
+          "they come.",
+          {.first_as_it_comes = true}),
+      inserting_with(
+          "queue-of-six",
+          "The search for the simplices in conflict keeps those yet to be looked at in an array of "
+          "six, and drops what does not fit.",
+          {.search = Search::kWalkThenNeighbors, .most_waiting = 6}, 40),
+      implementation_fault("gives-up-on-a-flat-start",
+                           "If the first d + 1 points lie in a hyperplane there is nothing to "
+                           "begin with, and nothing "
+                           "is returned.",
+                           [](const PointArray& points) {
+                             const std::size_t few = points.dimension + 1;
+                             if (points.size() <= few) return right_answer(points);
+                             std::vector<Vertex> first = every_index(points);
+                             first.resize(few);
+                             const PointSet start = exact_points(selection(points, first));
+                             return start.dimension() < static_cast<int>(points.dimension)
+                                        ? SimplexArray{}
+                                        : right_answer(points);
+                           }),
+      implementation_fault(
+          "flat-sets-give-nothing",
+          "Points of a line, or in space of a plane, give no simplices instead of those of that "
+          "line or plane.",
+          [](const PointArray& points) {
+            const bool is_flat =
+                exact_points(points).dimension() < static_cast<int>(points.dimension);
+            return is_flat ? SimplexArray{} : right_answer(points);
+          }),
       implementation_fault("tiles-overlap",
                            "Two tiles share some points, equal simplices are unified, and what the "
                            "tiles disagree on "
@@ -246,6 +273,9 @@ std::vector<Fault> flip_faults() {
          "Looks at each edge or triangle once, and not again after its neighbours were flipped: "
          "swapping as a post-process.",
          {2, 3}, [](const PointArray& points) { return flipped(points, 1, any_flip); }),
+      by("flips-in-three-passes",
+         "The same, three times over: enough for the example that it was tried on.", {2, 3},
+         [](const PointArray& points) { return flipped(points, 3, any_flip); }),
       by("flips-2-3-only",
          "Knows the flip that replaces two tetrahedra by three and not its reverse.", {3},
          [](const PointArray& points) {

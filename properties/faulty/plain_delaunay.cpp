@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/kernel/complex/simplex.hpp"
@@ -32,7 +33,8 @@ class PlainDelaunay {
   bool is_beyond(const Simplex& simplex, std::size_t place, Vertex u) const;
   bool has_within(std::span<const std::size_t> axes, const Simplex& simplex, Vertex u) const;
   std::vector<bool> cavity(Vertex u) const;
-  std::vector<bool> cavity_by_walk(Vertex u) const;
+  std::vector<bool> cavity_by_walk(Vertex u);
+  bool is_seen_again(std::size_t simplex);
   std::size_t end_of_walk(Vertex u) const;
   std::optional<std::size_t> neighbor(std::size_t simplex, std::size_t place) const;
   void keep_vertices(std::vector<bool>& cavity) const;
@@ -41,6 +43,8 @@ class PlainDelaunay {
   PointSet exact_;
   PlainPredicates predicates_;
   Mistakes mistakes_;
+  std::vector<std::uint8_t> stamps_;  // of the insertion that saw a simplex last, or 0
+  std::uint8_t stamp_ = 0;
   std::vector<Simplex> simplices_;  // positively oriented; a ghost is, if it lies outside the hull
 };
 
@@ -50,7 +54,7 @@ SimplexArray PlainDelaunay::run() {
   std::iota(all.begin(), all.end(), Vertex{0});
   const Simplex first = delaunay::first_independent(exact_, all);
   if (first.size() == 1) return {{first[0]}};
-  start(positively_oriented(exact_, first));
+  start(mistakes_.first_as_it_comes ? first : positively_oriented(exact_, first));
   for (const Vertex u : all) {
     if (!contains(first, u)) insert(u);
   }
@@ -136,8 +140,16 @@ std::vector<bool> PlainDelaunay::cavity(Vertex u) const {
   return deleted;
 }
 
-std::vector<bool> PlainDelaunay::cavity_by_walk(Vertex u) const {
+// Has the search for this point been there before? Says so of others too, once the stamps wrap round.
+bool PlainDelaunay::is_seen_again(std::size_t simplex) {
+  if (!mistakes_.stamps_in_a_byte) return false;
+  return std::exchange(stamps_[simplex], stamp_) == stamp_;
+}
+
+std::vector<bool> PlainDelaunay::cavity_by_walk(Vertex u) {
   std::vector<bool> deleted(simplices_.size());
+  stamps_.resize(simplices_.size());
+  ++stamp_;
   if (simplices_.empty()) return deleted;
   std::vector<std::size_t> layer = {end_of_walk(u)};
   deleted[layer[0]] = true;
@@ -146,7 +158,10 @@ std::vector<bool> PlainDelaunay::cavity_by_walk(Vertex u) const {
     for (const std::size_t one : layer) {
       for (std::size_t place = 0; place < simplices_[one].size(); ++place) {
         const auto across = neighbor(one, place);
-        if (!across || deleted[*across] || !is_conflict(simplices_[*across], u)) continue;
+        if (!across || deleted[*across] || is_seen_again(*across) ||
+            !is_conflict(simplices_[*across], u) || next.size() == mistakes_.most_waiting) {
+          continue;
+        }
         deleted[*across] = true;
         next.push_back(*across);
       }
@@ -199,9 +214,12 @@ void PlainDelaunay::keep_vertices(std::vector<bool>& deleted) const {
 // Replaces the deleted simplices by one for each facet of the cavity.
 void PlainDelaunay::fill(const std::vector<bool>& deleted, Vertex u) {
   std::vector<Simplex> kept, cavity;
+  std::vector<std::uint8_t> stamps;
   for (std::size_t i = 0; i < simplices_.size(); ++i) {
     (deleted[i] ? cavity : kept).push_back(simplices_[i]);
+    if (!deleted[i] && i < stamps_.size()) stamps.push_back(stamps_[i]);
   }
+  stamps_ = std::move(stamps);
   for_each_facet(facet_uses(cavity), [&](std::span<const FacetUse> uses) {
     if (uses.size() > 1) return;
     kept.push_back(with_vertex_replaced(cavity[uses[0].simplex], uses[0].opposite, u));

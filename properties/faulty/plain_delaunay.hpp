@@ -29,8 +29,11 @@ struct Mistakes {
   bool keeps_submerged_points = false;  // a weighted point that conflicts with nothing is inserted
   bool never_removes_vertices = false;  // a simplex stays if its deletion would lose a vertex
   Search search = Search::kEverySimplex;
-  std::size_t most_steps = 1000;   // of the walk
-  std::size_t most_layers = 1000;  // of neighbours around the simplex that the walk ends in
+  bool first_as_it_comes = false;     // the first simplex is not made positively oriented
+  bool stamps_in_a_byte = false;      // marks of what the search has seen are 8 bits, never cleared
+  std::size_t most_steps = 1000;      // of the walk
+  std::size_t most_layers = 1000;     // of neighbours around the simplex that the walk ends in
+  std::size_t most_waiting = 100000;  // simplices of a layer
 };
 
 // Inserts the points in their order. Of points that span a flat, the triangulation in that flat.

@@ -1,6 +1,8 @@
 #include "properties/faulty/plain_predicates.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <set>
 
@@ -63,6 +65,15 @@ SimplexArray renumbered(SimplexArray simplices, const std::vector<Vertex>& kept)
   return simplices;
 }
 
+std::pair<double, double> extent(const PointArray& points, std::size_t axis) {
+  double low = points.point(0)[axis], high = low;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    low = std::min(low, points.point(i)[axis]);
+    high = std::max(high, points.point(i)[axis]);
+  }
+  return {low, high};
+}
+
 std::vector<Vertex> every_index(const PointArray& points) {
   std::vector<Vertex> all(points.size());
   std::iota(all.begin(), all.end(), Vertex{0});
@@ -75,6 +86,27 @@ namespace {
 
 template <typename Number>
 using Matrix = std::vector<std::vector<Number>>;
+
+// An integer of 64 bits that wraps round. Requires: x is an integer that fits.
+struct Wrapping {
+  std::uint64_t bits = 0;
+  Wrapping(int x) : bits(static_cast<std::uint64_t>(x)) {}
+  explicit Wrapping(double x) : bits(static_cast<std::uint64_t>(static_cast<std::int64_t>(x))) {}
+  friend Wrapping operator+(Wrapping a, Wrapping b) { return of(a.bits + b.bits); }
+  friend Wrapping operator-(Wrapping a, Wrapping b) { return of(a.bits - b.bits); }
+  friend Wrapping operator*(Wrapping a, Wrapping b) { return of(a.bits * b.bits); }
+  Wrapping& operator+=(Wrapping other) { return *this = *this + other; }
+  explicit operator long double() const {
+    return static_cast<long double>(static_cast<std::int64_t>(bits));
+  }
+
+ private:
+  static Wrapping of(std::uint64_t bits) {
+    Wrapping number(0);
+    number.bits = bits;
+    return number;
+  }
+};
 
 // By expansion along the first row.
 template <typename Number>
@@ -132,8 +164,9 @@ Number PlainPredicates::in_ball_of(std::span<const std::size_t> axes,
     const double* p = points_.point(static_cast<std::size_t>(v));
     Number height = weight(q) - weight(v);
     for (std::size_t axis = 0; axis < heights; ++axis) {
-      const Number x = static_cast<Number>(p[axis]) - static_cast<Number>(centre[axis]);
-      height += x * x;
+      const auto here = static_cast<Number>(p[axis]), there = static_cast<Number>(centre[axis]);
+      const Number x = here - there;
+      height += arithmetic_.heights_from_the_origin ? here * here - there * there : x * x;
     }
     rows.emplace_back();
     for (const std::size_t axis : axes) {
@@ -155,6 +188,8 @@ long double PlainPredicates::in_numbers(bool is_orientation, std::span<const std
       return value(0.0F);
     case Numbers::kLongDouble:
       return value(0.0L);
+    case Numbers::kWrapping:
+      return value(Wrapping(0));
     default:
       return value(0.0);
   }
@@ -206,12 +241,17 @@ int PlainPredicates::in_computed_ball(std::span<const std::size_t> axes,
   for (std::size_t i = 0; i < axes.size(); ++i) {
     Matrix<double> replaced = rows;
     for (std::size_t row = 0; row < rows.size(); ++row) replaced[row][i] = right[row];
-    const double centre = determinant(replaced) / volume;
+    const double exactly = determinant(replaced) / volume;
+    const double centre =
+        arithmetic_.circumballs_in_floats ? double{static_cast<float>(exactly)} : exactly;
     const double x = p[axes[i]] - base[axes[i]] - centre;
     squared_radius += centre * centre;
     squared_distance += x * x;
   }
-  return sign_beyond(squared_radius - squared_distance, 0);
+  return sign_beyond(arithmetic_.circumballs_in_floats
+                         ? static_cast<float>(squared_radius) - squared_distance
+                         : squared_radius - squared_distance,
+                     0);
 }
 
 }  // namespace circumspect::faulty

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include <circumspect/subject.hpp>
 
@@ -28,20 +29,26 @@ SimplexArray renumbered(SimplexArray simplices, const std::vector<Vertex>& kept)
 // All indices of the points, ascending.
 std::vector<Vertex> every_index(const PointArray& points);
 
+// The least and the largest coordinate on an axis. Requires: points.size() > 0.
+std::pair<double, double> extent(const PointArray& points, std::size_t axis);
+
 // ---- Plain predicates ----
 // Orientation and in-ball tests as people write them, over the number type of one's choice and with
 // the mistake of one's choice.
 
-enum class Numbers { kExact, kLongDouble, kDouble, kFloat };
+// The 64 bits wrap round, as those of processors do.
+enum class Numbers { kExact, kLongDouble, kDouble, kFloat, kWrapping };
 
 // Without any of the mistakes, and with exact numbers, the tests are right.
 struct Arithmetic {
   Numbers numbers = Numbers::kExact;
-  double in_ball_tolerance = 0;      // a determinant must exceed it to put a point into a ball
-  double orientation_tolerance = 0;  // one of at most this size is called zero
-  double trusted_beyond = 0;         // > 0: only smaller determinants are computed exactly
-  bool by_circumcentre = false;      // compares distances from a circumcentre computed in doubles
-  bool forgets_last_axis = false;    // in the height |p|² of a point
+  double in_ball_tolerance = 0;        // a determinant must exceed it to put a point into a ball
+  double orientation_tolerance = 0;    // one of at most this size is called zero
+  double trusted_beyond = 0;           // > 0: only smaller determinants are computed exactly
+  bool by_circumcentre = false;        // compares distances from a circumcentre computed in doubles
+  bool circumballs_in_floats = false;  // and stores it, with its radius, in single precision
+  bool forgets_last_axis = false;      // in the height |p|² of a point
+  bool heights_from_the_origin = false;  // |p|² − |q|² for |p − q|², each computed first
 };
 
 // The vertices of an array, and possibly more, as numbers for both ways to compute.

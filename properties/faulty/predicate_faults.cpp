@@ -1,4 +1,5 @@
 // Bowyer–Watson with predicates that are wrong.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -12,6 +13,14 @@ namespace {
 Fault deciding_with(std::string name, std::string about, const Mistakes& mistakes) {
   return {std::move(name), std::move(about), Kind::kPredicate, Claim::kDelaunay,
           [mistakes](const PointArray& points) { return plain_delaunay(points, mistakes); }};
+}
+
+bool is_a_short_integer(double x) { return x == std::trunc(x) && std::abs(x) < 0x1p31; }
+
+SimplexArray in_wrapping_integers(const PointArray& points) {
+  const auto& all = points.coordinates;
+  if (!std::all_of(all.begin(), all.end(), is_a_short_integer)) return right_answer(points);
+  return plain_delaunay(points, {.arithmetic = {.numbers = Numbers::kWrapping}});
 }
 
 }  // namespace
@@ -51,6 +60,20 @@ std::vector<Fault> predicate_faults() {
           "Compares a distance from a computed circumcentre with a computed radius, instead of the "
           "sign of a determinant: textbook formulas, cached circumballs.",
           {.arithmetic = {.by_circumcentre = true}}),
+      deciding_with(
+          "circumballs-in-floats",
+          "Circumcentre and radius are computed in doubles and stored in single precision: half "
+          "the memory, on graphics cards a habit.",
+          {.arithmetic = {.by_circumcentre = true, .circumballs_in_floats = true}}),
+      deciding_with(
+          "heights-from-the-origin",
+          "|p|² is computed once a point, in doubles, and the heights are subtracted later: far "
+          "from the origin nothing is left of the difference.",
+          {.arithmetic = {.numbers = Numbers::kDouble, .heights_from_the_origin = true}}),
+      {"determinants-of-64-bits",
+       "Integer coordinates, and determinants in integers of 64 bits, which wrap round: exact "
+       "arithmetic, as long as the coordinates are short.",
+       Kind::kPredicate, Claim::kDelaunay, in_wrapping_integers},
       deciding_with(
           "height-forgets-an-axis",
           "The lifted height |p|² without its last term: an in-circle test extended by hand to "
@@ -102,6 +125,19 @@ std::vector<Fault> weight_faults() {
               [](double weight) { return weight * weight; }),
       reading("weights-as-radii", "Square roots of the weights are used: the opposite mix-up.",
               [](double weight) { return std::sqrt(std::abs(weight)); }),
+      reading("weights-in-floats", "The weights are stored in single precision, the points not.",
+              [](double weight) { return static_cast<double>(static_cast<float>(weight)); }),
+      weighing_fault("weights-one-row-late",
+                     "Each point is given the weight of the one before it: a header was read as "
+                     "the first row.",
+                     [](const PointArray& points) {
+                       PointArray late = points;
+                       if (!late.weights.empty()) {
+                         late.weights.pop_back();
+                         late.weights.insert(late.weights.begin(), 0.0);
+                       }
+                       return right_answer(late);
+                     }),
       weighing_fault(
           "inserts-submerged-points",
           "A point that conflicts with nothing, because it is submerged, is inserted into the "

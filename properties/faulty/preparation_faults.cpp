@@ -43,12 +43,34 @@ double from_the_mean(const PointArray& points, std::size_t i, std::size_t axis) 
 }
 
 double in_the_unit_box(const PointArray& points, std::size_t i, std::size_t axis) {
-  double low = points.point(0)[axis], high = low;
-  for (std::size_t j = 1; j < points.size(); ++j) {
-    low = std::min(low, points.point(j)[axis]);
-    high = std::max(high, points.point(j)[axis]);
-  }
+  const auto [low, high] = extent(points, axis);
   return high > low ? (points.point(i)[axis] - low) / (high - low) : low;
+}
+
+double in_floats_from_the_corner(const PointArray& points, std::size_t i, std::size_t axis) {
+  const double low = extent(points, axis).first;
+  return low + static_cast<double>(static_cast<float>(points.point(i)[axis] - low));
+}
+
+double on_a_grid_of_16_bits(const PointArray& points, std::size_t i, std::size_t axis) {
+  const auto [low, high] = extent(points, axis);
+  if (!(high > low)) return low;
+  const double step = (high - low) / 65535;
+  return low + std::round((points.point(i)[axis] - low) / step) * step;
+}
+
+double in_millionths(const PointArray& points, std::size_t i, std::size_t axis) {
+  const double scaled = points.point(i)[axis] * 1e6;
+  if (!(std::abs(scaled) < 0x1p62)) return points.point(i)[axis];
+  return static_cast<double>(static_cast<std::int32_t>(std::llround(scaled) & 0xffffffff)) / 1e6;
+}
+
+double by_columns(const PointArray& points, std::size_t i, std::size_t axis) {
+  return points.coordinates[axis * points.size() + i];
+}
+
+double without_the_height(const PointArray& points, std::size_t i, std::size_t axis) {
+  return axis == 2 ? 0.0 : points.point(i)[axis];
 }
 
 // Some fixed numbers between -1 and 1.
@@ -124,6 +146,23 @@ SimplexArray without_points_between_others(const PointArray& points) {
   return of_selection(points, kept);
 }
 
+SimplexArray with_one_point_an_abscissa(const PointArray& points) {
+  std::map<double, Vertex> last;
+  for (const Vertex v : every_index(points)) last[points.point(static_cast<std::size_t>(v))[0]] = v;
+  std::vector<Vertex> kept;
+  for (const auto& [x, v] : last) kept.push_back(v);
+  return of_selection(points, kept);
+}
+
+SimplexArray in_sorted_numbers(const PointArray& points) {
+  std::vector<Vertex> order = every_index(points);
+  std::stable_sort(order.begin(), order.end(), [&points](Vertex a, Vertex b) {
+    return points.point(static_cast<std::size_t>(a))[0] <
+           points.point(static_cast<std::size_t>(b))[0];
+  });
+  return right_answer(selection(points, order));
+}
+
 SimplexArray shifted(const PointArray& points, std::int64_t by) {
   SimplexArray simplices = right_answer(points);
   for (auto& simplex : simplices) {
@@ -136,6 +175,11 @@ Fault moving(std::string name, std::string about, const Change& change) {
   return implementation_fault(
       std::move(name), std::move(about),
       [change](const PointArray& points) { return with_coordinates(points, change); });
+}
+
+Fault of_space(Fault fault) {
+  fault.dimensions = {3};
+  return fault;
 }
 
 }  // namespace
@@ -157,6 +201,32 @@ std::vector<Fault> preparation_faults() {
              "Points are moved by 1e-9 of their size at random so that none are cospherical, and "
              "the mesh of those is returned for the points as they were.",
              jittered),
+      moving("floats-from-the-corner",
+             "Coordinates are stored as floats from the lowest corner of the points: tiles of "
+             "maps and scenes.",
+             in_floats_from_the_corner),
+      moving("grid-of-16-bits",
+             "Coordinates are rounded to 65,536 steps of the bounding box: compressed meshes.",
+             on_a_grid_of_16_bits),
+      moving("millionths-in-32-bits",
+             "Coordinates are multiplied by 1,000,000 and stored as integers of 32 bits.",
+             in_millionths),
+      moving("columns-for-rows",
+             "The array holds all x, then all y; the program reads x, y, x, y: a binding between "
+             "two languages.",
+             by_columns),
+      of_space(moving("height-not-read",
+                      "Points of space are triangulated by their first two coordinates: terrain "
+                      "code that was given any points.",
+                      without_the_height)),
+      implementation_fault("same-abscissa-overwrites",
+                           "A sweep keeps its points in a map by their first coordinate, so of "
+                           "those that share it the last is left.",
+                           with_one_point_an_abscissa),
+      implementation_fault("sorted-numbers-returned",
+                           "The points are sorted first, and the simplices are returned in the "
+                           "sorted numbers.",
+                           in_sorted_numbers),
       implementation_fault("drops-the-last-point", "A loop ends at n − 1.", without_the_last),
       implementation_fault(
           "drops-near-points",
