@@ -39,7 +39,10 @@ struct BuildOptions {
   OutputOptions output;
 };
 
-std::string statistics_text(const delaunay::Statistics& statistics) {
+std::string statistics_text(const BuildOptions& options, const delaunay::Statistics& statistics) {
+  if (options.what == "lexicographic" || options.algorithm != "bowyer-watson") {
+    return "statistics: counted by --algorithm bowyer-watson alone\n";
+  }
   return fmt::format(
       "created: {} solid and {} ghost simplices\n"
       "deleted: {} solid and {} ghost simplices\n"
@@ -122,7 +125,7 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   if (!output.wants_text() && options.html.empty()) return;
   picture::Facts told;
   told.heading = loaded->name;
-  if (options.statistics) told.text += statistics_text(statistics);
+  if (options.statistics) told.text += statistics_text(options, statistics);
   if (mesh.points.is_weighted()) told.text += not_vertices_text(mesh, triangulation);
   told.line = fmt::format(
       "built: {} {} {} {}{}", options.what, on_one_line(loaded->name),

@@ -85,7 +85,9 @@ TEST_CASE("build: a page plays the steps of each algorithm up to the triangulati
             .exit_code == 0);
     CHECK(!has(contents(page), "<script>alert"));
     const auto result = shown(page);
-    CHECK(has(result["facts"].get<std::string>(), "created: "));
+    const auto facts = result["facts"].get<std::string>();
+    CHECK(has(facts, algorithm == "bowyer-watson" ? "created: " : "statistics: counted by "));
+    CHECK(has(facts, "created: ") == (algorithm == "bowyer-watson"));
     const auto& frames = result["steps"]["frames"];
     CHECK(std::any_of(frames.begin(), frames.end(),
                       [&name = name](const auto& frame) { return frame["step"] == name; }));
