@@ -219,7 +219,8 @@ struct AxisBox {
   bool meets(const AxisBox& other) const {
     bool apart = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      apart |= (high[axis] < other.low[axis]) | (other.high[axis] < low[axis]);
+      apart |= high[axis] < other.low[axis];
+      apart |= other.high[axis] < low[axis];
     }
     return !apart;
   }
