@@ -127,13 +127,14 @@ void Output::watch(const std::string& command) {
 }
 
 void Output::begin(const std::string& what, std::optional<double> seconds) {
-  constexpr double kLong = 10;
-  if (seconds && *seconds >= kLong && !options_.quiet) {
+  constexpr double kLongToWait = 10;
+  if (seconds && *seconds >= kLongToWait && !options_.quiet) {
     if (long_work_) long_work_->clear();
     say(fmt::format("circumspect: {} may take about {} (--limit TIME ends it)\n", on_one_line(what),
                     about(*seconds)));
   }
-  if (long_work_) long_work_->begin(what, seconds && *seconds >= kLong ? seconds : std::nullopt);
+  if (long_work_)
+    long_work_->begin(what, seconds && *seconds >= kLongToWait ? seconds : std::nullopt);
 }
 
 void Output::know(report::Json so_far) {

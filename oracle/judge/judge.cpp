@@ -67,8 +67,9 @@ using FactsOrUndecided = tl::expected<fast::Facts, fast::Undecided>;
 // With the neighbours that the mesh lists, if it does.
 template <std::size_t kDimension, class Index>
 FactsOrUndecided facts_of(const Mesh& mesh, fast::MeshView<kDimension, Index> view,
-                          fast::Question question, unsigned threads) {
-  if (!mesh.neighbors) return fast::judge(view, question, threads);
+                          fast::Question question, unsigned threads,
+                          std::optional<fast::SweptMesh>& swept) {
+  if (!mesh.neighbors) return fast::judge(view, question, threads, &swept);
   const IndexLists& listed = mesh.neighbors->rows;
   if (!mesh.neighbors->are_as_listed && listed.size() == view.size() &&
       listed.columns() == kDimension + 1) {
@@ -83,11 +84,12 @@ FactsOrUndecided facts_of(const Mesh& mesh, fast::MeshView<kDimension, Index> vi
   return tl::unexpected(fast::Undecided::kUnmatchedNeighbor);
 }
 
-OrReason<Verdict> judged_fast(Claim claim, const Mesh& mesh, const Options& options) {
+OrReason<Verdict> judged_fast(Claim claim, const Mesh& mesh, const Options& options,
+                              std::optional<fast::SweptMesh>& swept) {
   if (options.by != By::kLemma) return because("judged by definition");
   const bool weighted = claim == Claim::kWeightedDelaunay && mesh.is_weighted();
   return asked_of_rows<Verdict>(mesh, weighted, [&](const auto& view) -> OrReason<Verdict> {
-    const auto facts = facts_of(mesh, view, question_of(claim), threads_of(options));
+    const auto facts = facts_of(mesh, view, question_of(claim), threads_of(options), swept);
     if (!facts) return because(description(facts.error()));
     if (options.oriented && !facts->oriented) return because("simplices oriented by turns");
     Verdict verdict = verdict_of_facts(claim, view, *facts, options);
@@ -97,10 +99,12 @@ OrReason<Verdict> judged_fast(Claim claim, const Mesh& mesh, const Options& opti
 }
 
 // Of a mesh that is at fault, and has no equal points.
-OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options& options) {
+OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options& options,
+                                   std::optional<fast::SweptMesh> swept) {
   const bool weighted = claim == Claim::kWeightedDelaunay && mesh.is_weighted();
   return asked_of_rows<Verdict>(mesh, weighted, [&](const auto& view) -> OrReason<Verdict> {
-    const auto faults = fast::faults(view, question_of(claim), threads_of(options));
+    const auto faults =
+        fast::faults(view, question_of(claim), threads_of(options), std::move(swept));
     if (!faults) return because(description(faults.error()));
     auto verdict = verdict_of_faults(claim, view, mesh.neighbors ? &*mesh.neighbors : nullptr,
                                      *faults, options);
@@ -162,8 +166,9 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
                                          const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
   std::string_view why_not_fast;
+  std::optional<fast::SweptMesh> swept;
   if (domain == nullptr) {
-    OrReason<Verdict> verdict = judged_fast(claim, mesh, options);
+    OrReason<Verdict> verdict = judged_fast(claim, mesh, options, swept);
     if (verdict) return std::move(*verdict);
     why_not_fast = verdict.error();
   }
@@ -171,7 +176,7 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
   if (!repeated.empty()) return tl::unexpected(EqualPoints{std::move(repeated)});
   if (domain != nullptr) return judged_in_domain(claim, mesh, *domain, options);
   if (options.by == By::kLemma) {
-    OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options);
+    OrReason<Verdict> verdict = judged_by_faults(claim, mesh, options, std::move(swept));
     if (verdict) return std::move(*verdict);
   }
   Verdict verdict = judge_points(claim, exact(mesh), options);

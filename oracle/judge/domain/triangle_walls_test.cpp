@@ -209,6 +209,21 @@ TEST_CASE("meshes that hold, by all claims") {
   }
 }
 
+TEST_CASE("a room within a room, filled or not") {
+  const std::vector<int> ticks = {0, 1, 2, 3};
+  const ExactMesh full = grid(ticks, ticks, ticks, every_cell);
+  const ExactMesh hollow =
+      grid(ticks, ticks, ticks,
+           [](std::size_t x, std::size_t y, std::size_t z) { return x != 1 || y != 1 || z != 1; });
+  Domain rooms = domain_of_facets(hollow, [](std::size_t uses) { return uses == 1; });
+  const Claim claim = Claim::kCdt;
+  CHECK(is_seen(claim, full, rooms));
+  CHECK(!is_seen(claim, hollow, rooms));
+  rooms.complex.hole_seeds = {{Rational(3) / 2, Rational(5) / 3, Rational(4) / 3}};
+  CHECK(!is_seen(claim, full, rooms));
+  CHECK(is_seen(claim, hollow, rooms));
+}
+
 TEST_CASE("what is wrong is left to the exact checkers") {
   const ExactMesh mesh = grid({0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, every_cell);
   const auto surface = [](const ExactMesh& of) {

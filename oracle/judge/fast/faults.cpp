@@ -25,8 +25,8 @@ class FaultFinder {
   FaultFinder(const MeshView<kDimension, Index>& mesh, Question question, unsigned threads)
       : mesh_(mesh), question_(question), threads_(threads), orientations_(mesh.size(), 0) {}
 
-  tl::expected<Faults, Undecided> run() {
-    if (facets_are_sound()) {
+  tl::expected<Faults, Undecided> run(std::optional<SweptMesh> swept) {
+    if (facets_are_sound(std::move(swept))) {
       list_turned();
       judge_boundary();
       return std::move(faults_);
@@ -89,28 +89,43 @@ class FaultFinder {
   // ── Where simplices and facets are in order ───────────────────────────────────────────────────
 
   // Matches facets, and sweeps as the judge does; true if that finds no simplex and no facet at fault.
-  bool facets_are_sound() {
+  bool facets_are_sound(std::optional<SweptMesh> known) {
     // Complete: facets with the same vertices have the same hash.
     auto matched = matched_facets(mesh_, threads_);
     if (!matched) return false;
     faults_.links = std::move(*matched);
     if (!faults_.links.overused.empty()) return false;
+    if (known && swept_these_links(*known)) {
+      take(known->swept, known->orientations, std::move(known->unused));
+      return !known->swept.undecided;
+    }
     WholeSweep<kDimension, Index, std::int32_t> sweep(mesh_, faults_.links.view(), threads_);
     const bool weighted = question_ == Question::kWeightedDelaunay && !mesh_.weights.empty();
     const Swept swept =
         sweep.run({.balls = question_ != Question::kTriangulation, .weighted = weighted});
-    if (swept.undecided) return false;
+    take(swept, sweep.orientations(), sweep.unused());
+    return !swept.undecided;
+  }
+
+  // Has the judge swept the mesh with the same links, and found nothing about its sample point?
+  bool swept_these_links(const SweptMesh& known) const {
+    const auto theirs = known.links.view(), ours = faults_.links.view();
+    return known.swept.undecided != Undecided::kCoveredTwice &&
+           std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end());
+  }
+
+  void take(const Swept& swept, const Orientations& orientations, std::vector<std::size_t> unused) {
+    if (swept.undecided) return;
     for (std::size_t s = 0; s < mesh_.size(); ++s) {
-      orientations_[s] = static_cast<std::int8_t>(sweep.orientations().of(s));
+      orientations_[s] = static_cast<std::int8_t>(orientations.of(s));
     }
-    faults_.unused = sweep.unused();
+    faults_.unused = std::move(unused);
     for (const FacetId facet : swept.not_local) {
       const std::size_t other = *beyond(facet.simplex(), facet.place());
       const std::size_t place = across(facet.simplex(), facet.place(), other)->place;
       faults_.not_local.push_back({facet, {other, place}});
     }
     faults_.stages = swept.stages;
-    return true;
   }
 
   // ── Simplices one by one ───────────────────────────────────────────────────────────────────────
@@ -346,17 +361,17 @@ class FaultFinder {
 
 template <std::size_t kDimension, typename Index>
 tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
-                                       unsigned threads) {
-  return FaultFinder<kDimension, Index>(mesh, question, threads).run();
+                                       unsigned threads, std::optional<SweptMesh> swept) {
+  return FaultFinder<kDimension, Index>(mesh, question, threads).run(std::move(swept));
 }
 
 template tl::expected<Faults, Undecided> faults(const MeshView<2, std::int32_t>&, Question,
-                                                unsigned);
+                                                unsigned, std::optional<SweptMesh>);
 template tl::expected<Faults, Undecided> faults(const MeshView<2, std::int64_t>&, Question,
-                                                unsigned);
+                                                unsigned, std::optional<SweptMesh>);
 template tl::expected<Faults, Undecided> faults(const MeshView<3, std::int32_t>&, Question,
-                                                unsigned);
+                                                unsigned, std::optional<SweptMesh>);
 template tl::expected<Faults, Undecided> faults(const MeshView<3, std::int64_t>&, Question,
-                                                unsigned);
+                                                unsigned, std::optional<SweptMesh>);
 
 }  // namespace circumspect::fast

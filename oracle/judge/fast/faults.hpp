@@ -14,6 +14,7 @@
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 
 namespace circumspect::fast {
@@ -76,14 +77,22 @@ struct Faults {
   }
 };
 
+// What the judge (judge.hpp) found out about a mesh of which it knows nothing in the end.
+struct SweptMesh {
+  OwnedLinks links;  // likely ones
+  Swept swept;       // with a sample point; `undecided` if the sweep itself found something wrong
+  Orientations orientations;
+  std::vector<std::size_t> unused;
+};
+
 // All faults that the question asks for. Of weighted points, whether those that are no vertices lie above
 // the lower hull is not looked at. Given neighbours are not looked at.
 // Undecided: no simplex that is sound; more simplices than are matched; hashes that are equal by accident.
 // The same answer for any number of threads. Instances: dimensions 2 and 3; std::int32_t and std::int64_t.
 // Requires: numbers are finite; no two points are equal; threads ≥ 1; weights, if the question is about them
-// and there are any.
+// and there are any; `swept`, if it is there, is what the judge found for the same question.
 template <std::size_t kDimension, typename Index>
 tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
-                                       unsigned threads);
+                                       unsigned threads, std::optional<SweptMesh> swept = {});
 
 }  // namespace circumspect::fast

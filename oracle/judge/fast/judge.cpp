@@ -5,6 +5,7 @@
 
 #include "oracle/judge/fast/boundary.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
+#include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/fast/submerged_points.hpp"
 #include "oracle/judge/fast/sweep.hpp"
@@ -23,16 +24,25 @@ class Judge {
         weighted_(question == Question::kWeightedDelaunay && !mesh.weights.empty()),
         threads_(threads) {}
 
-  tl::expected<Facts, Undecided> run() {
+  // `kept`: where to put what was found, but for the links, if nothing is known.
+  tl::expected<Facts, Undecided> run(std::optional<SweptMesh>* kept = nullptr) {
     Stages stages;
     const auto sample = sample_point(mesh_, stages);
     if (!sample) return tl::unexpected(sample.error());
     WholeSweep<kDimension, Index, Link> sweep(mesh_, links_, threads_);
     Swept swept = sweep.run({.sample = &*sample, .balls = balls_, .weighted = weighted_});
     const Orientations& orientations = sweep.orientations();
+    const std::optional<Undecided> in_sweep = swept.undecided;
     if (!swept.undecided) judge_boundary(sweep, *sample, swept);
     if (!swept.undecided) judge_unused_points(sweep.unused(), orientations, swept);
-    if (swept.undecided) return tl::unexpected(*swept.undecided);
+    if (swept.undecided) {
+      const Undecided reason = *swept.undecided;
+      swept.undecided = in_sweep;
+      if (kept != nullptr) {
+        kept->emplace(SweptMesh{{}, std::move(swept), orientations, sweep.unused()});
+      }
+      return tl::unexpected(reason);
+    }
     return Facts{swept.unique, swept.canonical, orientations.are_equal(),
                  std::move(swept.not_local), sum(stages, swept.stages)};
   }
@@ -76,31 +86,46 @@ class Judge {
 
 }  // namespace
 
+namespace {
+
+template <std::size_t kDimension, typename Index>
+bool has_finite_numbers(const MeshView<kDimension, Index>& mesh, unsigned threads) {
+  return are_finite(mesh.coordinates, threads) && are_finite(mesh.weights, threads);
+}
+
+}  // namespace
+
 template <std::size_t kDimension, typename Index, typename Link>
 tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Links<Link> neighbors,
                                      Question question, unsigned threads) {
   if (mesh.size() == 0) return tl::unexpected(Undecided::kEmpty);
-  if (!are_finite(mesh.coordinates, threads) || !are_finite(mesh.weights, threads)) {
-    return tl::unexpected(Undecided::kNotFinite);
-  }
+  if (!has_finite_numbers(mesh, threads)) return tl::unexpected(Undecided::kNotFinite);
   return Judge<kDimension, Index, Link>(mesh, neighbors, question, threads).run();
 }
 
 template <std::size_t kDimension, typename Index>
 tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Question question,
-                                     unsigned threads) {
+                                     unsigned threads, std::optional<SweptMesh>* swept) {
   if (!mesh.neighbors.empty() || mesh.size() == 0) {
     return judge<kDimension, Index, Index>(mesh, mesh.neighbors, question, threads);
   }
-  const auto links = matched_facets(mesh, threads, Proposal::kLikely);
+  auto links = matched_facets(mesh, threads, Proposal::kLikely);
   if (!links) return tl::unexpected(links.error());
-  return judge<kDimension, Index, std::int32_t>(mesh, links->view(), question, threads);
+  if (!has_finite_numbers(mesh, threads)) return tl::unexpected(Undecided::kNotFinite);
+  auto facts =
+      Judge<kDimension, Index, std::int32_t>(mesh, links->view(), question, threads).run(swept);
+  if (swept != nullptr && *swept) (*swept)->links = std::move(*links);
+  return facts;
 }
 
-template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int32_t>&, Question, unsigned);
-template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int64_t>&, Question, unsigned);
-template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int32_t>&, Question, unsigned);
-template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int64_t>&, Question, unsigned);
+template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int32_t>&, Question, unsigned,
+                                              std::optional<SweptMesh>*);
+template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int64_t>&, Question, unsigned,
+                                              std::optional<SweptMesh>*);
+template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int32_t>&, Question, unsigned,
+                                              std::optional<SweptMesh>*);
+template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int64_t>&, Question, unsigned,
+                                              std::optional<SweptMesh>*);
 template tl::expected<Facts, Undecided> judge(const MeshView<2, std::int32_t>&, Links<std::int32_t>,
                                               Question, unsigned);
 template tl::expected<Facts, Undecided> judge(const MeshView<3, std::int32_t>&, Links<std::int32_t>,

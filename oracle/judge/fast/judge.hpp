@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -28,6 +29,8 @@ struct Facts {
   bool holds() const { return not_local.empty(); }
 };
 
+struct SweptMesh;  // faults.hpp
+
 // Is the mesh a triangulation of its points, a Delaunay one, a weighted one? Book: Definitions 2.1 and
 // 4.1, Section 5.2; weights count for the last only, and count as 0 if there are none. Given neighbours
 // must be right. If facts are returned that hold, oracle/judge/points finds that the claim holds, with the same
@@ -37,9 +40,11 @@ struct Facts {
 // At most 32 bytes a simplex beside the arrays, 16 of them for neighbours if they are not given.
 // Instances: dimensions 2 and 3; std::int32_t and std::int64_t. Requires: threads ≥ 1; the lengths of
 // the arrays agree (mesh_view.hpp).
+// If nothing is known, and neighbours were found, `swept` is what faults() need not find again.
 template <std::size_t kDimension, typename Index>
 tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Question question,
-                                     unsigned threads = 1);
+                                     unsigned threads = 1,
+                                     std::optional<SweptMesh>* swept = nullptr);
 
 // The same with these neighbours, as MeshView has them, in place of its own: of std::int32_t, where indices
 // are std::int64_t.
