@@ -1,6 +1,7 @@
 #include "inputs/complex_families.hpp"
 
 #include "inputs/complexes.hpp"
+#include "inputs/modifiers.hpp"
 #include "inputs/named_complexes.hpp"
 #include "inputs/set_parts.hpp"
 
@@ -86,6 +87,29 @@ std::vector<Point> integer_vertices(Dice& dice, std::size_t dimension, std::size
 const std::vector<ComplexFamily>& complex_families() {
   static const std::vector<ComplexFamily> all = table();
   return all;
+}
+
+const std::vector<ComplexModifier>& complex_modifiers() {
+  static const std::vector<ComplexModifier> all = {
+      {"ulp", "about half of the vertices moved by one ulp, where the domain remains one",
+       complex_one_ulp_away},
+      {"moved", "moved by 2^20 to 2^50 times its size, then rounded to doubles",
+       complex_far_from_origin},
+      {"rotated", "turned, and rounded to doubles or made larger by an integer", complex_rotated},
+  };
+  return all;
+}
+
+ComplexFamily modified(ComplexFamily family, const ComplexModifier& modifier) {
+  family.name += "+" + modifier.name;
+  family.about += "; " + modifier.about;
+  family.draw = [draw = family.draw, name = family.name, modified = modifier.modified](
+                    Dice& dice, std::size_t max_points) {
+    ComplexCase whole = modified(dice, draw(dice, max_points));
+    whole.family = name;
+    return whole;
+  };
+  return family;
 }
 
 ComplexCase drawn(const ComplexFamily& family, std::size_t max_points, std::uint64_t seed) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,19 @@ struct ComplexFamily {
   std::string about;  // one line: what the domains are, and the notion of the book that they stress
   std::size_t dimension = 3;  // 2 or 3
   // Valid complexes, of up to `max_points` points where the family leaves a choice.
-  ComplexCase (*draw)(Dice& dice, std::size_t max_points);
+  std::function<ComplexCase(Dice& dice, std::size_t max_points)> draw;
 };
+
+// A change that can be made to the domains of any family: "planar-grid+rotated". It returns valid domains of doubles.
+struct ComplexModifier {
+  std::string name;
+  std::string about;
+  ComplexCase (*modified)(Dice& dice, ComplexCase whole);
+};
+const std::vector<ComplexModifier>& complex_modifiers();
+
+// The family with the modifier, which its name and its domains tell.
+ComplexFamily modified(ComplexFamily family, const ComplexModifier& modifier);
 
 // The families that need no Delaunay triangulation to be drawn. All of them, with those that are
 // edge-protected: inputs/triangulated/domain_families.hpp.

@@ -1,5 +1,6 @@
 #include "inputs/complex_families.hpp"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -34,6 +35,35 @@ TEST_CASE("families of domains: valid, of their dimension, also in doubles, the 
     }
     CHECK(different.size() >= 4);
   }
+}
+
+TEST_CASE("modifiers of domains: valid, of doubles, and mostly another domain") {
+  std::size_t changed = 0, rounded_turns = 0, all = 0;
+  for (const ComplexModifier& modifier : complex_modifiers()) {
+    for (const ComplexFamily& plain : complex_families()) {
+      const ComplexFamily family = modified(plain, modifier);
+      CAPTURE(family.name);
+      for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        const ComplexCase made = drawn(family, 10, seed);
+        CHECK(made.family == family.name);
+        CHECK(validated(made.input, 1));
+        CHECK(in_doubles(made).input.points == made.input.points);
+        ++all;
+        const bool is_another = made.input.points != drawn(plain, 10, seed).input.points;
+        if (is_another) ++changed;
+        const auto is_whole = [](const Point& point) {
+          return std::all_of(point.begin(), point.end(),
+                             [](const Rational& x) { return x.get_den() == 1; });
+        };
+        if (modifier.name == "rotated" &&
+            !std::all_of(made.input.points.begin(), made.input.points.end(), is_whole)) {
+          ++rounded_turns;
+        }
+      }
+    }
+  }
+  CHECK(4 * changed > 3 * all);
+  CHECK(rounded_turns > 3);
 }
 
 TEST_CASE("families of domains: what they are named for occurs") {

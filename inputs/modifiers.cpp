@@ -6,6 +6,7 @@
 
 #include "inputs/in_doubles.hpp"
 #include "inputs/set_parts.hpp"
+#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -93,6 +94,98 @@ PointsCase with_distinct_points(PointsCase set, bool may_repeat_points) {
 }
 
 }  // namespace
+
+// ---- Domains ----
+
+namespace {
+
+bool is_valid_in_doubles(const ComplexCase& whole) {
+  const auto are_doubles = [](const std::vector<Point>& points) {
+    return std::all_of(points.begin(), points.end(), [](const Point& point) {
+      return std::all_of(point.begin(), point.end(),
+                         [](const Rational& x) { return exact_value(nearest_double(x)) == x; });
+    });
+  };
+  return are_doubles(whole.input.points) && validated(whole.input, 1).has_value();
+}
+
+// Every vertex and seed where `image` puts it, rounded to doubles.
+template <class Image>
+ComplexCase mapped(ComplexCase whole, const Image& image) {
+  const auto map = [&image](std::vector<Point>& points) {
+    for (Point& point : points) point = image(point);
+  };
+  map(whole.input.points);
+  map(whole.input.hole_seeds);
+  for (PolygonLines& polygon : whole.input.polygons) map(polygon.hole_seeds);
+  return in_doubles(std::move(whole));
+}
+
+// Rows of integers whose product with their transpose is `square` times the identity, and not a permutation.
+// In space they are those of a quaternion of integers.
+struct Turn {
+  std::vector<std::vector<long>> rows;
+  long stretch = 1;  // that of lengths
+};
+
+Turn drawn_turn(Dice& dice, std::size_t dimension) {
+  const long a = dice.within(1, 4), b = dice.within(1, 4);
+  if (dimension == 2)
+    return {{{a * a - b * b, -2 * a * b}, {2 * a * b, a * a - b * b}}, a * a + b * b};
+  const long c = dice.within(-3, 3), d = dice.within(-3, 3);
+  return {{{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
+           {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
+           {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}},
+          a * a + b * b + c * c + d * d};
+}
+
+}  // namespace
+
+ComplexCase complex_one_ulp_away(Dice& dice, ComplexCase whole) {
+  const double ulp = std::ldexp(1.0, exponents({whole.input.points}).largest - 53);
+  for (std::size_t v = 0; v < whole.input.points.size(); ++v) {
+    if (dice.below(2) == 0) continue;
+    const Point before = whole.input.points[v];
+    for (Rational& x : whole.input.points[v]) {
+      const int step = dice.within(-1, 1);
+      if (step != 0) x = exact_value(neighbour(nearest_double(x), step, ulp));
+    }
+    if (!is_valid_in_doubles(whole)) whole.input.points[v] = before;
+  }
+  return whole;
+}
+
+ComplexCase complex_far_from_origin(Dice& dice, ComplexCase whole) {
+  const int largest = exponents({whole.input.points}).largest;
+  const std::size_t dimension = whole.input.points.empty() ? 0 : whole.input.points.front().size();
+  const Point direction = integer_point(dice, dimension, 2);
+  for (int distance = dice.within(20, 50); distance > 0; distance -= 5) {
+    const Point way = power_of_two(largest + distance) * direction;
+    ComplexCase moved = mapped(whole, [&way](const Point& x) { return x + way; });
+    if (is_valid_in_doubles(moved)) return moved;
+  }
+  return whole;
+}
+
+ComplexCase complex_rotated(Dice& dice, ComplexCase whole) {
+  if (whole.input.points.empty()) return whole;
+  const Turn turn = drawn_turn(dice, whole.input.points.front().size());
+  const auto turned = [&turn, &whole](const Rational& scale) {
+    return mapped(whole, [&](const Point& x) {
+      Point image;
+      for (const std::vector<long>& row : turn.rows) {
+        Rational sum = 0;
+        for (std::size_t axis = 0; axis < row.size(); ++axis) sum += row[axis] * x[axis];
+        image.push_back(sum * scale);
+      }
+      return image;
+    });
+  };
+  ComplexCase rounded = turned(Rational(1, turn.stretch));
+  if (dice.below(4) != 0 && is_valid_in_doubles(rounded)) return rounded;
+  ComplexCase larger = turned(1);
+  return is_valid_in_doubles(larger) ? larger : whole;
+}
 
 bool lie_within(const PointsCase& set, Exponents wanted) {
   const auto [least, largest] = exponents(set);

@@ -2,6 +2,7 @@
 // where that is what it is about.
 #pragma once
 
+#include "inputs/complex_case.hpp"
 #include "inputs/dice.hpp"
 #include "inputs/points_case.hpp"
 
@@ -21,6 +22,18 @@ PointsCase scaled_by_power_of_two(Dice& dice, const PointsCase& set, bool may_re
 // Moved by 2^20 to 2^50 times the size of the set, then rounded to doubles: integers near the origin stay
 // exact for the smaller moves, all else loses its low bits.
 PointsCase far_from_origin(Dice& dice, const PointsCase& set, bool may_repeat_points);
+
+// Domains of doubles stay valid (Book: Definition 4.3), and of doubles: what would not is changed less, or
+// not at all. In space only triangles survive rounding for certain.
+
+// About half of the vertices, each moved by an ulp in some coordinates.
+ComplexCase complex_one_ulp_away(Dice& dice, ComplexCase whole);
+
+// Moved by 2^20 to 2^50 times its size, or less far.
+ComplexCase complex_far_from_origin(Dice& dice, ComplexCase whole);
+
+// Turned by a rational rotation and rounded; or by the same times an integer, exactly.
+ComplexCase complex_rotated(Dice& dice, ComplexCase whole);
 
 // Of sets of doubles, whatever family they are of: what a program is said to take.
 

@@ -141,8 +141,8 @@ tl::expected<Sources, std::string> campaign_sources(const campaign::Subject& sub
   const bool everything = names == std::vector<std::string>{"all"};
   const auto chosen = [&]() -> tl::expected<Sources, std::string> {
     if (subject.is_about_domains()) {
-      const auto& all = properties::domain_families();
-      if (names.empty() || everything) return fitting(all, subject, sizes);
+      if (everything) return fitting(properties::modified_domain_families(), subject, sizes);
+      if (names.empty()) return fitting(properties::domain_families(), subject, sizes);
       return named(names, properties::find_domain_family, subject, sizes);
     }
     if (everything) return fitting(generators::modified_families(), subject, sizes);

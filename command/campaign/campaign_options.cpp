@@ -43,9 +43,10 @@ void add_files(CLI::App& command, SubjectOptions& options) {
                   "line of coordinates for each point")
       ->option_text("NAME");
   command
-      .add_option("--domain", options.domain_name,
-                  "The name of the file from which the program reads a domain (default: x.poly): "
-                  ".poly, or .geo for Gmsh")
+      .add_option(
+          "--domain", options.domain_name,
+          "The name of the file from which the program reads a domain (default: x.poly): "
+          ".poly, .geo for Gmsh, or for domains that are surfaces .off, .obj, .ply, .stl or .msh")
       ->option_text("NAME");
   command
       .add_option(
@@ -157,10 +158,10 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
     return "expected {mesh} in the command, --mesh NAME or --stdout, found none of them";
   }
   if (!(domains ? campaign::is_domain_extension(input) : campaign::is_points_extension(input))) {
-    return fmt::format(
-        "expected a name of the input that ends in {}, found {}",
-        domains ? ".poly, .geo or .case" : ".node, .qhull, .off, .json, .xyz or .case",
-        subject.input_name);
+    return fmt::format("expected a name of the input that ends in {}, found {}",
+                       domains ? ".poly, .geo, .off, .obj, .ply, .stl, .msh or .case"
+                               : ".node, .qhull, .off, .json, .xyz or .case",
+                       subject.input_name);
   }
   const std::string mesh = formats::extension(subject.mesh_name);
   constexpr std::array<std::string_view, 9> kMeshes = {".ele", ".qhull-i", ".off", ".mesh", ".msh",

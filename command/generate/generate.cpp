@@ -77,9 +77,9 @@ Draw draw_domains(const generators::ComplexFamily& family, const GenerateOptions
     const std::size_t count = made.input.points.size();
     return {count, ".poly",
             [made](std::ostream& out) {
-              out << "# " << made.family << "; --domain-kind "
-                  << (made.input.kind == DomainKind::kHull ? "hull" : "enclosed") << "\n"
-                  << campaign::poly_text(made.input, 0);
+              // At the end: some programs do not read files that begin with a comment.
+              out << campaign::poly_text(made.input, 0) << "# " << made.family << "; --domain-kind "
+                  << (made.input.kind == DomainKind::kHull ? "hull" : "enclosed") << "\n";
             },
             nullptr};
   };

@@ -120,9 +120,9 @@ TEST_CASE("generate: errors say what was expected and found") {
   const formats::ScratchFolder folder;
   const std::vector<std::pair<std::vector<std::string>, std::string>> calls = {
       {{"spheer"}, "found 'spheer'; the nearest are sphere, "},
-      {{"sphere+ulps"},
-       "expected one modifier after sphere, of +ulp, +scaled, +moved; found '+ulps'"},
-      {{"planar-grid+ulp"}, "domains take no modifier"},
+      {{"sphere+ulps"}, "expected modifiers after sphere, of +ulp, +scaled, +moved; found '+ulps'"},
+      {{"planar-grid+scaled"},
+       "expected modifiers after planar-grid, of +ulp, +moved, +rotated; found '+scaled'"},
       {{"skew-lines", "--dimension", "2"}, "skew-lines exists in dimension 3 and above; "},
       {{"twisted-prism", "--dimension", "4"}, "twisted-prism exists in dimension 3; "},
       {{"pythagorean-sphere", "--dimension", "7"}, "exists in dimension 2 to 6; "},

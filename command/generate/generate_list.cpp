@@ -30,9 +30,10 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-std::string modifier_names() {
+template <class Modifier>
+std::string modifier_names(const std::vector<Modifier>& modifiers) {
   std::string names;
-  for (const auto& modifier : generators::family_modifiers()) {
+  for (const Modifier& modifier : modifiers) {
     names += (names.empty() ? "+" : ", +") + modifier.name;
   }
   return names;
@@ -60,6 +61,10 @@ std::string families_text() {
   for (const auto& family : properties::domain_families()) {
     text += line(family.name, std::to_string(family.dimension), family.about);
   }
+  text += "With any of these, as in planar-grid+rotated:\n";
+  for (const auto& modifier : generators::complex_modifiers()) {
+    text += line("+" + modifier.name, "", modifier.about);
+  }
   return text;
 }
 
@@ -81,18 +86,26 @@ report::Json families_json() {
     domains.push_back(
         {{"name", family.name}, {"about", family.about}, {"dimension", family.dimension}});
   }
-  return {{"points", points}, {"modifiers", modifiers}, {"domains", domains}};
+  report::Json domain_modifiers = report::Json::array();
+  for (const auto& modifier : generators::complex_modifiers()) {
+    domain_modifiers.push_back({{"name", modifier.name}, {"about", modifier.about}});
+  }
+  return {{"points", points},
+          {"modifiers", modifiers},
+          {"domains", domains},
+          {"domain_modifiers", domain_modifiers}};
 }
 
 std::string unknown_family(const std::string& name) {
   const std::string base = name.substr(0, name.find('+'));
   if (base != name) {
     if (generators::find_family(base) != nullptr) {
-      return fmt::format("expected one modifier after {}, of {}; found '{}'", base,
-                         modifier_names(), name.substr(base.size()));
+      return fmt::format("expected modifiers after {}, of {}; found '{}'", base,
+                         modifier_names(generators::family_modifiers()), name.substr(base.size()));
     }
     if (properties::find_domain_family(base) != nullptr) {
-      return fmt::format("{}: domains take no modifier; expected the name {}", name, base);
+      return fmt::format("expected modifiers after {}, of {}; found '{}'", base,
+                         modifier_names(generators::complex_modifiers()), name.substr(base.size()));
     }
   }
   std::vector<std::string> names = all_names();

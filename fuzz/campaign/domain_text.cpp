@@ -93,8 +93,8 @@ bool is_simple(const PolygonLines& polygon) {
   return line.size() >= 3 && std::set<Vertex>(line.begin(), line.end()).size() == line.size();
 }
 
-// The surface of one volume, or nothing.
-std::optional<Edges> closed_surface(const PiecewiseLinearInput& input) {
+// Polygons of one outline each, and nothing else; or nothing.
+std::optional<Edges> surface(const PiecewiseLinearInput& input) {
   const bool plain = !input.points.empty() && input.points.front().size() == 3 &&
                      input.hole_seeds.empty() && !input.polygons.empty() &&
                      std::all_of(input.polygons.begin(), input.polygons.end(), is_simple);
@@ -105,14 +105,63 @@ std::optional<Edges> closed_surface(const PiecewiseLinearInput& input) {
     edges.add(polygon.lines.front());
     used.insert(polygon.lines.front().begin(), polygon.lines.front().end());
   }
-  const bool closed = std::all_of(edges.uses.begin(), edges.uses.end(),
-                                  [](const auto& use) { return use.second == 2; });
   const bool no_other_segment =
       std::all_of(input.segments.begin(), input.segments.end(), [&](const auto& segment) {
         return edges.numbers.count(undirected(segment.front(), segment.back())) != 0;
       });
-  if (!closed || !no_other_segment || used.size() != input.points.size()) return std::nullopt;
+  if (!no_other_segment || used.size() != input.points.size()) return std::nullopt;
   return edges;
+}
+
+// The surface of one volume, or nothing.
+std::optional<Edges> closed_surface(const PiecewiseLinearInput& input) {
+  std::optional<Edges> edges = surface(input);
+  const auto is_closed = [](const auto& use) { return use.second == 2; };
+  if (edges && !std::all_of(edges->uses.begin(), edges->uses.end(), is_closed)) edges.reset();
+  return edges;
+}
+
+std::string faces_text(const PiecewiseLinearInput& input, const std::string& before_each,
+                       bool with_count, Vertex first) {
+  std::string text;
+  for (const PolygonLines& polygon : input.polygons) {
+    std::vector<Vertex> line = polygon.lines.front();
+    for (Vertex& v : line) v += first;
+    text += before_each + (with_count ? std::to_string(line.size()) + " " : "") +
+            formats::joined(line) + "\n";
+  }
+  return text;
+}
+
+std::string stl_text(const PiecewiseLinearInput& input) {
+  std::string text = "solid domain\n";
+  for (const PolygonLines& polygon : input.polygons) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const Vertex v : polygon.lines.front()) {
+      text += "vertex " + formats::joined(input.points[static_cast<std::size_t>(v)]) + "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid domain\n";
+}
+
+std::string rows_after(const std::string& word, const std::vector<Point>& points) {
+  std::string text;
+  for (const Point& point : points) text += word + formats::joined(point) + "\n";
+  return text;
+}
+
+// Version 2.2, which all programs read: element type 2 is a triangle; one physical and one elementary entity.
+std::string msh_text(const PiecewiseLinearInput& input) {
+  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n{}$EndNodes\n",
+                                 input.points.size(), counted(input.points, 1)) +
+                     fmt::format("$Elements\n{}\n", input.polygons.size());
+  for (std::size_t i = 0; i < input.polygons.size(); ++i) {
+    std::vector<Vertex> line = input.polygons[i].lines.front();
+    for (Vertex& v : line) ++v;
+    text += fmt::format("{} 2 2 1 1 {}\n", i + 1, formats::joined(line));
+  }
+  return text + "$EndElements\n";
 }
 
 std::string with_commas(std::string text) {
@@ -161,6 +210,36 @@ std::string case_text(const PiecewiseLinearInput& input, std::size_t dimension) 
     text += rows(polygon.hole_seeds);
   }
   return text + rows(listed.hole_seeds);
+}
+
+bool is_surface_extension(const std::string& extension) {
+  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl" ||
+         extension == ".msh";
+}
+
+std::optional<std::string> surface_text(const PiecewiseLinearInput& input,
+                                        const std::string& extension) {
+  if (!surface(input)) return std::nullopt;
+  const bool all_triangles =
+      std::all_of(input.polygons.begin(), input.polygons.end(),
+                  [](const PolygonLines& polygon) { return polygon.lines.front().size() == 3; });
+  if (extension == ".off") {
+    return fmt::format("OFF\n{} {} 0\n", input.points.size(), input.polygons.size()) +
+           rows_after("", input.points) + faces_text(input, "", true, 0);
+  }
+  if (extension == ".obj") {
+    return rows_after("v ", input.points) + faces_text(input, "f ", false, 1);
+  }
+  if (extension == ".ply") {
+    return fmt::format(
+               "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+               "property double z\nelement face {}\nproperty list uchar int vertex_indices\n"
+               "end_header\n",
+               input.points.size(), input.polygons.size()) +
+           rows_after("", input.points) + faces_text(input, "", true, 0);
+  }
+  if (!all_triangles) return std::nullopt;
+  return extension == ".stl" ? stl_text(input) : msh_text(input);
 }
 
 std::optional<std::string> geo_text(const PiecewiseLinearInput& input) {

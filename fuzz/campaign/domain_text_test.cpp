@@ -1,8 +1,12 @@
 #include "fuzz/campaign/domain_text.hpp"
 
+#include <string>
+
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/domain_file.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -47,6 +51,36 @@ TEST_CASE("domains as Gmsh reads them, if they are one closed surface") {
   CHECK(text->find("Surface Loop(1) = {1,2,3,4,5,6};") != std::string::npos);
   box.polygons.pop_back();
   CHECK(!geo_text(box));
+}
+
+// Every format is read back by the reader of domains, and holds the same faces.
+TEST_CASE("surfaces are files of five kinds, of triangles in two of them") {
+  const formats::ScratchFolder folder;
+  PiecewiseLinearInput tetrahedron;
+  tetrahedron.points = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.1, 0}, {0, 0, 3}};
+  for (const std::vector<Vertex>& face :
+       {std::vector<Vertex>{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}) {
+    tetrahedron.polygons.push_back({{face}, {}});
+  }
+  for (const std::string extension : {".off", ".obj", ".ply", ".stl", ".msh"}) {
+    CAPTURE(extension);
+    REQUIRE(is_surface_extension(extension));
+    const auto text = surface_text(tetrahedron, extension);
+    REQUIRE(text);
+    const auto read =
+        formats::read_domain(folder.write("x" + extension, *text), NumberReading::kDouble);
+    REQUIRE(read);
+    CHECK(read->input.points == tetrahedron.points);
+    REQUIRE(read->input.polygons.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(read->input.polygons[i].lines == tetrahedron.polygons[i].lines);
+    }
+    PiecewiseLinearInput with_segment = tetrahedron;
+    with_segment.points.push_back({1, 1, 1});
+    CHECK(!surface_text(with_segment, extension));
+    const bool of_triangles = extension == ".stl" || extension == ".msh";
+    CHECK(surface_text(generators::box(0, 1), extension).has_value() != of_triangles);
+  }
 }
 
 }  // namespace

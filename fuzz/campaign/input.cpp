@@ -105,7 +105,8 @@ bool is_points_extension(const std::string& extension) {
 }
 
 bool is_domain_extension(const std::string& extension) {
-  return extension == ".poly" || extension == ".geo" || extension == ".case";
+  return extension == ".poly" || extension == ".geo" || extension == ".case" ||
+         is_surface_extension(extension);
 }
 
 std::optional<std::string> file_text(const Input& input, const std::string& extension,
@@ -116,6 +117,7 @@ std::optional<std::string> file_text(const Input& input, const std::string& exte
   const PiecewiseLinearInput& domain = std::get<ComplexCase>(input).input;
   if (extension == ".poly") return poly_text(domain, first_index);
   if (extension == ".case") return case_text(domain, dimension);
+  if (is_surface_extension(extension)) return surface_text(domain, extension);
   return geo_text(domain);
 }
 

@@ -23,7 +23,7 @@ std::size_t point_count(const Input& input);
 bool is_of_doubles(const Input& input);
 
 // The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz .case" for
-// points, ".poly .geo .case" for domains.
+// points, ".poly .geo .off .stl .ply .obj .msh .case" for domains.
 bool is_points_extension(const std::string& extension);
 bool is_domain_extension(const std::string& extension);
 
@@ -36,9 +36,12 @@ bool is_domain_extension(const std::string& extension);
 //   .geo                         Gmsh's: the surface of one volume (in the plane: of one surface, whose
 //                                outline is the first closed line), each segment one element long
 //
+//   .off, .obj, .ply             a surface in space, a face a polygon
+//   .stl, .msh                   the same of triangles alone; .msh is Gmsh's 2.2
+//
 // Numbers are the shortest decimals of their doubles. `dimension` is that of an empty set.
 // Requires: an extension for this kind of input. Returns nothing if the format has no way to say it
-// (.geo: polygons with slits or holes, dangling cells, several surfaces, hole seeds).
+// (.geo and surfaces: polygons with slits or holes, dangling cells, several surfaces, hole seeds).
 std::optional<std::string> file_text(const Input& input, const std::string& extension,
                                      Vertex first_index, std::size_t dimension);
 
