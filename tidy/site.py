@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMAND = os.environ.get("CIRCUMSPECT", str(ROOT / "build" / "release" / "bin" / "circumspect"))
 CORPUS = ROOT / "corpus"
 PROGRAM = re.compile(r"<script>(.*?)</script>", re.DOTALL)
+PLACED = set()  # the pictures that have a place in some page
 POLICY = re.compile(r'<meta http-equiv="?Content-Security-Policy"?[^>]*>')
 
 
@@ -57,7 +58,8 @@ def of_findings():
 
 
 def frame(name, words, to):
-    """Where a picture stands in a page. It is there while it is open, for browsers draw few pictures of space at a time."""
+    """Where a picture stands in a page. It is drawn while it is open, for browsers draw few pictures of space at a time."""
+    PLACED.add(name)
     name = html.escape(name)
     at = f"{to}pictures/{name}.html"
     return (f'<details class="seen" ontoggle="const f = this.querySelector(\'iframe\'); f.src = this.open ? f.dataset.src : \'about:blank\'">'
@@ -86,8 +88,11 @@ def on_page_content(content, page, **_):
 def on_post_build(config, **_):
     folder = pathlib.Path(config["site_dir"]) / "pictures"
     folder.mkdir(parents=True, exist_ok=True)
-    missing = []
-    for name, words in {**of_rules(), **of_findings()}.items():
+    known = {**of_rules(), **of_findings()}
+    missing = [name for name in of_findings() if name not in PLACED]
+    if missing:
+        raise SystemExit(f"tidy/site.py: no page of docs/findings has a heading for {', '.join(missing)}")
+    for name, words in ((name, known[name]) for name in sorted(PLACED)):
         path = folder / f"{name}.html"
         path.unlink(missing_ok=True)
         subprocess.run([COMMAND, *words, "--quiet", "--html", str(path)], cwd=ROOT, check=False, stderr=subprocess.DEVNULL,

@@ -78,7 +78,8 @@ TEST_CASE("build: a page plays the steps of each algorithm up to the triangulati
       {"gift-wrapping", "Finish"},
       {"flips", "Flip algorithm"},
       {"lifted-hull", "Convex hull of the lifted points"}};
-  for (const auto& [algorithm, name] : names) {
+  for (const auto& one : names) {
+    const std::string& algorithm = one.first;
     CAPTURE(algorithm);
     CHECK(
         run({"build", "delaunay", points, "--algorithm", algorithm, "--statistics", "--html", page})
@@ -90,7 +91,7 @@ TEST_CASE("build: a page plays the steps of each algorithm up to the triangulati
     CHECK(has(facts, "created: ") == (algorithm == "bowyer-watson"));
     const auto& frames = result["steps"]["frames"];
     CHECK(std::any_of(frames.begin(), frames.end(),
-                      [&name = name](const auto& frame) { return frame["step"] == name; }));
+                      [&](const auto& frame) { return frame["step"] == one.second; }));
     const auto all = frames.back()["all"].get<std::set<std::set<int>>>();
     CHECK(all.size() == 9);
     if (algorithm == "lifted-hull") {

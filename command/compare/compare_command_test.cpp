@@ -195,23 +195,6 @@ TEST_CASE("compare: a page names a point by both meshes' index where one simplex
   CHECK(shown(page)["pictures"][0]["names"] == nlohmann::json({"2", "3", "4", ""}));
 }
 
-TEST_CASE(
-    "compare: a page names a point as both meshes do, though one alone has it at a difference") {
-  const ScratchFolder folder;
-  const std::string page = folder.path("page.html");
-  // B has the triangle 2 4 3, too, whose corner 4 is in A the corner of one that both have.
-  const std::string points = "6 2\n1 0 0\n2 1 0\n3 0 1\n4 1 1\n5 2 1\n6 2 2\n";
-  const std::string a = mesh(folder, "a", points, "3 3\n1 1 2 3\n2 4 5 6\n3 1 2 5\n");
-  const std::string b = mesh(folder, "b", points, "3 3\n1 1 2 3\n2 4 5 6\n3 2 4 3\n");
-  CHECK(run({"compare", a, b, "--html", page}).exit_code == 1);
-  std::set<std::string> names;
-  const auto result = shown(page);
-  for (const auto& picture : result["pictures"]) {
-    for (const auto& name : picture["names"]) names.insert(name.get<std::string>());
-  }
-  CHECK(names == std::set<std::string>{"", "1", "2", "3", "4", "5"});
-}
-
 TEST_CASE("compare: what differs is never called common, however many simplices one place has") {
   const ScratchFolder folder;
   const std::string page = folder.path("page.html");

@@ -32,7 +32,7 @@ export async function packState(state) {
 export async function unpackState(link) {
   const packed = bytesOf(link.replaceAll('-', '+').replaceAll('_', '/'));
   const state = JSON.parse(new TextDecoder().decode(await unpacked(packed, 'deflate-raw')));
-  const texts = Object.fromEntries(['ask', 'mesh', 'domain', 'points', 'claim', 'more'].map((key) => [key, String(state[key] ?? '')]));
+  const texts = Object.fromEntries(['ask', 'mesh', 'domain', 'points', 'claim', 'algorithm', 'more'].map((key) => [key, String(state[key] ?? '')]));
   const files = state.files.map(({ name, text, base64 }) => (base64 === undefined
     ? { name: String(name), text: String(text) } : { name: String(name), bytes: bytesOf(base64) }));
   return { ...texts, files };
