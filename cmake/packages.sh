@@ -30,6 +30,7 @@ doctest-dev           runs the tests
 librapidcheck-dev     tries properties on random arguments
 libtet1.5-dev         TetGen as a function, put to the test
 libqhull-dev          Qhull as a function, put to the test
+qhull-bin             Qhull as a program, run again on what it was wrong on
 libopenmpi-dev        compiles circumspect-mpi
 openmpi-bin           starts its ranks
 topcom                a second opinion on the number of triangulations, in tests only
