@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|coverage|browser|web|deb|bench...
+#   cmake/packages.sh demo|docs|proofs|test|coverage|mutants|browser|web|deb|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -61,6 +61,10 @@ END
 gcovr                 says which lines and branches the tests run
 END
       ;;
+    mutants) cat <<'END'
+python3-clang-14      finds the places that mutants change
+END
+      ;;
     browser) cat <<'END'
 chromium              opens the pages of --html as their readers do
 END
@@ -103,7 +107,7 @@ python3               checks the links of all pages
 END
       ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, browser, web, deb or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, mutants, browser, web, deb or bench" >&2; exit 2 ;;
   esac
 }
 

@@ -45,6 +45,7 @@ TEST_CASE("node: indices from 1, comments, tabs, CRLF, attributes, markers, no l
   CHECK(file->points == std::vector<Point>{{0, Rational(1, 2), -100}, {1, 2, 3}});
   CHECK(file->attributes == std::vector<std::vector<Rational>>{{Rational(1, 3)}, {4}});
   CHECK(file->markers == std::vector<std::string>{"7", "-1"});
+  CHECK(read_node(named("1 2\n0\v3\f4"), kDouble)->points == std::vector<Point>{{3, 4}});
 }
 
 TEST_CASE("node: a short header, any first index, no points, a byte order mark") {

@@ -80,6 +80,15 @@ TEST_CASE("vertex in ball: the same by definition, once for each ball, and the w
   CHECK(!verdict.unique);
 }
 
+TEST_CASE(
+    "by definition the first point is looked at like every other, in balls and beyond facets") {
+  const ExactMesh crossed{PointSet({{0, -1}, {-3, 0}, {3, 0}, {0, 1}}), {{0, 1, 2}, {1, 2, 3}}};
+  CHECK(delaunay(crossed, {.by = By::kDefinition}).tallies().at(Rule::kVertexInBall).count == 2);
+  const ExactMesh notched{PointSet({{0, 4}, {1, 1}, {4, 0}, {0, 0}}), {{0, 3, 1}, {3, 2, 1}}};
+  const Verdict verdict = triangulation(notched, {.by = By::kDefinition});
+  CHECK(verdict.tallies().at(Rule::kHullNotConvex).count == 2);
+}
+
 TEST_CASE("vertex in ball: the worst margin is the worst, whichever comes first") {
   ExactMesh mesh = kite();
   std::swap(mesh.simplices[0], mesh.simplices[1]);
