@@ -140,6 +140,15 @@ TEST_CASE("build: a page of flips that insert polygons, and pages without steps"
       folder.write("four.node", "5 4\n1 0 0 0 0\n2 1 0 0 0\n3 0 1 0 0\n4 0 0 1 0\n5 0 0 0 1\n");
   CHECK(run({"build", "delaunay", four, "--html", page}).exit_code == 0);
   CHECK(!shown(page).contains("steps"));
+  // Only those of the plane are lifted in a picture.
+  const std::string line = folder.write("line.node", "3 1\n1 0\n2 5\n3 2\n");
+  for (const std::string& points : {line, folder.write("cube.node", cube(1))}) {
+    CHECK(run({"build", "delaunay", points, "--algorithm", "lifted-hull", "--html", page})
+              .exit_code == 0);
+    const auto steps = shown(page)["steps"];
+    CHECK(steps["frames"].size() >= 3);
+    for (const auto& frame : steps["frames"]) CHECK(!frame.contains("outline"));
+  }
   // It never replaces what is read.
   const std::string before = contents(four);
   CHECK(run({"build", "delaunay", four, "--html", four}).exit_code == 2);

@@ -111,7 +111,7 @@ std::string Steps::why_in_ball(const Simplex& simplex, Vertex v) const {
 
 void Steps::inserted(const delaunay::Insertion& insertion) {
   const int k = mesh_.points.dimension();
-  const std::string in_space = k == 2 ? "" : "3D";
+  const std::string in_space = k == 3 ? "3D" : "";
   if (insertion.vertex == kGhost) {
     frame("The first simplex", fmt::format("It begins with {}: the first points that are affinely "
                                            "independent, and a ghost on each facet.",
@@ -215,16 +215,20 @@ void Steps::wrapped(const Face& facet, bool is_lower) {
   is_lifted_ = mesh_.points.ambient_dimension() == 2;
   if (frames_.empty()) {
     frame("Parabolic lifting map",
-          "Each point is lifted to the height of the squared distance from the middle of all. "
-          "Heights are "
-          "drawn to another scale than the plane, an affine map.")["lifted"] = true;
+          is_lifted_ ? "Each point is lifted to the height of the squared distance from the middle "
+                       "of all. Heights are drawn to another scale than the plane, an affine map."
+                     : "Each point is lifted along one more axis, which no picture shows.");
   }
   Json& next = frame("Convex hull of the lifted points",
                      fmt::format("The facet on {} faces {}.", label(facet),
                                  is_lower ? "downwards, and is a cell of the Delaunay subdivision"
                                           : "upwards or is vertical, and is left out"));
-  next["outline"] = facet;
-  next["lower"] = is_lower;
+  if (is_lifted_) {
+    next["outline"] = facet;
+    next["lower"] = is_lower;
+  } else if (is_lower && facet.size() <= mesh_.points.ambient_dimension() + 1) {
+    next["look"] = Json::array({facet});
+  }
 }
 
 // ---- All ----
