@@ -8,7 +8,7 @@
     arrays. *)
 From Coq Require Import ZArith.
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNativeString.
-From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
+From Circumspect Require Import Quick ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 
 Extract Inductive positive => "int" [ "(fun n -> 2 * n + 1)" "(fun n -> 2 * n)" "1" ]
   "(fun more twice one n -> if n = 1 then one () else if n land 1 = 1 then more (n / 2) else twice (n / 2))".
@@ -18,6 +18,41 @@ Extract Inlined Constant Pos.succ => "Int.succ".
 Extract Constant Table.t "'a" => "'a Table.t".
 Extract Constant Table.of_list => "Table.of_list".
 Extract Constant Table.find => "Table.find".
+Extract Constant Table.tabulate => "Table.tabulate".
+
+Extract Inlined Constant Word.t => "int".
+Extract Inlined Constant Word.zero => "0".
+Extract Inlined Constant Word.one => "1".
+Extract Inlined Constant Word.two => "2".
+Extract Inlined Constant Word.three => "3".
+Extract Inlined Constant Word.four => "4".
+Extract Inlined Constant Word.five => "5".
+Extract Inlined Constant Word.six => "6".
+Extract Inlined Constant Word.seven => "7".
+Extract Inlined Constant Word.eight => "8".
+Extract Inlined Constant Word.nine => "9".
+Extract Inlined Constant Word.add => "(+)".
+Extract Inlined Constant Word.sub => "(-)".
+Extract Inlined Constant Word.mul => "( * )".
+Extract Inlined Constant Word.ltb => "Word.less".
+Extract Inlined Constant Word.leb => "Word.at_most".
+Extract Inlined Constant Word.eqb => "Word.equal".
+Extract Inlined Constant Word.up => "Word.up".
+Extract Inlined Constant Word.down => "Word.down".
+Extract Inlined Constant Word.down26 => "Word.down26".
+Extract Inlined Constant Word.down28 => "Word.down28".
+Extract Inlined Constant Word.size => "Word.size".
+Extract Inlined Constant Word.of_pos => "(fun p -> p)".
+Extract Inlined Constant Word.to_pos => "Word.to_pos".
+Extract Inlined Constant Word.index => "(Word.natural O (fun n -> S n))".
+Extract Inlined Constant Word.fits => "Word.fits".
+Extract Inlined Constant Word.shifted => "Word.shifted".
+Extract Inlined Constant Word.upto => "Word.upto".
+Extract Inlined Constant Word.all => "Word.all".
+Extract Inlined Constant Word.count_of => "List.length".
+Extract Inlined Constant Word.words => "Words.t".
+Extract Inlined Constant Word.of_list => "Words.of_list".
+Extract Inlined Constant Word.get => "Words.get".
 
 Extract Inductive Z => "Big.t" [ "Big.zero" "Big.of_int" "(fun n -> Big.of_int (- n))" ]
   "(fun _ _ _ _ -> assert false)".
@@ -29,6 +64,6 @@ Extract Inlined Constant Z.leb => "Big.leq".
 Extract Inlined Constant Z.ltb => "Big.lt".
 Extract Inlined Constant Z.eqb => "Big.equal".
 
-Extraction "extracted.ml" check settle refute rule_of rule_name claim_name
+Extraction "extracted.ml" judge refute rule_of rule_name claim_name
   check_domain check_complex domain_claim_name refute_domain domain_rule_of domain_rule_name
   refute_whole whole_rule_of check_impossible.

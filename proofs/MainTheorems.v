@@ -14,10 +14,10 @@
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
 From Coq Require Import Reals List ZArith.
-From Circumspect Require Import Honest.
+From Circumspect Require Import Quick Honest.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.
-From Circumspect Require Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted WholeRefuted ImpossibleSound Completeness
+From Circumspect Require Judged Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted WholeRefuted ImpossibleSound Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -36,6 +36,13 @@ Theorem verified D c : check D c = Accepted ->
       forall w, weights_given (dimension_of D) c w -> weighted_delaunay_triangulation w S T
   end.
 Proof. apply Soundness.check_sound. Qed.
+
+(** In the program the simplices of a certificate are rows of words ([checker/Packed.v] says of which certificate),
+    and a quick check of them comes first; what it says holds is accepted, and settled as the certificate says. *)
+Theorem verified_packed D p standing s : judge D p standing s = Holds ->
+  check D (unpacked D p) = Accepted /\
+  forall st, standing = Some st -> settle D (unpacked D p) st = Settled.
+Proof. apply Judged.judge_holds. Qed.
 
 (** For example the triangle of [Definitions.v]. *)
 Example worked_triangle_accepted : check Plane worked_triangle = Accepted.

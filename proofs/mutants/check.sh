@@ -1,8 +1,9 @@
 #!/bin/bash
 # Holds circumspect-verified to the first line of each certificate here, and the certificates to
-# make.py:  proofs/mutants/check.sh PROGRAM
+# make.py, and quick-test to what it prints of some:  proofs/mutants/check.sh PROGRAM QUICK-TEST
 set -euo pipefail
 program=$(realpath "$1")
+quick=$(realpath "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")"
 again=$(mktemp -d)
 trap 'rm -rf "$again"' EXIT
@@ -28,6 +29,16 @@ for file in "$again"/*.cert; do
     failures=$((failures + 1))
   fi
 done
+# The quick check is content with a good mesh by itself, and not with a bad one.
+content() {  # what is expected of a certificate
+  local found
+  found=$("$quick" "$2")
+  [ "$found" = "$1" ] || { echo "quick-test $2: expected '$1', found '$found'" >&2; failures=$((failures + 1)); }
+}
+content "8 of 8, content" sound--space.cert
+content "1 of 2, not content" facet-locally-delaunay--space.cert
+content "6 of 8, not content" facet-matched--wrong-neighbour.cert
+content "13 of 14, not content" sample-outside--doubly-winding-fan-in-space.cert
 # The example of Definitions.v, as it stands there.
 sed -n '/^<<$/,/^>>$/p' ../Definitions.v | sed '1d;$d' >"$again/triangle"
 found=$("$program" "$again/triangle") || true

@@ -1,4 +1,4 @@
-(* Certificates, as CERTIFICATE.md describes them, into the record that the proved checker reads. *)
+(* Certificates, as CERTIFICATE.md describes them, into the records that the proved checker reads. *)
 open Extracted
 open Reading
 
@@ -16,27 +16,33 @@ let unless_dash c expected =
 (* Things are read in their order, however the list is built. *)
 let rec listed n read = if n = 0 then [] else let thing = read () in thing :: listed (n - 1) read
 
-(* `NAME COUNT`, and that many lines, each by [read]. *)
-let section c name expected read =
+(* `NAME COUNT`, and that many lines, each by [read]: how many. *)
+let counted_lines c name expected read =
   let header, tokens = line c name "COUNT" in
   let counts, rest = take c count 1 header tokens in
   no_more c header rest;
-  let rec lines n read_so_far =
-    if n = 0 then List.rev read_so_far
-    else begin
-      Text.start_line c.source expected;
-      let thing = read () in
-      Text.end_line c.source expected;
-      lines (n - 1) (thing :: read_so_far)
-    end in
-  lines (List.hd counts) []
+  for _ = 1 to List.hd counts do
+    Text.start_line c.source expected;
+    read ();
+    Text.end_line c.source expected
+  done;
+  List.hd counts
+let section c name expected read =
+  let things = ref [] in
+  let (_ : int) = counted_lines c name expected (fun () -> things := read () :: !things) in
+  List.rev !things
 
-(* `T J` or `- H`. *)
-let wall c expected () =
-  if Text.read_dash c.source expected then OnHull (number c expected)
-  else
-    let t = number c expected in
-    Neighbour (t, index c expected)
+(* The row of a simplex, as checker/Packed.v describes it. *)
+let simplex c expected rows =
+  for _ = 0 to c.d do Words.add rows (number c expected) done;
+  for _ = 0 to c.d do
+    Words.add rows
+      (if Text.read_dash c.source expected then - number c expected
+       else
+         let t = number c expected in
+         8 * t + place c expected)
+  done;
+  Words.add rows (if Text.read_dash c.source expected then -1 else place c expected)
 
 (* The certificate up to its sample point, and the labels of its points. *)
 let body c claimed =
@@ -52,11 +58,8 @@ let body c claimed =
       labels := new_label c (integer ()) :: !labels;
       { position = { coordinates; weight }; home; home_vertex }) in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
-  let corner () = number c expected and wall = wall c expected in
-  let simplices = section c "simplices" expected (fun () ->
-      let corners = listed (c.d + 1) corner in
-      let walls = listed (c.d + 1) wall in
-      { corners; walls; away = unless_dash c expected }) in
+  let rows = Words.growing () in
+  let simplex_count = counted_lines c "simplices" expected (fun () -> simplex c expected rows) in
   let expected = "a simplex, a facet, and what is across the ridges" in
   let ridge () = let g = number c expected in (g, index c expected) in
   let hull = section c "hull" expected (fun () ->
@@ -68,10 +71,16 @@ let body c claimed =
   let sample, rest = site c expected false rest in
   let sample_denominator, rest = take c Reading.integer 1 expected rest in
   no_more c expected rest;
-  ({ claimed; numerator; denominator; points; simplices; hull; sample_simplex = List.hd simplex;
-     sample; sample_denominator = List.hd sample_denominator }, List.rev !labels)
+  let frame = { claimed; numerator; denominator; points; simplices = []; hull;
+                sample_simplex = List.hd simplex; sample; sample_denominator = List.hd sample_denominator } in
+  ({ frame; simplex_count; rows_of = Words.grown rows }, List.rev !labels)
 
 let read c claimed =
   let read = body c claimed in
   ending c;
   read
+
+(* How many binary digits of the coordinates the quick check leaves out, so that they are words: any number is sound. *)
+let digits_left_out (frame : certificate) =
+  let digits most (q : site) = List.fold_left (fun most x -> max most (Big.numbits x)) most q.coordinates in
+  max 0 (List.fold_left (fun most e -> digits most e.position) (digits 0 frame.sample) frame.points - 58)

@@ -89,6 +89,7 @@ let polygon c =
   no_more c expected rest;
   let plane = { c with d = 2; labels = Hashtbl.create 64 } in
   let plane_mesh, _ = Certificate_file.body plane Triangulation in
+  let plane_mesh = unpacked Plane plane_mesh in
   let plane_part = part plane in
   let expected = "the number of a point" in
   let above = section c "above" expected (number c expected) in
@@ -136,7 +137,8 @@ let complex c polygons =
 (* The certificate, and the labels of its points; and what shows that the domain is a complex, if it says so. *)
 let read c domain_claimed kind ~is_complex =
   let claimed = if domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
-  let whole_mesh, labels = Certificate_file.body c claimed in
+  let packed, labels = Certificate_file.body c claimed in
+  let whole_mesh = unpacked (if c.d = 2 then Plane else Space) packed in
   let domain_part = part c in
   let polygons = if c.d = 2 then [] else begin
       let expected, tokens = line c "polygons" "COUNT" in

@@ -95,7 +95,7 @@ let counts d points simplices =
 
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
 type content = {
-  mesh : Users_mesh.mesh;
+  mesh : Users_mesh.mesh Lazy.t;
   compare_domain : ((unit -> Users_domain.points) -> exactly:bool -> Text.t -> unit) option;  (* with a user's file *)
   verdict : unit -> string * int }
 
@@ -103,23 +103,23 @@ type content = {
 let standings = [ "unique", (Unique, ", unique, canonical"); "canonical", (Canonical, ", canonical") ]
 
 let certificate (c : Reading.context) space claimed standing =
-  let certificate, labels = Certificate_file.read c claimed in
-  let corners (e : simplex_entry) = List.map Option.some e.corners in
-  let mesh = { Users_mesh.unit = (certificate.numerator, certificate.denominator); d = c.d;
-               weighted = c.weighted; labels = Array.of_list labels; ordered = false;
-               sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) certificate.points));
-               simplices = List.rev (List.rev_map corners certificate.simplices) } in
-  let verified extra =
-    (Printf.sprintf "verified: %s, %s%s" (claim_name certificate.claimed)
-       (counts c.d (List.length certificate.points) (List.length certificate.simplices)) extra, 0) in
-  let verdict () = match check space certificate, standing with
-    | Rejected (why, where), _ -> ("rejected: " ^ condition why ^ place where, 1)
-    | Accepted, None -> verified ""
-    | Accepted, Some word ->
-      let standing, extra = List.assoc word standings in
-      match settle space certificate standing with
-      | Settled -> verified extra
-      | Unsettled where -> ("rejected: " ^ word ^ place where, 1) in
+  let packed, labels = Certificate_file.read c claimed in
+  let frame = packed.frame in
+  let mesh = lazy (
+    let corners (e : simplex_entry) = List.map Option.some e.corners in
+    { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d;
+      weighted = c.weighted; labels = Array.of_list labels; ordered = false;
+      sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
+      simplices = List.rev (List.rev_map corners (unpacked space packed).simplices) }) in
+  let verdict () =
+    let asked = Option.map (fun word -> fst (List.assoc word standings)) standing in
+    match judge space packed asked (Certificate_file.digits_left_out frame) with
+    | Fails (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
+    | NotSettled where -> ("rejected: " ^ Option.get standing ^ place where, 1)
+    | Holds ->
+      (Printf.sprintf "verified: %s, %s%s" (claim_name frame.claimed)
+         (counts c.d (List.length frame.points) packed.simplex_count)
+         (Option.fold standing ~none:"" ~some:(fun word -> snd (List.assoc word standings))), 0) in
   { mesh; compare_domain = None; verdict }
 
 (* Which kind a domain is, and how much it has of what. *)
@@ -155,7 +155,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
     | Accepted ->
       (Printf.sprintf "verified: %s, %s; %s" (domain_claim_name claimed)
          (counts c.d (List.length whole.points) (List.length simplices)) (described certificate ~is_complex), 0) in
-  { mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
+  { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain mesh certificate); verdict }
 
 (* The points of a domain that is given without a mesh: its vertices. *)
 let vertices_of d (about : domain_certificate) =
@@ -172,7 +172,7 @@ let impossibility (c : Reading.context) claimed kind =
     | Rejected (why, where) -> ("rejected: " ^ condition why ^ place where, 1)
     | Accepted ->
       ((if claimed = Cdt then "verified: no CDT" else "verified: no triangulation") ^ " without Steiner points; " ^ described about ~is_complex:false, 0) in
-  { mesh; compare_domain = Some (Users_domain.compare_domain mesh about); verdict }
+  { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain mesh about); verdict }
 
 let refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read c claimed rule in
@@ -185,7 +185,7 @@ let refutation (c : Reading.context) space claimed rule =
     if refute space refutation then
       (Printf.sprintf "verified: not %s, %s" (claim_name refutation.refuted) rule, 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  { mesh; compare_domain = None; verdict }
+  { mesh = lazy mesh; compare_domain = None; verdict }
 
 let domain_refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read_domain c claimed rule in
@@ -200,7 +200,7 @@ let domain_refutation (c : Reading.context) space claimed rule =
          (counted (List.length refutation.vertices_given) "vertex" "vertices")
          (counted (List.length refutation.segments_given) "segment" "segments"), 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  { mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
+  { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_refuted refutation); verdict }
 
 let whole_refutation (c : Reading.context) space claimed rule kind =
   let refutation, labels = Refutation_file.read_whole c claimed rule kind in
@@ -213,7 +213,7 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
     if refute_whole space refutation then
       (Printf.sprintf "verified: not %s, %s; %s" (domain_claim_name claimed) rule (described about ~is_complex:false), 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
-  { mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
+  { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
 let content source =
   let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 1 plc-triangulation or cdt 3 enclosed or hull'" in
@@ -270,8 +270,8 @@ let of_users_files ~exactly mesh poly content =
     let* () = match mesh with
       | None -> Ok ()
       | Some (node, ele) ->
-        let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly content.mesh) in
-        compared "mesh" ele (Users_mesh.compare_simplices content.mesh number_of) in
+        let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly (Lazy.force content.mesh)) in
+        compared "mesh" ele (Users_mesh.compare_simplices (Lazy.force content.mesh) number_of) in
     Option.fold ~none:(Ok ()) ~some:of_domain poly in
   (* What a rejected file says is looked at no further. *)
   match content.verdict () with
@@ -288,7 +288,7 @@ let () =
   Gc.set { (Gc.get ()) with Gc.space_overhead = 400; minor_heap_size = 1 lsl 20 };
   let answer, name = match List.tl (Array.to_list Sys.argv) with
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
-    | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print content.mesh; exit 0), name)
+    | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print (Lazy.force content.mesh); exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
     | name :: files ->
       let exactly, files = match files with

@@ -1,9 +1,11 @@
-(* What checker/Table.v says of lists, with arrays: thing number k, counted from 1. *)
-type 'a t = 'a option array
+(* What checker/Table.v says of lists, with arrays, and functions: thing number k, counted from 1. *)
+type 'a t = { size : int; thing : int -> 'a option }
 
 let of_list f l =
   let table = Array.make (List.length l) None in
   List.iteri (fun i a -> table.(i) <- Some (f a)) l;
-  table
+  { size = Array.length table; thing = fun k -> Array.unsafe_get table (k - 1) }
 
-let find k table = if k >= 1 && k <= Array.length table then Array.unsafe_get table (k - 1) else None
+let tabulate n f = { size = n; thing = fun k -> Some (f k) }
+
+let find k table = if k >= 1 && k <= table.size then table.thing k else None

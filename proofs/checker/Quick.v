@@ -1,0 +1,236 @@
+(** * A quick check of the tetrahedra of a packed certificate
+
+    Where [quick] is true the certificate is accepted ([QuickSound.v]); where it is false nothing is
+    said, and the checker proper decides.  A tetrahedron is looked at in words alone.  Its
+    determinants are estimated: all edges are scaled so that the longest has about 27 binary digits, and of
+    products no more than 31 are kept; the margins are what that can amount to ([Estimates.v]).
+    A tetrahedron whose signs are not certain, or of whose conditions one fails, goes to
+    [check_simplex]. *)
+From Coq Require Import ZArith List Bool.
+From Circumspect Require Export Settling Packed.
+From Circumspect Require Import Word.
+Import ListNotations.
+
+(** ** Estimates of determinants *)
+
+(** Three words, each a coordinate. *)
+Record arrow := Arrow { along_x : Word.t; along_y : Word.t; along_z : Word.t }.
+
+Definition arrow_from (p q : arrow) : arrow :=
+  Arrow (sub (along_x p) (along_x q)) (sub (along_y p) (along_y q)) (sub (along_z p) (along_z q)).
+Definition dot (p q : arrow) : Word.t :=
+  add (add (mul (along_x p) (along_x q)) (mul (along_y p) (along_y q)))
+    (mul (along_z p) (along_z q)).
+(** The cross product, without its last 26 digits. *)
+Definition crossed (p q : arrow) : arrow :=
+  Arrow (down26 (sub (mul (along_y p) (along_z q)) (mul (along_z p) (along_y q))))
+    (down26 (sub (mul (along_z p) (along_x q)) (mul (along_x p) (along_z q))))
+    (down26 (sub (mul (along_x p) (along_y q)) (mul (along_y p) (along_x q)))).
+
+(** A word of which no coordinate is greater; how many digits it has; and whether none is greater than
+    [most]. *)
+Definition larger (x y : Word.t) : Word.t := if ltb x y then y else x.
+Definition absolute (x : Word.t) : Word.t := if ltb x zero then sub zero x else x.
+Definition largest (p : arrow) : Word.t :=
+  larger (absolute (along_x p)) (larger (absolute (along_y p)) (absolute (along_z p))).
+Definition within (most x : Word.t) : bool := leb (sub zero most) x && leb x most.
+Definition inside (most : Word.t) (p : arrow) : bool :=
+  within most (along_x p) && within most (along_y p) && within most (along_z p).
+
+Definition c27 : Word.t := of_pos 27.
+Definition c30 : Word.t := of_pos 30.
+Definition c60 : Word.t := of_pos 60.
+
+(** A coordinate of [n] digits with 27. *)
+Definition level (n x : Word.t) : Word.t :=
+  if leb n c27 then up x (sub c27 n) else down x (sub n c27).
+Definition leveled (n : Word.t) (p : arrow) : arrow :=
+  Arrow (level n (along_x p)) (level n (along_y p)) (level n (along_z p)).
+
+(** What the errors can amount to, for the three signs below ([Estimates.v]). *)
+Definition orientation_margin : Word.t := of_pos (22 * 2 ^ 28).
+Definition side_margin : Word.t := of_pos (82 * 2 ^ 28).
+Definition depth_margin : Word.t := of_pos (1024 * 2 ^ 28).
+
+(** More things than these are not numbered by words here. *)
+Definition many : Word.t := of_pos (2 ^ 58).
+
+Section Quick.
+(** The mesh, the rows of its simplices; and the coordinates of the points without the last [s]
+    binary digits, one after the other. *)
+Variables (m : mesh) (count points_count : Word.t) (rows places : Word.words) (s : Word.t).
+(** The sample point the same way, and its denominator. *)
+Variables (sample_place : arrow) (w : Word.t).
+
+(** Digits that were left out are none of those that are kept. *)
+Definition fine (n : Word.t) : bool := leb zero n && leb n c60 && (eqb s zero || leb c30 n).
+
+Definition place_of (v : Word.t) : arrow :=
+  let k := mul three (sub v one) in
+  Arrow (get places k) (get places (add k one)) (get places (add k two)).
+Definition known (most v : Word.t) : bool := leb one v && leb v most.
+
+(** ** Matched facets *)
+
+(** The facets k0 k1 k2 and l0 l1 l2 differ by an even permutation, or by an odd one. *)
+Definition rotated (k0 k1 k2 l0 l1 l2 : Word.t) : bool :=
+  (eqb k0 l0 && eqb k1 l1 && eqb k2 l2) || (eqb k1 l0 && eqb k2 l1 && eqb k0 l2) ||
+  (eqb k2 l0 && eqb k0 l1 && eqb k1 l2).
+Definition reflected (k0 k1 k2 l0 l1 l2 : Word.t) : bool := rotated k0 k2 k1 l0 l1 l2.
+
+(** Corner number [a] of those but number [j] of the simplex whose row begins at [r]. *)
+Definition other_corner (r j a : Word.t) : Word.t :=
+  get rows (add r (if leb j a then add a one else a)).
+Definition is_odd (j : Word.t) : bool := eqb j one || eqb j three.
+
+(** [facet_matched] and [back_pointer] across facet [i] of simplex [t], whose other vertices are k0 k1 k2;
+    [apex_ok u v] says what is asked of vertex [v] of the simplex [u] there. *)
+Definition quick_wall (t : positive) (i : Word.t) (i_is_odd : bool) (k0 k1 k2 x : Word.t)
+    (apex_ok : Word.t -> Word.t -> bool) : bool :=
+  if ltb x zero then names_hull m t (index i) (to_pos (sub zero x))
+  else
+    let u := down x three in
+    let j := sub x (mul eight u) in
+    let r := row_of Space u in
+    known count u && leb j three &&
+    eqb (get rows (add r (add four j))) (add (mul eight (of_pos t)) i) &&
+    let v := get rows (add r j) in
+    known points_count v && negb (eqb v k0) && negb (eqb v k1) && negb (eqb v k2) &&
+    let l0 := other_corner r j zero in
+    let l1 := other_corner r j one in
+    let l2 := other_corner r j two in
+    (if Bool.eqb i_is_odd (is_odd j) then reflected k0 k1 k2 l0 l1 l2
+     else rotated k0 k1 k2 l0 l1 l2) &&
+    apex_ok u v.
+
+(** ** The sample point *)
+
+Definition quick_outside (t : positive) (pa pd vw wu uv : arrow) (a : Word.t) : bool :=
+  Pos.eqb t (start m) ||
+  (eqb a zero || eqb a one || eqb a two || eqb a three) &&
+  let base := if eqb a three then pa else pd in
+  let q := Arrow (sub (along_x sample_place) (mul w (along_x base)))
+    (sub (along_y sample_place) (mul w (along_y base)))
+    (sub (along_z sample_place) (mul w (along_z base))) in
+  let n := size (largest q) in
+  fine n && inside (up one n) q &&
+  let q' := leveled n q in
+  if eqb a zero then ltb (dot q' vw) (sub zero side_margin)
+  else if eqb a one then ltb (dot q' wu) (sub zero side_margin)
+  else if eqb a two then ltb (dot q' uv) (sub zero side_margin)
+  else ltb side_margin (add (add (dot q' vw) (dot q' wu)) (dot q' uv)).
+
+(** ** A tetrahedron *)
+
+(** The point at [p] is below the witness plane: strictly outside the circumball. *)
+Definition quick_below (n : Word.t) (pd slope : arrow) (det : Word.t) (p : arrow) : bool :=
+  let e := arrow_from p pd in
+  inside (up one (add n one)) e &&
+  let e' := leveled n e in
+  ltb (add (dot slope e') depth_margin) (mul det (down26 (dot e' e'))).
+
+Definition slope_of (f g h : Word.t) (vw wu uv : arrow) : arrow :=
+  let sum x y z := down28 (add (add (mul f x) (mul g y)) (mul h z)) in
+  Arrow (sum (along_x vw) (along_x wu) (along_x uv)) (sum (along_y vw) (along_y wu) (along_y uv))
+    (sum (along_z vw) (along_z wu) (along_z uv)).
+
+Definition quick_simplex (t : positive) : bool :=
+  let r := row_of Space (of_pos t) in
+  let a := get rows (add r zero) in
+  let b := get rows (add r one) in
+  let c := get rows (add r two) in
+  let d := get rows (add r three) in
+  known points_count a && known points_count b && known points_count c && known points_count d &&
+  negb (eqb a b) && negb (eqb a c) && negb (eqb a d) &&
+  negb (eqb b c) && negb (eqb b d) && negb (eqb c d) &&
+  let pa := place_of a in
+  let pd := place_of d in
+  let eu := arrow_from pa pd in
+  let ev := arrow_from (place_of b) pd in
+  let ew := arrow_from (place_of c) pd in
+  let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
+  let most := up one n in
+  fine n && inside most eu && inside most ev && inside most ew &&
+  let u := leveled n eu in
+  let v := leveled n ev in
+  let w := leveled n ew in
+  let vw := crossed v w in
+  let wu := crossed w u in
+  let uv := crossed u v in
+  let det := dot u vw in
+  ltb orientation_margin det &&
+  quick_outside t pa pd vw wu uv (get rows (add r eight)) &&
+  let below :=
+    if delaunay_claimed m then
+      let slope := slope_of (down26 (dot u u)) (down26 (dot v v)) (down26 (dot w w)) vw wu uv in
+      let det' := down28 det in
+      fun u v => negb (Pos.ltb t (to_pos u)) ||
+        quick_below n pd slope det' (place_of v)
+    else fun _ _ => true in
+  quick_wall t zero false b c d (get rows (add r four)) below &&
+  quick_wall t one true a c d (get rows (add r five)) below &&
+  quick_wall t two false a b d (get rows (add r six)) below &&
+  quick_wall t three true a b c (get rows (add r seven)) below.
+End Quick.
+
+(** ** The whole *)
+
+Definition is_accepted (r : result) : bool := match r with Accepted => true | _ => false end.
+
+(** The tables of [mesh_of (unpacked D p)]; a simplex is made when it is looked for. *)
+Definition packed_mesh (D : plane_or_space) (p : packed) : mesh :=
+  let c := frame p in
+  Mesh (delaunay_of (claimed c)) (weights_of (claimed c))
+    (Table.of_list (site_of (claimed c)) (points c))
+    (Table.tabulate (simplex_count p) (entry_of D (rows_of p)))
+    (Table.of_list id (hull c))
+    (sample_simplex c) (sample c) (sample_denominator c).
+
+(** What is asked of the certificate besides that it is accepted. *)
+Definition settled_as (standing : option standing) (m : mesh) (t : positive) (e : simplex_entry) : bool :=
+  match standing with None => true | Some s => settled_simplex space_predicates m s t e end.
+
+Definition sample_arrow (s : Word.t) (q : site) : arrow :=
+  match coordinates q with
+  | [x; y; z] => Arrow (shifted s x) (shifted s y) (shifted s z)
+  | _ => Arrow zero zero zero
+  end.
+
+Definition quick (p : packed) (standing : option standing) (s : Word.t) : bool :=
+  let c := frame p in
+  let pr := space_predicates in
+  let m := packed_mesh Space p in
+  negb (weights_of (claimed c)) &&
+  match standing with None => true | Some _ => delaunay_of (claimed c) end &&
+  scaled c && is_accepted (check_points pr (points c)) &&
+  forallb (fun e => forallb (fits s) (coordinates (position e))) (points c) &&
+  forallb (fits s) (coordinates (sample c)) && fits zero (sample_denominator c) &&
+  leb (shifted zero (sample_denominator c)) eight &&
+  leb (simplex_count p) many && leb (count_of (points c)) many &&
+  is_accepted (each (check_point pr m) 1 (points c)) &&
+  inside_sample pr m &&
+  (let places := Word.of_list (shifted s) (flat_map (fun e => coordinates (position e)) (points c)) in
+   let here := sample_arrow s (sample c) in
+   let w := shifted zero (sample_denominator c) in
+   let points_count := count_of (points c) in
+   all (simplex_count p) (fun t =>
+     quick_simplex m (simplex_count p) points_count (rows_of p) places s here w t ||
+     let e := entry_of Space (rows_of p) t in
+     is_accepted (check_simplex pr m t e) && settled_as standing m t e)) &&
+  is_accepted (each (check_hull pr m) 1 (hull c)).
+
+(** ** The verdict *)
+
+Inductive verdict := Holds | Fails (c : condition) (p : place) | NotSettled (p : place).
+
+Definition judge (D : plane_or_space) (p : packed) (standing : option standing) (s : Word.t) : verdict :=
+  if match D with Space => quick p standing s | Plane => false end then Holds
+  else
+    let c := unpacked D p in
+    match check D c with
+    | Rejected why where_ => Fails why where_
+    | Accepted => match standing with
+                  | None => Holds
+                  | Some s => match settle D c s with Settled => Holds | Unsettled where_ => NotSettled where_ end
+                  end
+    end.

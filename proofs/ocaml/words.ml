@@ -1,0 +1,23 @@
+(* Lists of words, as checker/Word.v says, in memory without pointers; those that are read grow. *)
+open Bigarray
+type t = (int, int_elt, c_layout) Array1.t
+
+let get (words : t) k =
+  if k >= 0 && k < Array1.dim words then Array1.unsafe_get words k else 0 [@@inline]
+
+let of_list word things =
+  let words = Array1.create Int C_layout (List.length things) in
+  List.iteri (fun k thing -> words.{k} <- word thing) things;
+  words
+
+type growing = { mutable held : t; mutable count : int }
+let growing () = { held = Array1.create Int C_layout 1024; count = 0 }
+let add grown word =
+  if grown.count = Array1.dim grown.held then begin
+    let larger = Array1.create Int C_layout (grown.count + grown.count / 2) in
+    Array1.blit grown.held (Array1.sub larger 0 grown.count);
+    grown.held <- larger
+  end;
+  Array1.unsafe_set grown.held grown.count word;
+  grown.count <- grown.count + 1
+let grown words = Array1.sub words.held 0 words.count
