@@ -26,7 +26,7 @@ TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),3)
         coverage bench format clean deb dist fresh-root web web-soak deps deps-demo deps-docs deps-proofs deps-test deps-deb \
         deps-bench deps-web
 
-deps: ; @cmake/packages.sh demo proofs test browser bench
+deps: ; @cmake/packages.sh demo proofs test browser bench web
 deps-demo: ; @cmake/packages.sh demo
 deps-docs: ; @cmake/packages.sh docs
 deps-proofs: ; @cmake/packages.sh proofs

@@ -19,6 +19,7 @@ import pytest
 import circumspect
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+COMMAND = pathlib.Path(circumspect._core.__file__).resolve().parents[2] / "bin" / "circumspect"  # of the same build
 POINTS = np.array([[0, 0], [1, 0], [0, 1], [0.9, 0.9]])
 RIGHT = np.array([[0, 1, 3], [0, 3, 2]], dtype=np.int32)
 WRONG = np.array([[0, 1, 2], [1, 3, 2]], dtype=np.int32)
@@ -359,6 +360,13 @@ def test_command(tmp_path):
     assert of_meshio.returncode == 1 and "holds" in of_meshio.stdout and "meshio" in of_meshio.stderr
     assert circumspect.check(meshio.read(tmp_path / "x.vtu"))
     assert run("check", tmp_path / "absent.vtu").returncode == 3
+    if COMMAND.exists():  # what `check --vtu` writes, meshio reads
+        (tmp_path / "w.node").write_text("5 2\n0 0 0\n1 4 0\n2 5 5\n3 0 4\n4 2 1\n", encoding="utf-8")
+        (tmp_path / "w.ele").write_text("4 3\n0 0 1 4\n1 1 2 4\n2 2 3 4\n3 3 0 2\n", encoding="utf-8")
+        subprocess.run([COMMAND, "check", tmp_path / "w.ele", "--vtu", tmp_path / "bad.vtu"], check=False,
+                       capture_output=True)
+        bad = meshio.read(tmp_path / "bad.vtu")
+        assert {"role", "rule", "violation"} == set(bad.cell_data) and {"index", "radius"} == set(bad.point_data)
 
 
 def test_import_is_light():
