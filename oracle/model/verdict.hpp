@@ -96,6 +96,12 @@ struct SteinerPoints {
 struct ExtraVertices {
   std::size_t count = 0;
   std::vector<Vertex> first = {};  // ascending
+
+  // Counts v, and keeps it if fewer than `limit` are kept; 0 keeps all.
+  void add(Vertex v, std::size_t limit) {
+    if (limit == 0 || count < limit) first.push_back(v);
+    ++count;
+  }
 };
 
 // How a verdict was found. It is the same verdict whoever finds it.

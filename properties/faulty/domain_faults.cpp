@@ -246,9 +246,7 @@ std::vector<Fault> domain_faults() {
                    Claim::kCdt, of_the_first_region),
       domain_fault("leak",
                    "The carving of the outside floods through a wall that it does not recognise, "
-                   "and empties "
-                   "the "
-                   "region behind it.",
+                   "and empties the region behind it.",
                    Claim::kCdt, through_a_leak),
       domain_fault(
           "steiner-points-in-a-cdt",

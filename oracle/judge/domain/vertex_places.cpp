@@ -319,9 +319,7 @@ bool judge_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex& complex
       verdict.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh.points[v]});
       continue;
     }
-    const std::size_t limit = verdict.max_violations();
-    if (limit == 0 || extra.count < limit) extra.first.push_back(v);
-    ++extra.count;
+    extra.add(v, verdict.max_violations());
     if (!steiner_points_allowed) verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
   }
   verdict.extra_vertices = std::move(extra);

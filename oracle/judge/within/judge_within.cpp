@@ -142,9 +142,7 @@ void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
     if (!cell) ++count.in_polyhedra;
     if (cell && cell->dimension == 1) ++count.on_segments;
     if (cell && cell->dimension == 2) ++count.in_polygons;
-    const std::size_t limit = verdict.max_violations();
-    if (limit == 0 || extra.count < limit) extra.first.push_back(v);
-    ++extra.count;
+    extra.add(v, verdict.max_violations());
     if (forbids_steiner_points(verdict.claim())) {
       verdict.add(Rule::kSteinerForbidden, {.vertices = {v}});
     }
