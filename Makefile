@@ -21,8 +21,8 @@ export PYTHONDONTWRITEBYTECODE := 1
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),3)
 
-.PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-builds test-release \
-        test-sanitize build-release build-sanitize soak soak-sanitize soak-fuzz mutants mutants-generated tsan \
+.PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-release \
+        test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz mutants mutants-generated tsan \
         coverage bench format clean deb dist fresh-root web web-soak deps deps-demo deps-docs deps-proofs deps-test deps-deb \
         deps-bench deps-web
 
@@ -96,13 +96,13 @@ check: test-style
 	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON >build/check.log || { cat build/check.log; exit 1; }
 	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) python3 tidy/check.py build/release --jobs $(JOBS)
 
-# The proofs are compiled beside the C++ sources: both have times at which they keep one processor waiting. What
-# only they need, and what only the tests run, is installed beside the compilers.
+# The proofs are compiled beside the C++ sources, and the sanitizers' build and its tests run beside the release's: all of
+# them have times at which they keep one processor waiting. What only the proofs need, and what only the
+# tests run, is installed beside the compilers.
 test:
 	@cmake/packages.sh demo test
-	@$(MAKE) --no-print-directory -j 2 test-style test-beside test-builds
-	@$(MAKE) --no-print-directory test-release
-	@$(MAKE) --no-print-directory test-sanitize
+	@$(MAKE) --no-print-directory -j 2 test-style test-beside build-release
+	@$(MAKE) --no-print-directory -j 2 test-release test-sanitize-beside
 	@python3 tidy/check.py build/release --green
 	@echo
 	@echo "make test: everything passed"
@@ -130,8 +130,11 @@ test-proofs: deps-proofs
 test-beside: test-proofs
 	@cmake/packages.sh browser
 
-test-builds: build-release
-	@$(MAKE) --no-print-directory build-sanitize
+# What it prints would stand between the lines of the release's tests.
+test-sanitize-beside:
+	@echo "the sanitizers' build and its tests run beside: build/sanitize.log"
+	@$(MAKE) --no-print-directory test-sanitize >build/sanitize.log 2>&1 || \
+	  { tail -n 100 build/sanitize.log; echo "the sanitizers' build or tests failed; all of it: build/sanitize.log" >&2; exit 1; }
 
 # The browser may still be on its way; the sanitizers' build links the release's archives of what handles
 # values alone. Clang compiles it in half the time when it does not optimize, which costs the tests less than that.
