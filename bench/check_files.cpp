@@ -1,5 +1,3 @@
-#include "bench/check_files.hpp"
-
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -13,6 +11,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "bench/tables.hpp"
 
 namespace circumspect::bench {
 namespace {

@@ -23,8 +23,6 @@
 #include <malloc.h>
 #include <stdlib.h>
 
-#include "bench/check_files.hpp"
-#include "bench/goals.hpp"
 #include "bench/point_sets.hpp"
 
 namespace circumspect::bench {

@@ -1,9 +1,9 @@
-#include "bench/goals.hpp"
-
 #include <functional>
 #include <optional>
 
 #include <fmt/format.h>
+
+#include "bench/tables.hpp"
 
 namespace circumspect::bench {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "bench/tables.hpp"
 #include "fuzz/harness/cases.hpp"
-#include "inputs/arrays.hpp"
 #include "inputs/in_doubles.hpp"
+#include "inputs/points_case.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::bench {

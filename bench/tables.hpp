@@ -1,6 +1,7 @@
 // What the benchmarks print: a table each, and how long a piece of work takes.
 #pragma once
 
+#include <cstdint>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -45,5 +46,49 @@ double seconds(const Work& work) {
   work();
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
+
+// ---- Goals ----
+// What judging a mesh in arrays may cost, and the table that says where that is so.
+
+// Of one mesh. Times are nanoseconds of one thread a simplex; 0 where it was not measured.
+struct Measured {
+  std::string name;
+  double given = 0;          // with neighbours
+  double only = 0;           // without
+  double is_valid = 0;       // CGAL's time
+  double given_speedup = 0;  // of two threads against one, by the clock on the wall
+  double only_speedup = 0;
+  double bytes = 0;  // beside the arrays, at most at a time, a simplex; the larger of both
+  double text_to_verdict = 0;  // seconds
+};
+
+// Prints a row for each goal and a column for each mesh that has goals: met, or missed by how much.
+void print_goals(const std::vector<Measured>& meshes);
+
+// ---- Other programs ----
+// Meshes in TetGen's files, and other programs that read them.
+
+// A mesh as circumspect::MeshArrays wants it. Indices from 0, −1 where there is no neighbour.
+struct Arrays {
+  std::vector<double> coordinates;
+  std::vector<std::int32_t> simplices;
+  std::vector<std::int32_t> neighbors;
+};
+
+struct RunTime {
+  double processor = 0;  // seconds, of the program and the system for it
+  double wall = 0;
+  bool succeeded = false;  // exit code 0
+};
+
+// Runs the program, found in PATH, and drops what it prints.
+RunTime run(const std::vector<std::string>& command);
+
+// Writes `stem`.node and `stem`.ele.
+void write_mesh(const std::string& stem, const Arrays& mesh);
+
+// What `tetgen -pYq1.4a0.000005` makes of a cube with a folded surface of 2·side² triangles in its middle:
+// the triangles stay, so it is not Delaunay. Empty if TetGen is not there. Leaves files in the folder.
+Arrays constrained_mesh(const std::string& folder, int side);
 
 }  // namespace circumspect::bench

@@ -13,9 +13,9 @@
 
 #include "c/guard.hpp"
 #include "c/input.hpp"
-#include "inputs/arrays.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
+#include "inputs/points_case.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
-#include "inputs/arrays.hpp"
+#include "inputs/points_case.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 
 namespace circumspect::corpus {

@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "inputs/family_table.hpp"
-
 namespace circumspect::generators {
 namespace {
 

@@ -53,4 +53,8 @@ Count count_of_a_campaign(std::size_t dimension, std::uint64_t seed);
 // of the same seed without modifier. Requires: the family exists in the dimension.
 PointsCase drawn(const Family& family, std::size_t dimension, Count count, std::uint64_t seed);
 
+// The one place where families of point sets are listed: a new family is a function, and a line here.
+
+std::vector<Family> family_table();
+
 }  // namespace circumspect::generators

@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
-#include "inputs/arrays.hpp"
 #include "inputs/in_doubles.hpp"
+#include "inputs/points_case.hpp"
 #include "properties/arguments/generated.hpp"
 
 namespace circumspect::generators {

@@ -1,13 +1,10 @@
-#include "inputs/family_table.hpp"
-
 #include <utility>
 
+#include "inputs/families.hpp"
 #include "inputs/flat_and_scaled_sets.hpp"
-#include "inputs/lattices.hpp"
 #include "inputs/point_sets.hpp"
 #include "inputs/round_sets.hpp"
 #include "inputs/set_parts.hpp"
-#include "inputs/weighted_sets.hpp"
 
 namespace circumspect::generators {
 namespace {

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <set>
 
-#include "inputs/simpler_numbers.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "inputs/complex_case.hpp"
 #include "inputs/points_case.hpp"
@@ -34,5 +35,18 @@ PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
 // then coordinates are moved. `still_fails` is asked about valid inputs only.
 ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
                       const MinimiseLimits& limits = {});
+
+// ---- Shorter numbers ----
+// Coordinates that say the same in fewer digits.
+
+// How long it takes to write the number down, in bits; a sign counts as half a bit more. Returned in
+// half bits.
+std::size_t length(const Rational& value);
+std::size_t length(const PointsCase& set);
+
+// Moves the coordinates and the weights of all points at once, then one by one, to numbers that are
+// shorter, as long as `accepts` takes them. Returns whether anything became shorter. Doubles
+// whose magnitude is not near the largest become doubles.
+bool simplify_numbers(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts);
 
 }  // namespace circumspect::generators

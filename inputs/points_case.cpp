@@ -2,6 +2,8 @@
 
 #include <ostream>
 
+#include "inputs/in_doubles.hpp"
+
 namespace circumspect::generators {
 
 std::ostream& operator<<(std::ostream& out, const PointsCase& set) {
@@ -14,6 +16,30 @@ std::ostream& operator<<(std::ostream& out, const PointsCase& set) {
     out << '\n';
   }
   return out;
+}
+
+PointArray array(const PointsCase& set, std::size_t dimension) {
+  PointArray result{set.points.empty() ? dimension : set.points.front().size(), {}, {}};
+  result.coordinates.reserve(set.points.size() * result.dimension);
+  for (const Point& point : set.points) {
+    for (const Rational& x : point) result.coordinates.push_back(nearest_double(x));
+  }
+  for (const Rational& weight : set.weights) result.weights.push_back(nearest_double(weight));
+  return result;
+}
+
+PointsCase from(const PointArray& points) {
+  PointsCase set;
+  set.points.reserve(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    Point point;
+    for (std::size_t i = 0; i < points.dimension; ++i) {
+      point.push_back(exact_value(points.point(v)[i]));
+    }
+    set.points.push_back(std::move(point));
+  }
+  for (const double weight : points.weights) set.weights.push_back(exact_value(weight));
+  return set;
 }
 
 }  // namespace circumspect::generators

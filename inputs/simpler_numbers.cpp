@@ -1,8 +1,7 @@
-#include "inputs/simpler_numbers.hpp"
-
 #include <algorithm>
 #include <optional>
 
+#include "inputs/minimise.hpp"
 #include "inputs/set_parts.hpp"
 
 namespace circumspect::generators {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "command/input/labels.hpp"
+#include "command/input/domain_input.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/planar_cdt.hpp"

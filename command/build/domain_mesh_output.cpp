@@ -4,13 +4,11 @@
 #include <fmt/ranges.h>
 
 #include "command/output/output.hpp"
-#include "oracle/formats/gmsh.hpp"
-#include "oracle/formats/medit.hpp"
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/formats/obj.hpp"
 #include "oracle/formats/ply.hpp"
+#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
-#include "oracle/formats/vtu.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {

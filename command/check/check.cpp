@@ -17,7 +17,6 @@
 #include "command/input/input.hpp"
 #include "command/options/domain_options.hpp"
 #include "command/options/one_of.hpp"
-#include "command/options/threads_option.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
-#include "oracle/formats/plain_mesh.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::cli {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tl/expected.hpp>
 
 #include "command/input/enclosure.hpp"
@@ -72,5 +74,14 @@ BentDomain with_nearly_coplanar_joined(const LoadedDomain& loaded, const Rationa
                                        const Rational& squared_distance);
 
 std::string_view word(DomainKind kind);
+
+// The numbers that the vertices of a domain have in its file.
+
+// Requires: vertices of the domain.
+inline std::string labels(const Domain& domain, const Simplex& simplex) {
+  std::vector<Vertex> own;
+  for (const Vertex v : simplex) own.push_back(domain.label(v));
+  return fmt::format("{}", fmt::join(own, " "));
+}
 
 }  // namespace circumspect::cli

@@ -50,7 +50,7 @@ struct LoadedMesh {
 // weights asked for and not there; neighbours asked for and not there. Equal points are left to
 // judges and to settle_equal_points.
 // `domain_dimension`: of the domain that the mesh is held against, if it is. Then what
-// formats/fit_to_domain.hpp says is done. `threads`: 0: as many as the machine has.
+// formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many as the machine has.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads = 0,
                                                 std::optional<std::size_t> domain_dimension = {});

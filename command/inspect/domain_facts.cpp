@@ -1,7 +1,7 @@
-#include "command/inspect/domain_facts.hpp"
-
 #include <algorithm>
 #include <utility>
+
+#include "command/inspect/inspect_domain.hpp"
 
 namespace circumspect::cli {
 void find_regions(const LoadedDomain& loaded, DomainFacts& facts, Output& output) {

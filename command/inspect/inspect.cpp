@@ -10,7 +10,6 @@
 #include "command/input/input.hpp"
 #include "command/inspect/inspect_domain.hpp"
 #include "command/inspect/inspect_points.hpp"
-#include "command/inspect/refutation_files.hpp"
 #include "command/options/nearest_word.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"

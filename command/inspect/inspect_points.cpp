@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "command/inspect/inspect_simplex.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

@@ -1,10 +1,9 @@
-#include "command/inspect/inspect_simplex.hpp"
-
 #include <algorithm>
 #include <charconv>
 
 #include <fmt/format.h>
 
+#include "command/inspect/inspect_points.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/exact/number.hpp"

@@ -1,12 +1,14 @@
 // Options whose values are counts, seeds, or numbers with a unit.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -49,6 +51,25 @@ inline std::string read_duration(const std::string& text, double& seconds) {
   }
   seconds = number * units.at(unit);
   return "";
+}
+
+// ---- Threads ----
+// How many threads judge a mesh.
+
+// Adds --threads; 0 if it is not given.
+inline void add_threads_option(CLI::App& command, std::uint64_t& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Read and judge with at most N threads (default: one for each processor). The "
+                  "answer is the same for any number")
+      ->check(whole_number(1))
+      ->option_text("N");
+}
+
+// As many as were asked for, but no more than there are processors: they would wait for each other.
+inline unsigned thread_count(std::uint64_t asked) {
+  const std::uint64_t most = std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<unsigned>(asked == 0 ? most : std::min(asked, most));
 }
 
 }  // namespace circumspect::cli

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/picture/cells.hpp"
+#include "oracle/picture/picture.hpp"
 
 namespace circumspect::cli {
 

@@ -23,8 +23,8 @@
 
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
-#include "inputs/arrays.hpp"
 #include "inputs/dice.hpp"
+#include "inputs/points_case.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/point.hpp"
 

@@ -11,7 +11,6 @@
 
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
-#include "inputs/arrays.hpp"
 #include "inputs/minimise.hpp"
 #include "inputs/points_case.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"

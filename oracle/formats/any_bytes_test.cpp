@@ -5,16 +5,13 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/json.hpp"
-#include "oracle/formats/medit.hpp"
 #include "oracle/formats/npy.hpp"
-#include "oracle/formats/obj.hpp"
-#include "oracle/formats/off.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_lists.hpp"
-#include "oracle/formats/poly.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/stl.hpp"
+#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 

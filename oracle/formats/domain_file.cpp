@@ -5,20 +5,15 @@
 #include <map>
 #include <set>
 
-#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/medit.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/mesh_formats.hpp"
-#include "oracle/formats/obj.hpp"
-#include "oracle/formats/off.hpp"
 #include "oracle/formats/ply.hpp"
-#include "oracle/formats/poly.hpp"
 #include "oracle/formats/source.hpp"
-#include "oracle/formats/stl.hpp"
+#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtk.hpp"
-#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::formats {
 

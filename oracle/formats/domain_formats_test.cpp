@@ -5,9 +5,9 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_file.hpp"
-#include "oracle/formats/medit.hpp"
-#include "oracle/formats/poly.hpp"
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -1,10 +1,10 @@
 // Elements of all dimensions: what Medit, Gmsh and others write, and .tet.
+#include "oracle/formats/element_formats.hpp"
+
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "oracle/formats/gmsh.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/tet.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {

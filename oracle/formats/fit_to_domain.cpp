@@ -1,9 +1,8 @@
-#include "oracle/formats/fit_to_domain.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <set>
 
+#include "oracle/formats/mesh_files.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

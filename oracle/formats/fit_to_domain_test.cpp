@@ -1,10 +1,8 @@
 // A mesh is read as the dimension of its domain wants it, and what was changed is noted.
-#include "oracle/formats/fit_to_domain.hpp"
-
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
-#include "oracle/formats/plain_mesh.hpp"
+#include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::formats {
 namespace {

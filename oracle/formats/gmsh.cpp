@@ -1,10 +1,9 @@
-#include "oracle/formats/gmsh.hpp"
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
 
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/mixed_text.hpp"
 #include "oracle/model/exact_mesh.hpp"

@@ -1,8 +1,7 @@
-#include "oracle/formats/medit.hpp"
-
 #include <array>
 #include <cctype>
 
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

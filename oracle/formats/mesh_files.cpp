@@ -5,11 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "oracle/formats/fit_to_domain.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/npy.hpp"
-#include "oracle/formats/plain_mesh.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/source.hpp"
 #include "oracle/model/mesh.hpp"
@@ -56,12 +57,12 @@ struct MeshRequest {
   bool with_neighbors = false;  // read the .neigh beside an .ele, if there is one
   bool with_faces = false;      // and the .face and the .edge
   // Of the points of the domain that the mesh is held against, if it is: what says the same in other
-  // words is read as the domain's dimension wants it; see fit_to_domain.hpp.
+  // words is read as the domain's dimension wants it; see below.
   std::optional<std::size_t> domain_dimension = {};
   std::optional<PointFile> own_points = {};  // instead of any file's
   Weights weights = Weights::kNone;
   // Only simplices with one of these labels, if there are any: in Medit's files the reference, in Gmsh's the
-  // (first) physical group, in .ele the first attribute. See fit_to_domain.hpp.
+  // (first) physical group, in .ele the first attribute. See below.
   std::vector<Vertex> kept_labels = {};
   std::vector<LoadedFile> loaded = {};  // taken for what the files hold; see load_streams
 };
@@ -94,7 +95,7 @@ struct MeshFile {
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there, a line each
 };
 
-// Reads a mesh and its points: files as programs write them at the speed of memory (plain_mesh.hpp), all
+// Reads a mesh and its points: files as programs write them at the speed of memory (read_plain_mesh), all
 // others by their own readers, which have the messages. `threads`: 0: as many as the machine has; the
 // answer is the same for any number.
 // Errors: a file that is missing or malformed; elements of second order, faces that are no triangles and
@@ -104,5 +105,35 @@ Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
 
 // The same, all by the readers that have the messages.
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
+
+// ---- What programs write otherwise ----
+// What programs write otherwise than the domain that their mesh is of: points of the plane with a
+// third coordinate, and dangling triangles and edges as if they were all there is.
+
+// Gmsh and many others write a mesh of the plane as one in space, z = 0. Leaves out the third
+// coordinate of points in space if it is exactly the same for all, and notes that; else nothing.
+void leave_out_constant_coordinate(MeshFile& file);
+
+// A mesh without simplices of full dimension can only be of what dangles in a domain: takes its
+// simplices, if all have as many vertices, 2 at least and fewer than one of full dimension, for the
+// faces that they are, and notes that; else nothing. Requires: no neighbours.
+void take_for_faces(MeshFile& file);
+
+// A mesh of more than the domain, as where a program meshes the convex hull and labels what is outside 0:
+// keeps the simplices with one of these labels. Faces of the others alone are left out as well, and points
+// of these alone; that is noted. Errors: simplices have no labels, or none of them has one of these.
+// Requires: as many labels as simplices, or none; no neighbours.
+Status keep_labelled(const std::vector<Vertex>& kept, const std::vector<Vertex>& labels,
+                     MeshFile& file);
+
+// ---- Large meshes of doubles ----
+// Large meshes of doubles, read where they are to lie: .ele or .npy with points in .node or .npy. What
+// mesh_files.hpp would read otherwise, refuse or take from elsewhere has no answer here and is left to
+// it; where there is an answer, it is the same mesh.
+
+// As read_mesh. None for numbers that are taken at their word, for pipes that load_streams has not loaded,
+// and for every file that is not of the plain form or at fault.
+std::optional<MeshFile> read_plain_mesh(const MeshRequest& request,
+                                        const PlainReading& reading = {});
 
 }  // namespace circumspect::formats

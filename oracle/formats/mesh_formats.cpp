@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <array>
 
-#include "oracle/formats/gmsh.hpp"
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/medit.hpp"
 #include "oracle/formats/npy.hpp"
-#include "oracle/formats/obj.hpp"
-#include "oracle/formats/off.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_lists.hpp"
-#include "oracle/formats/tet.hpp"
+#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtk.hpp"
-#include "oracle/formats/vtu.hpp"
 
 namespace circumspect::formats {
 

@@ -1,8 +1,7 @@
-#include "oracle/formats/off.hpp"
-
 #include <algorithm>
 
 #include "oracle/formats/lines.hpp"
+#include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {
 namespace {

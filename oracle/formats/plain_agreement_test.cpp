@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "oracle/formats/plain_mesh.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/same_values_test.hpp"
 
 namespace circumspect::formats {

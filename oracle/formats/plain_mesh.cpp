@@ -1,9 +1,7 @@
-#include "oracle/formats/plain_mesh.hpp"
-
 #include <new>
 #include <utility>
 
-#include "oracle/formats/fit_to_domain.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/tetgen.hpp"
 

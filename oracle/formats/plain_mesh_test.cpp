@@ -1,6 +1,4 @@
 // Which meshes are read as plain ones, and that they are those that are read line by line.
-#include "oracle/formats/plain_mesh.hpp"
-
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -11,6 +9,7 @@
 #include <unistd.h>
 
 #include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/reading_test.hpp"
 
 namespace circumspect::formats {

@@ -1,5 +1,3 @@
-#include "oracle/formats/poly.hpp"
-
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/tetgen.hpp"
 

@@ -1,11 +1,10 @@
-#include "oracle/formats/stl.hpp"
-
 #include <array>
 #include <cctype>
 #include <map>
 
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {
 namespace {

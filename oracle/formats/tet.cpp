@@ -1,7 +1,6 @@
-#include "oracle/formats/tet.hpp"
-
 #include <algorithm>
 
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/mixed_text.hpp"
 
 namespace circumspect::formats {

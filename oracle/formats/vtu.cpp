@@ -1,8 +1,7 @@
-#include "oracle/formats/vtu.hpp"
-
 #include <array>
 #include <utility>
 
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/vtk.hpp"
 #include "oracle/formats/vtu_arrays.hpp"

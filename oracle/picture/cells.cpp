@@ -1,5 +1,3 @@
-#include "oracle/picture/cells.hpp"
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "oracle/picture/picture.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::picture {

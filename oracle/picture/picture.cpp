@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "oracle/picture/surroundings.hpp"
 #include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/point.hpp"
 

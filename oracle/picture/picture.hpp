@@ -6,6 +6,8 @@
 // as far as the size of the witness allows.
 #pragma once
 
+#include <cstddef>
+#include <ostream>
 #include <span>
 #include <vector>
 
@@ -34,5 +36,37 @@ std::vector<report::Json> pictures(const Verdict& verdict, const Mesh& mesh, con
 // Likewise of witnesses that no verdict has; `mesh` is what may be drawn around them.
 std::vector<report::Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,
                                    const Domain* domain = nullptr);
+
+// ---- Cells ----
+// Witnesses as cells, for programs that show meshes: VTK's .vtu, as ParaView reads it, and Gmsh's .msh.
+
+enum class CellFormat { kVtu, kGmsh };
+
+// For each violation that the verdict keeps: its simplices, its face, its vertices and its point, the centre of
+// its ball, the cell of the domain. Each cell has numbers: `rule`, the place in the list of rules counted from 1
+// (in a .msh a physical group with the rule's name), `violation`, counted from 1, and `role`: 0 a simplex, 1 a
+// face, 2 a vertex, 3 the centre of a ball, 4 a cell of the domain, 5 a point. Each point has `index`, the
+// user's own or -1, and `radius`, of the ball whose centre it is, or 0. Coordinates are the decimals nearest to
+// the exact ones. Requires: points of one to three coordinates, or none.
+void write_cells(std::ostream& out, CellFormat format, const Verdict& verdict, const Mesh& mesh,
+                 const Domain* domain = nullptr);
+
+// ---- Surroundings ----
+// What lies around witnesses: the few simplices and facets of a mesh that a picture of one needs beside it.
+
+struct Surroundings {
+  // Of simplices and listed faces those that share most vertices with the witness, then those whose box
+  // holds one of its places; none that is the witness's own. As many as have room.
+  std::vector<Simplex> near = {};
+  std::size_t left_out = 0;  // how many more there are
+};
+
+// Of each witness, in their order. It takes the mesh once from end to end, however many there are. Places
+// are compared in doubles: what is near decides nothing.
+std::vector<Surroundings> surroundings(std::span<const Witness> witnesses, const Mesh& mesh,
+                                       const Domain* domain, std::size_t room);
+
+// The facets that belong to one simplex alone. Simplices with indices that name no point are left out.
+std::vector<Simplex> boundary(const Mesh& mesh);
 
 }  // namespace circumspect::picture

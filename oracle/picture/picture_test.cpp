@@ -7,11 +7,8 @@
 #include <doctest/doctest.h>
 #include <pugixml.hpp>
 
-#include "oracle/formats/gmsh.hpp"
-#include "oracle/formats/vtu.hpp"
+#include "oracle/formats/element_formats.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "oracle/picture/cells.hpp"
-#include "oracle/picture/surroundings.hpp"
 
 namespace circumspect::picture {
 

@@ -1,10 +1,10 @@
-#include "oracle/picture/surroundings.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 #include <unordered_map>
+
+#include "oracle/picture/picture.hpp"
 
 namespace circumspect::picture {
 namespace {

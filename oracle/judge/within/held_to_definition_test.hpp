@@ -7,10 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/vertex_places.hpp"
-#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
-#include "oracle/judge/within/reach_by_definition.hpp"
 #include "oracle/judge/within/reach_search.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

@@ -1,5 +1,3 @@
-#include "oracle/judge/within/hull_faces.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "oracle/judge/within/distance.hpp"
+#include "oracle/judge/within/hull_walls.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/polygon_triangles.hpp"

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/domain_cases_test.hpp"
-#include "oracle/judge/within/hull_faces.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {

@@ -1,5 +1,3 @@
-#include "oracle/judge/within/image_complex.hpp"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -9,6 +7,7 @@
 
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/distance.hpp"
+#include "oracle/judge/within/images.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/kernel/predicates/orientation.hpp"

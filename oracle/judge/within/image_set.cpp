@@ -1,10 +1,9 @@
-#include "oracle/judge/within/image_set.hpp"
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <span>
 
+#include "oracle/judge/within/images.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {

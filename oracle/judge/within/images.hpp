@@ -12,6 +12,7 @@
 #include "oracle/judge/within/mesh_faces.hpp"
 #include "oracle/judge/within/reaches.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
+#include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
@@ -95,5 +96,53 @@ class Images {
   mutable std::vector<Known<std::vector<Vertex>>> paths_;
   mutable std::vector<Known<Patch>> patches_;
 };
+
+// ---- All images ----
+// The images of all cells of a domain at one reach, and whether they lie to one another as the cells do.
+// docs/theory/within.md, 4.
+
+struct ImageSet {
+  std::vector<Vertex> vertices;            // of each vertex of the domain
+  std::vector<std::vector<Vertex>> paths;  // of each segment
+  std::vector<Patch> patches;              // of each polygon
+};
+
+// Requires: every cell has an image.
+ImageSet image_set(const Images& images, const Cells& cells, const Rational& squared_reach);
+
+// Two cells whose images meet otherwise than in images of common faces, or stand about a segment in another
+// order: rule domain.images-meet.
+struct Misplaced {
+  Cell a;
+  Cell b;
+  Violation violation;
+};
+std::optional<Misplaced> misplaced(const ImageSet& images, const ExactMesh& mesh,
+                                   const Cells& cells);
+
+// ---- The complex of the images ----
+// P′: the complex that a domain became in a mesh. docs/theory/within.md, 5.
+
+struct ImageComplex {
+  // A valid complex whose points are points of the mesh. Its hole seeds say what is not inside; they follow
+  // from the sides of the polygons of the domain. Its regions are known, unless sides differ.
+  Domain domain;
+  std::vector<Vertex> in_mesh;  // the point of the mesh that each of its vertices is
+  std::vector<std::size_t>
+      polygons;  // the polygon of the domain that each of its polygons is part of
+  // The polygons of the domain that have no inside beside them and no flat image: their triangles are not
+  // held against each other.
+  std::size_t not_flat_and_dangling = 0;
+  // A wall, by its vertices in the complex, with a region on one side that has inside and outside on its
+  // walls, if there is one; then the complex has no seeds.
+  std::optional<Simplex> sides_differ = {};
+};
+
+// complex.overlap if images intersect: then the mesh is no complex either. `regions` are those of the domain's
+// complex. `moved`: of each point of the mesh that is in an image, may it be off the cell that carries it?
+tl::expected<ImageComplex, Violation> image_complex(const ImageSet& images,
+                                                    const std::vector<bool>& moved,
+                                                    const ExactMesh& mesh, const Cells& cells,
+                                                    const Regions& regions);
 
 }  // namespace circumspect::check

@@ -7,10 +7,8 @@
 
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
-#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
-#include "oracle/judge/within/image_complex.hpp"
-#include "oracle/judge/within/reach_by_definition.hpp"
+#include "oracle/judge/within/images.hpp"
 #include "oracle/judge/within/reach_search.hpp"
 #include "reference/kernel/exact/number.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/within/hull_faces.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 

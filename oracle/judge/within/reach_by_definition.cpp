@@ -1,11 +1,10 @@
-#include "oracle/judge/within/reach_by_definition.hpp"
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
 #include "oracle/judge/within/distance.hpp"
+#include "oracle/judge/within/reach_search.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/judge/within/image_set.hpp"
+#include "oracle/judge/within/images.hpp"
 
 namespace circumspect::check {
 
@@ -30,5 +30,21 @@ struct ReachAnswer {
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
                         const Regions& regions, const Rational& squared_limit,
                         unsigned threads = 1);
+
+// ---- By definition ----
+// The definition of docs/theory/within.md, word for word.
+
+// As least_reach, by trying every distance and every set of triangles. Exponential in the number of triangles
+// near a polygon. Of what it does not find it only says whether it passed over ambiguous reaches.
+// Requires: as least_reach; at most kMostTriangles triangles of the mesh near a polygon.
+ReachAnswer least_reach_by_definition(const ExactMesh& mesh, const std::vector<bool>& used,
+                                      const Cells& cells, const Regions& regions,
+                                      const Rational& squared_limit);
+inline constexpr std::size_t kMostTriangles = 14;
+
+// Is it within the requirement?
+bool is_small_enough_for_definition(const ExactMesh& mesh, const std::vector<bool>& used,
+                                    const Cells& cells, const Rational& squared_limit,
+                                    std::size_t most = kMostTriangles);
 
 }  // namespace circumspect::check
