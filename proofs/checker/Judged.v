@@ -16,11 +16,7 @@ Notation rows := (rows_of p).
 Notation places := (of_list (shifted s) (flat_map (fun e => coordinates (position e)) (points c))).
 Notation w := (sample_denominator c).
 Notation here := (Arrow (Z.shiftr X0 s) (Z.shiftr Y0 s) (Z.shiftr Z0 s)).
-Hypothesis unweighted : weights_of (claimed c) = false.
-Hypothesis shapes : Forall (fun e => well_shaped 3 (position e)) (points c).
-Hypothesis all_fit : forallb (fun e => forallb (fits s) (coordinates (position e))) (points c) = true.
-Hypothesis few_points : N <= 288230376151711744.
-Hypothesis few_simplices : simplex_count p <= 288230376151711744.
+Hypothesis in_words : within_words p s.
 Hypothesis sample_shape : coordinates (sample c) = [X0; Y0; Z0].
 Hypothesis sample_fits : fits s X0 = true /\ fits s Y0 = true /\ fits s Z0 = true.
 Hypothesis sample_small : 0 < w <= 8.
@@ -172,7 +168,7 @@ Proof.
   assert (W1 : quick_wall m (simplex_count p) N rows t one true a c0 d (get rows (add r five)) below = true) by assumption.
   assert (W2 : quick_wall m (simplex_count p) N rows t two false a b d (get rows (add r six)) below = true) by assumption.
   rename H into W3.
-  pose proof (point_known p s unweighted shapes all_fit few_points) as Known.
+  pose proof (point_known p s in_words) as Known.
   destruct (Known a Ka) as (qa & Fa & Ra). destruct (Known b Kb) as (qb & Fb & Rb).
   destruct (Known c0 Kc) as (qc & Fc & Rc). destruct (Known d Kd) as (qd & Fd & Rd).
   pose proof (positive_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw Or) as Pos.
@@ -192,7 +188,7 @@ Proof.
   assert (Pa := known_positive a Ka). assert (Pb := known_positive b Kb).
   assert (Pc := known_positive c0 Kc). assert (Pd := known_positive d Kd).
   assert (R : forall k, - 2 ^ 62 <= get rows k < 2 ^ 62) by apply get_range.
-  pose proof (quick_wall_sound p s unweighted shapes all_fit few_points few_simplices t) as Wall.
+  pose proof (quick_wall_sound p s in_words t) as Wall.
   clear Or Ou Iu Iv Iw. clearbody below. clearbody a b c0 d r.
   assert (H00 : 0 <= zero <= 3) by (split; discriminate). assert (H01 : 0 <= one <= 3) by (split; discriminate).
   assert (H02 : 0 <= two <= 3) by (split; discriminate). assert (H03 : 0 <= three <= 3) by (split; discriminate).
@@ -276,7 +272,7 @@ Proof.
   { intros t Ht. unfold all in Al. rewrite forallb_forall in Al. specialize (Al t (proj2 (upto_spec _ _) Ht)). cbv beta in Al.
     apply orb_prop in Al. destruct Al as [Q|Q].
     - rewrite W in Q. unfold sample_arrow in Q. rewrite Co in Q. unfold shifted at 2 3 4 in Q. rewrite F1, F2, F3 in Q.
-      destruct (simplex_here p s X0 Y0 Z0 Un Shapes Fit Mp Ms Co (conj F1 (conj F2 F3))
+      destruct (simplex_here p s X0 Y0 Z0 (Build_within_words p s Un Shapes Fit Mp Ms) Co (conj F1 (conj F2 F3))
         (conj Pw (Z.le_trans _ _ _ (Z.eq_le_incl _ _ (eq_sym W)) Sw)) t Ht Q) as [A B].
       split; [exact A|]. intros st E. rewrite E in St. exact (B St st).
     - cbv zeta in Q. apply andb_prop in Q. destruct Q as [Q1 Q2]. apply is_accepted_spec in Q1.

@@ -54,22 +54,20 @@ Ltac compare_all := cbn; repeat (match goal with
   end; cbn); try reflexivity.
 
 Definition at_place (i : nat) (a : positive) (l : list positive) : list positive := firstn i l ++ a :: skipn i l.
+(** For each of the places, and each of the rotations, the lists are compared. *)
+Ltac compare_each Hi Hj X E :=
+  repeat match goal with H : (?i <= 3)%nat |- _ => do 4 (try destruct i as [|i]); try lia; clear H end;
+  try discriminate X; clear X;
+  destruct E as [(<- & <- & <-)|[(<- & <- & <-)|(<- & <- & <-)]]; unfold matched_facet, at_place; compare_all.
+
 Lemma matched_odd i j l0 l1 l2 a : (i <= 3)%nat -> (j <= 3)%nat -> xorb (Nat.odd i) (Nat.odd j) = true ->
   (k0 = l0 /\ k1 = l1 /\ k2 = l2) \/ (k1 = l0 /\ k2 = l1 /\ k0 = l2) \/ (k2 = l0 /\ k0 = l1 /\ k1 = l2) ->
   matched_facet (at_place i a [k0; k1; k2]) (at_place j v [l0; l1; l2]) i j = true.
-Proof.
-  intros Hi Hj X E.
-  do 4 (try destruct i as [|i]); try lia; do 4 (try destruct j as [|j]); try lia; try discriminate X; clear X.
-  all: destruct E as [(<- & <- & <-)|[(<- & <- & <-)|(<- & <- & <-)]]; unfold matched_facet, at_place; compare_all.
-Qed.
+Proof. intros Hi Hj X E. compare_each Hi Hj X E. Qed.
 Lemma matched_even i j l0 l1 l2 a : (i <= 3)%nat -> (j <= 3)%nat -> xorb (Nat.odd i) (Nat.odd j) = false ->
   (k0 = l0 /\ k2 = l1 /\ k1 = l2) \/ (k2 = l0 /\ k1 = l1 /\ k0 = l2) \/ (k1 = l0 /\ k0 = l1 /\ k2 = l2) ->
   matched_facet (at_place i a [k0; k1; k2]) (at_place j v [l0; l1; l2]) i j = true.
-Proof.
-  intros Hi Hj X E.
-  do 4 (try destruct i as [|i]); try lia; do 4 (try destruct j as [|j]); try lia; try discriminate X; clear X.
-  all: destruct E as [(<- & <- & <-)|[(<- & <- & <-)|(<- & <- & <-)]]; unfold matched_facet, at_place; compare_all.
-Qed.
+Proof. intros Hi Hj X E. compare_each Hi Hj X E. Qed.
 End Matched.
 Lemma rotated_spec k0 k1 k2 l0 l1 l2 : rotated k0 k1 k2 l0 l1 l2 = true ->
   (k0 = l0 /\ k1 = l1 /\ k2 = l2) \/ (k1 = l0 /\ k2 = l1 /\ k0 = l2) \/ (k2 = l0 /\ k0 = l1 /\ k1 = l2).
@@ -88,27 +86,28 @@ Ltac open_lets H := repeat (cbv beta in H; lazymatch type of H with
   | _ && _ = true => let A := fresh "A" in apply andb_prop in H; destruct H as [A H]; parts A
   end).
 
+(** What [quick] asks of the points and of how many simplices there are. *)
+Record within_words (p : packed) (s : Word.t) : Prop := {
+  unweighted : weights_of (claimed (frame p)) = false;
+  shapes : Forall (fun e => well_shaped 3 (position e)) (points (frame p));
+  all_fit : forallb (fun e => forallb (fits s) (coordinates (position e))) (points (frame p)) = true;
+  few_points : count_of (points (frame p)) <= 288230376151711744;
+  few_simplices : simplex_count p <= 288230376151711744
+}.
+
 Section Simplices.
-Variables (p : packed) (s : Word.t) (X0 Y0 Z0 : Z).
+Variables (p : packed) (s : Word.t).
+Hypothesis in_words : within_words p s.
 Notation c := (frame p).
 Notation pr := space_predicates.
 Notation m := (packed_mesh Space p).
 Notation N := (count_of (points c)).
 Notation rows := (rows_of p).
 Notation places := (of_list (shifted s) (flat_map (fun e => coordinates (position e)) (points c))).
-Notation w := (sample_denominator c).
-Hypothesis unweighted : weights_of (claimed c) = false.
-Hypothesis shapes : Forall (fun e => well_shaped 3 (position e)) (points c).
-Hypothesis all_fit : forallb (fun e => forallb (fits s) (coordinates (position e))) (points c) = true.
-Hypothesis few_points : N <= 288230376151711744.
-Hypothesis few_simplices : simplex_count p <= 288230376151711744.
-Hypothesis sample_shape : coordinates (sample c) = [X0; Y0; Z0].
-Hypothesis sample_fits : fits s X0 = true /\ fits s Y0 = true /\ fits s Z0 = true.
-Hypothesis sample_small : 0 < w <= 8.
 
 Lemma point_known v : known N v = true ->
   exists q, Table.find (to_pos v) (points_of m) = Some q /\ rounded s q (Quick.place_of places v).
-Proof. apply (known_point s (points c) shapes all_fit few_points _ _ unweighted). Qed.
+Proof. apply (known_point s (points c) (shapes _ _ in_words) (all_fit _ _ in_words) (few_points _ _ in_words) _ _ (unweighted _ _ in_words)). Qed.
 
 Lemma entry_corners u : 0 < u < 2 ^ 62 -> let r := row_of Space u in
   corners (entry_of Space rows (to_pos u)) = [to_pos (get rows (add r zero)); to_pos (get rows (add r one));
@@ -189,7 +188,7 @@ Proof.
   assert (Hi' : (Z.to_nat i <= 3)%nat) by (clear - Hi; lia).
   assert (Hj' : (Z.to_nat j <= 3)%nat) by (clear - Bj; lia).
   assert (J : j = 0 \/ j = 1 \/ j = 2 \/ j = 3) by (clear - Bj; lia).
-  pose proof (wall_back t i (Z.le_trans _ _ _ Ht few_simplices) Hi) as Wb.
+  pose proof (wall_back t i (Z.le_trans _ _ _ Ht (few_simplices _ _ in_words)) Hi) as Wb.
   pose proof small_sums as (S0 & S1 & S2 & S3 & S4 & S5 & S6). change (five - 1) with four in S3.
   assert (B : nth_error (walls (entry_of Space rows (to_pos u))) (Z.to_nat j) = Some (Neighbour t (Z.to_nat i)) /\
     corners (entry_of Space rows (to_pos u)) = at_place (Z.to_nat j) (to_pos v) [to_pos l0; to_pos l1; to_pos l2]).
