@@ -28,6 +28,8 @@ COLUMNS = ("target", "library", "version", "language", "dimensions", "numbers", 
 RUN_COLUMNS = ("target", "dimension", "regime", "date", "seconds", "cases", "holds", "refused", "signatures")
 # What users have: no families whose names promise exponents that nobody has, and neither is anything scaled.
 FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
+# All others are about domains.
+POINT_CLAIMS = {"delaunay", "triangulation"}
 # These reserve much address space.
 VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
 # Points of which some are flat or cospherical up to this share of their extent and not exactly, or that lie so far from the origin
@@ -45,9 +47,16 @@ def targets():
     return table(HERE / "targets.tsv", COLUMNS)
 
 
-def command_of(row, builds):
+def options_and_command(row, builds):
+    """A target that is no worker has options of the campaign before its command, with ` -- ` between."""
     os.environ["BUILDS"] = str(Path(builds).resolve())
-    return shlex.split(row["command"].format(builds=os.environ["BUILDS"], here=HERE))
+    text = row["command"].replace("{builds}", os.environ["BUILDS"]).replace("{here}", str(HERE))
+    options, found, command = text.rpartition(" -- ")
+    return shlex.split(options) if found else ["--worker"], shlex.split(command)
+
+
+def command_of(row, builds):
+    return options_and_command(row, builds)[1]
 
 
 def case_of(points):
@@ -97,11 +106,14 @@ def install(rows, builds):
 
 
 def is_here(row, builds):
-    """Whether the target answers one simplex."""
+    """Whether the target answers one simplex; or whether the program is there."""
+    options, command = options_and_command(row, builds)
+    if options != ["--worker"]:
+        return shutil.which(command[0]) is not None
     d = int(row["dimensions"].split(",")[0])
     simplex = [[0.0] * d, *([float(i == k) for i in range(d)] for k in range(d))]
     try:
-        ended = subprocess.run(command_of(row, builds), input=case_of(simplex), capture_output=True, text=True, timeout=60)
+        ended = subprocess.run(command, input=case_of(simplex), capture_output=True, text=True, timeout=60)
     except (OSError, subprocess.TimeoutExpired):
         return False
     return ended.returncode == 0 and bool(ended.stdout)
@@ -162,16 +174,17 @@ def known(target, dimension):
 
 def campaign(row, dimension, arguments):
     """Its JSON, or None if there is none."""
-    command = command_of(row, arguments.builds)
-    is_of_domains = row["claim"] == "cdt"
+    options, command = options_and_command(row, arguments.builds)
+    is_of_domains = row["claim"] not in POINT_CLAIMS
     folder = Path(arguments.output).resolve() / f"{row['target']}-{dimension}d-{arguments.regime}"
     if not arguments.go_on:
         shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
-    words = [arguments.circumspect, "campaign", "--worker", "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
+    words = [arguments.circumspect, "campaign", *options, "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
              "--time", arguments.time, "--minimize-time", "20s", "--jobs", str(arguments.jobs), "--output", str(folder), "--format", "json"]
     words += families(arguments.circumspect, dimension, arguments.regime, is_of_domains)
-    words += ["--mesh", "x.off", "--fill", "hull"] if is_of_domains else ["--full-dimension"]
+    words += [] if is_of_domains else ["--full-dimension"]
+    words += ["--mesh", "x.off", "--fill", "hull"] if row["claim"] == "cdt" else []
     bits = {"single": 20}.get(row["numbers"], 10 if arguments.regime == "integers" else None)
     words += ["--extreme"] if arguments.regime == "extreme" else ["--integers", str(bits)] if bits else []
     words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []

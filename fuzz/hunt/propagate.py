@@ -15,7 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from hunt import HERE, VIRTUAL_MACHINES, command_of, is_here, points_of, targets
+from hunt import HERE, POINT_CLAIMS, VIRTUAL_MACHINES, command_of, is_here, points_of, targets
 
 CORPUS = HERE.parents[1] / "corpus" / "findings"
 TABLE = HERE / "everywhere.tsv"
@@ -127,7 +127,7 @@ def main():
     arguments = parser.parse_args()
     if arguments.builds:
         for row in targets():
-            if row["claim"] == "cdt" or arguments.target and row["target"] not in arguments.target:
+            if row["claim"] not in POINT_CLAIMS or arguments.target and row["target"] not in arguments.target:
                 continue
             if not is_here(row, arguments.builds):
                 print(f"{row['target']}: is not here", flush=True)

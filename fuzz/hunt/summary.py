@@ -11,13 +11,13 @@ import sys
 from pathlib import Path
 from statistics import median
 
-from hunt import HERE, RUNS, RUN_COLUMNS, table, targets
+from hunt import HERE, POINT_CLAIMS, RUNS, RUN_COLUMNS, table, targets
 
 ROOT = HERE.parents[1]
 PAGES = ROOT / "docs" / "findings"
 EXPECTED = ROOT / "corpus" / "findings" / "expected.tsv"
 ENTRY = re.compile(r"\| \[([\w-]+)\]\(([\w.-]+)\.md#([\w-]+)\) \| (.*?) \| `(.*?)` \| (\d+) \| (.*?) \|")
-RUNS_HEAD = ["| run | cases | holds | fails by | time |", "| --- | --- | --- | --- | --- |"]
+RUNS_HEAD = ["| run | date | cases | holds | fails by | time |", "| --- | --- | --- | --- | --- | --- |"]
 GOALS = (("libraries with a page", 25), ("languages", 8), ("distinct faults", 40), ("of these in the newest version", 15),
          ("points of a minimal input, median, at most", 6))
 
@@ -70,12 +70,13 @@ def lines_of_numbers():
 
 
 def row_of_run(run, claim):
-    where = "claim `cdt` of the hull" if claim == "cdt" else "plane" if run["dimension"] == "2" else "space"
+    where = "plane" if run["dimension"] == "2" else "space"
+    where = where if claim in POINT_CLAIMS else f"claim `{claim}`" + (" of the hull" if claim == "cdt" else "")
     regime = {"sane": "", "integers": ", integers", "extreme": ", any exponent"}[run["regime"]]
     counts = [one.rsplit(" ", 1) for one in run["signatures"].split(", ") if one]
     what = ", ".join(f"`{name}` {count}" for name, count in counts) or "nothing"
     refused = f"; {int(run['refused']):,} refused" if run["refused"] != "0" else ""
-    return f"| {run['target']}, {where}{regime} | {int(run['cases']):,} | {int(run['holds']):,} | {what}{refused} | {run['seconds']} s |"
+    return f"| {run['target']}, {where}{regime} | {run['date']} | {int(run['cases']):,} | {int(run['holds']):,} | {what}{refused} | {run['seconds']} s |"
 
 
 def with_runs(text, page):
@@ -83,9 +84,9 @@ def with_runs(text, page):
     claims = {row["target"]: row["claim"] for row in targets() if row["page"] == page}
     rows = [row_of_run(run, claims[run["target"]]) for run in table(RUNS, RUN_COLUMNS) if run["target"] in claims]
     lines = text.split("\n")
-    if RUNS_HEAD[0] not in lines or not rows:
+    start = next((i for i, line in enumerate(lines) if line.startswith("| run |")), None)
+    if start is None or not rows:
         return text
-    start = lines.index(RUNS_HEAD[0])
     end = start
     while lines[end].startswith("|"):
         end += 1
