@@ -22,7 +22,7 @@ TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),3)
 
 .PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-release \
-        test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz mutants mutants-generated tsan \
+        test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz soak-hunt mutants mutants-generated tsan \
         coverage bench format clean deb dist fresh-root web web-soak deps deps-demo deps-docs deps-proofs deps-test deps-deb \
         deps-bench deps-web
 
@@ -176,6 +176,12 @@ soak-fuzz: deps-test
 	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON -DCIRCUMSPECT_VALUES_FROM=
 	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/targets/%.cpp,%,$(FUZZ_TARGETS))
 	@SEED=$$RANDOM fuzz/targets/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
+
+# Hunts every library of fuzz/hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
+# (5m). A signature that fuzz/hunt/runs.tsv does not have of a library is a failure.
+soak-hunt: build
+	@cmake/packages.sh hunt
+	@fuzz/hunt/hunt.py --install --builds $(or $(BUILDS),build/hunt) --output build/hunts --time $(or $(TIME),5m) --seed $$RANDOM
 
 # What runs on several threads, under ThreadSanitizer.
 tsan: deps-test

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|coverage|mutants|browser|web|deb|bench...
+#   cmake/packages.sh demo|docs|proofs|test|coverage|mutants|browser|web|deb|hunt|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
@@ -106,8 +106,27 @@ mkdocs-material       makes a site of the pages in docs
 python3               checks the links of all pages
 END
       ;;
+    hunt) cat <<'END'
+libboost-dev          Boost.Polygon: this and all below are hunted (fuzz/hunt)
+libgts-dev            GTS
+libjts-java           JTS
+octave                its delaunay
+openjdk-17-jdk-headless  compiles the adapter of JTS
+pkg-config            finds GTS
+python3-matplotlib    its triangulation of the plane
+python3-opencv        Subdiv2D
+python3-scipy         its Delaunay triangulations
+python3-shapely       GEOS
+python3-vtk9          vtkDelaunay2D and vtkDelaunay3D
+r-cran-deldir         for R
+r-cran-geometry       for R
+r-cran-interp         for R
+nodejs                runs the libraries that npm installs
+npm                   installs them
+END
+      ;;
     bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, mutants, browser, web, deb or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, mutants, browser, web, deb, hunt or bench" >&2; exit 2 ;;
   esac
 }
 

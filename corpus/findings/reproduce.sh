@@ -33,8 +33,7 @@ echo "$command"
 case $command in
   hunt.py*)
     : "${BUILDS:?expected BUILDS to be the folder with the libraries, as fuzz/hunt/README.md tells}"
-    export PYTHONPATH="${PYTHONPATH:-$here/../../build/release/python}"
-    command="/usr/bin/python3 $here/../../fuzz/hunt/$command --builds $BUILDS"
+    command="python3 $here/../../fuzz/hunt/$command --builds $BUILDS"
     memory=unlimited seconds=120
     ;;
   *) memory=4194304 seconds=10 ;;

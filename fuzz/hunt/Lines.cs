@@ -1,4 +1,4 @@
-// What every adapter in C# does: reads points from the standard input, writes simplices to the standard output.
+// What every adapter in C# does: it answers the cases of `circumspect campaign --worker` (docs/workers.md).
 using System;
 using System.Collections.Generic;
 using System.Globalization;
@@ -23,12 +23,13 @@ public static class Lines
             try
             {
                 var made = triangulate(points).ToList();
-                text.AppendFormat("{0} {1}\n", made.Count, points[0].Length + 1);
-                foreach (var simplex in made) text.Append(string.Join(" ", simplex)).Append('\n');
+                text.Append(made.Count).Append('\n');
+                foreach (var simplex in made) text.Append(string.Join(" ", simplex.Select(v => v >= 0 ? v : points.Length))).Append('\n');
             }
             catch (Exception error)
             {
-                text.Clear().AppendFormat("raised {0}: {1}\n", error.GetType().Name, error.Message.Split('\n')[0]);
+                Console.Error.WriteLine(error);
+                Environment.Exit(1);
             }
             output.Write(text);
             output.Flush();

@@ -1,7 +1,7 @@
 import java.io.*;
 import java.util.*;
 
-/** What every adapter in Java does: reads points from the standard input, writes triangles to the standard output. */
+/** What every adapter in Java does: it answers the cases of {@code circumspect campaign --worker} (docs/workers.md). */
 public final class Lines {
   public interface Triangulator { List<int[]> triangulate(double[][] points) throws Exception; }
 
@@ -21,17 +21,17 @@ public final class Lines {
       for (int i = 0; i < points.length; i++) {
         points[i] = Arrays.stream(in.readLine().split(" ")).mapToDouble(Double::parseDouble).toArray();
       }
-      StringBuilder text = new StringBuilder();
+      List<int[]> made = null;
       try {
-        List<int[]> made = triangulator.triangulate(points);
-        text.append(made.size()).append(' ').append(points[0].length + 1).append('\n');
-        for (int[] simplex : made) {
-          for (int vertex : simplex) text.append(vertex).append(' ');
-          text.append('\n');
-        }
+        made = triangulator.triangulate(points);
       } catch (Exception | StackOverflowError error) {
-        text.setLength(0);
-        text.append("raised ").append(error.toString().split("\n")[0]).append('\n');
+        error.printStackTrace();
+        System.exit(1);
+      }
+      StringBuilder text = new StringBuilder().append(made.size()).append('\n');
+      for (int[] simplex : made) {
+        for (int vertex : simplex) text.append(vertex >= 0 ? vertex : points.length).append(' ');
+        text.append('\n');
       }
       out.print(text);
       out.flush();

@@ -1,3 +1,3 @@
-import { load, serve } from './lines.mjs';
+import { load, serveDomains } from './lines.mjs';
 const cdt2d = (await load('cdt2d')).default;
-serve((points, segments) => cdt2d(points, segments));
+serveDomains((points, segments) => cdt2d(points, segments));

@@ -1,426 +1,266 @@
-#!/usr/bin/python3
-"""Hunts one target of targets.tsv: a library that triangulates, behind an adapter that answers on its standard output.
+#!/usr/bin/env python3
+"""Hunts a library that triangulates: one target of targets.tsv, a worker for `circumspect campaign`.
 
-    PYTHONPATH=build/release/python fuzz/hunt/hunt.py delaunator --builds DIR --output DIR [--time 120]
-    PYTHONPATH=build/release/python fuzz/hunt/hunt.py delaunator --builds DIR --on corpus/findings/delaunator-overlap.node
+    hunt.py delaunator --builds DIR --output DIR [--time 5m] [--regime sane|integers|extreme]
+    hunt.py --all --builds DIR --output DIR --time 5m          every target that answers here
+    hunt.py --install --builds DIR [TARGET ...]                installs them from npm, and builds them, first; `make soak-hunt`
+    hunt.py delaunator --builds DIR --on corpus/findings/delaunator-overlap.node
 
-It draws inputs from the families of `circumspect generate`, sends each to the adapter, judges the answer exactly, and makes
-one input of each signature small. It prints one line of JSON and writes each finding into OUTPUT/TARGET/.
+It runs the campaign of the target, adds a line to the table of runs (--record), and prints each finding with its kind. Exit code 0: no
+signature that runs.tsv does not have of this target; 1: there is one; 3: the target cannot be run here.
 """
 import argparse
 import itertools
 import json
 import os
-import re
-import select
 import shlex
+import shutil
 import subprocess
 import sys
-import time
 from fractions import Fraction
 from pathlib import Path
 
-import numpy as np
-
-import circumspect
-from circumspect import _core
-from circumspect.campaigns import Case, Subject, is_wanted
+from by_hand import determinant, orientation
 
 HERE = Path(__file__).resolve().parent
-COLUMNS = ("target", "library", "version", "language", "dimensions", "numbers", "build", "command", "claim")
-# What users have: families of which a coordinate is outside 2^-100 … 2^100 belong to the extreme regime alone.
-EXTREME = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
-# What is wrong by less than this share of the ball, or of the hull, is rounding. What is wrong by more, on points of which some
-# are flat or cospherical up to this share and not exactly, or that lie far from the origin, is a fault that only exact
-# predicates avoid: "near".
-MARGIN = 1e-9
-KINDS = ("fault", "near", "rounding")
+RUNS = HERE / "runs.tsv"
+COLUMNS = ("target", "library", "version", "language", "dimensions", "numbers", "page", "from", "build", "command", "claim")
+RUN_COLUMNS = ("target", "dimension", "regime", "date", "seconds", "cases", "holds", "refused", "signatures")
+# What users have: no families whose names promise exponents that nobody has, and neither is anything scaled.
+FAR = {"huge", "tiny", "mixed-exponents", "extreme-exponents"}
+# All others are about domains.
+POINT_CLAIMS = {"delaunay", "triangulation"}
+# These reserve much address space.
+VIRTUAL_MACHINES = {"node", "java", "mono", "julia"}
+# Points of which some are flat or cospherical up to this share of their extent and not exactly, or that lie so far from the origin
+# that their differences have few digits left, are "near": only exact predicates avoid such faults.
+MARGIN = Fraction(1, 10 ** 9)
 
 
-class Refused(Exception):
-    """The library says that it does not take this input."""
+def table(path, columns):
+    lines = path.read_text().splitlines()
+    assert tuple(lines[0].split("\t")) == columns, f"{path}: expected the columns {columns}"
+    return [dict(zip(columns, line.split("\t"))) for line in lines[1:]]
 
 
-class Adapter:
-    """A program that reads `n d` and n points, and writes `m k` and m simplices; or `refused TEXT`, or `raised TEXT`."""
-
-    def __init__(self, command, seconds):
-        self.command, self.seconds, self.process, self.rest = command, seconds, None, b""
-
-    def start(self):
-        self.process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                                        start_new_session=True)
-        self.rest = b""
-
-    def processor_time(self):
-        try:
-            fields = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        except OSError:
-            return 0.0
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-    def line(self, spent, since):
-        while b"\n" not in self.rest:
-            if not select.select([self.process.stdout], [], [], 1.0)[0]:
-                # By processor time, so that a loaded machine makes no hang; by the clock only for what sleeps.
-                if self.processor_time() - spent > self.seconds or time.monotonic() - since > 20 * self.seconds:
-                    self.close()
-                    raise TimeoutError(f"no answer within {self.seconds:g} s of processor time")
-                continue
-            more = os.read(self.process.stdout.fileno(), 1 << 20)
-            if not more:
-                code = self.process.wait()
-                self.process = None
-                raise ConnectionError(f"the process ended by {'signal' if code < 0 else 'exit code'} {abs(code)}")
-            self.rest += more
-        line, self.rest = self.rest.split(b"\n", 1)
-        return line.decode("utf-8", "replace")
-
-    def __call__(self, points, segments=()):
-        if self.process is None:
-            self.start()
-        spent, since = self.processor_time(), time.monotonic()
-        text = f"{len(points)} {points.shape[1]}" + (f" {len(segments)}" if len(segments) else "") + "\n"
-        text += "".join(" ".join(map(repr, row)) + "\n" for row in points.tolist())
-        text += "".join(f"{a} {b}\n" for a, b in segments)
-        try:
-            self.process.stdin.write(text.encode())
-            self.process.stdin.flush()
-        except BrokenPipeError:
-            pass  # the next line says how it ended
-        first = self.line(spent, since)
-        while not first.split(" ")[0].isdigit():  # libraries print what they like
-            if first.startswith("refused "):
-                raise Refused(first)
-            if first.startswith("raised "):
-                raise RuntimeError(first)
-            first = self.line(spent, since)
-        count, size = map(int, first.split()[:2])
-        rows = [list(map(int, self.line(spent, since).split())) for _ in range(count)]
-        return np.array(rows, dtype=np.int64).reshape(count, size)
-
-    def close(self):
-        if self.process is not None:
-            self.process.kill()
-            self.process.wait()
-            self.process = None
+def targets():
+    return table(HERE / "targets.tsv", COLUMNS)
 
 
-class Target(Subject):
-    """The adapter as a subject of campaigns; how it ended is told apart from what it wrote."""
-
-    refused = 0
-
-    def answer(self, case):
-        try:
-            made = self.function(case.points)
-        except Refused:
-            self.refused += 1
-            return "refused", None
-        except RuntimeError as error:
-            return "raised", str(error)
-        except TimeoutError as error:
-            return "hang", str(error)
-        except ConnectionError as error:
-            return "crash", str(error)
-        except ValueError as error:
-            self.function.close()
-            return "no-mesh", str(error)
-        try:
-            from circumspect.meshes import mesh_of
-            return "mesh", mesh_of(case.points, made)
-        except Exception as error:
-            return "no-mesh", str(error)
+def options_and_command(row, builds):
+    """A target that is no worker has options of the campaign before its command, with ` -- ` between."""
+    os.environ["BUILDS"] = str(Path(builds).resolve())
+    text = row["command"].replace("{builds}", os.environ["BUILDS"]).replace("{here}", str(HERE))
+    options, found, command = text.rpartition(" -- ")
+    return shlex.split(options) if found else ["--worker"], shlex.split(command)
 
 
-def determinant(rows):
-    """Exactly."""
-    rows, sign = [list(row) for row in rows], 1
-    value = Fraction(1)
-    for k in range(len(rows)):
-        pivot = next((r for r in range(k, len(rows)) if rows[r][k]), None)
-        if pivot is None:
-            return Fraction(0)
-        if pivot != k:
-            rows[k], rows[pivot], sign = rows[pivot], rows[k], -sign
-        value *= rows[k][k]
-        for row in rows[k + 1:]:
-            factor = row[k] / rows[k][k]
-            for j in range(k, len(rows)):
-                row[j] -= factor * rows[k][j]
-    return sign * value
+def command_of(row, builds):
+    return options_and_command(row, builds)[1]
 
 
-def least_margin(points):
-    """The least |determinant| that is not 0, of the orientations and in-ball tests of the points, relative to their extent.
-
-    Or a number below it that is more than MARGIN, or above it that is less. 0 if they are so far from the origin that their differences have few digits left.
-    """
-    d = points.shape[1]
-    across = np.ptp(points, axis=0).max()
-    if across < MARGIN * np.abs(points).max():
-        return 0.0
-    # Multiples of a power of two: a determinant that is not 0 is at least 1 in those units.
-    for one in (1.0, 2.0 ** np.floor(np.log2(across)) / 64):
-        if (points / one == np.round(points / one)).all() and (across / one) ** -(d + 2) > MARGIN:
-            return float((across / one) ** -(d + 2))
-    least = np.inf
-    with np.errstate(all="ignore"):
-        for size, lifted in ((d + 1, False), (d + 2, True)):
-            if len(points) < size:
-                continue
-            chosen = np.array(list(itertools.combinations(range(len(points)), size)))
-            edges = points[chosen[:, 1:]] - points[chosen[:, :1]]
-            extent = np.abs(edges).max(axis=(1, 2), keepdims=True)
-            unit = edges / extent
-            if lifted:
-                unit = np.concatenate([unit, (unit ** 2).sum(axis=2, keepdims=True)], axis=2)
-            sizes = np.abs(np.linalg.det(unit))
-            sure = sizes[sizes > 1e-12]
-            least = min(least, sure.min()) if len(sure) else least
-            for index in np.flatnonzero(~(sizes > 1e-12))[:500]:
-                rows = [[Fraction(x) - Fraction(y) for x, y in zip(points[i].tolist(), points[chosen[index][0]].tolist())]
-                        for i in chosen[index][1:]]
-                scale = max(abs(x) for row in rows for x in row)
-                if not scale:
-                    return 0.0
-                rows = [[x / scale for x in row] for row in rows]
-                exact = determinant([row + [sum(x * x for x in row)] for row in rows] if lifted else rows)
-                if exact:
-                    return float(abs(exact))
-    return float(least)
+def case_of(points):
+    """The text that a worker reads (docs/workers.md)."""
+    rows = [f"{len(points)} {len(points[0])} 0 0 0 0", *(" ".join(map(repr, point)) for point in points)]
+    return "\n".join(rows) + "\n"
 
 
-def margin_of(outcome, points):
-    """By how much the facet is not locally Delaunay, or the hull not convex; None of other rules."""
-    if outcome.rule == "delaunay.facet-not-local":
-        return float(re.search(r"worst relative margin (\S+)", outcome.report).group(1))
-    if outcome.rule == "triangulation.hull-not-convex":
-        deepest = 0.0
-        for face, vertex in re.findall(r"\n  face     ([\d ]+)\n  vertex   (\d+)", outcome.report):
-            rows = points[[*map(int, face.split()), int(vertex)]]
-            edges = rows[1:] - rows[0]
-            extent = np.abs(edges).max()
-            normal = np.sqrt(max(np.linalg.det((edges[:-1] / extent) @ (edges[:-1] / extent).T), 0.0))
-            deepest = max(deepest, abs(np.linalg.det(edges / extent)) / max(normal, 1e-300))
-        return deepest
-    return None
+def points_of(path):
+    lines = [line.split() for line in Path(path).read_text().splitlines()]
+    return [[float(x) for x in line[1:1 + int(lines[0][1])]] for line in lines[1:1 + int(lines[0][0])]]
 
 
-def kind_of(outcome, points):
-    """One of KINDS. Large inputs have to become small before they can be more than near misses."""
-    margin = margin_of(outcome, points)
-    if margin is not None and margin < MARGIN:
-        return "rounding"
-    return "fault" if len(points) <= 24 and least_margin(points) > MARGIN else "near"
-
-
-def length(points):
-    return sum(len(f"{x:.17g}") if x != int(x) or abs(x) > 1e15 else len(str(int(x))) for x in points.ravel().tolist())
-
-
-def simpler(points):
-    """Inputs of which each is simpler to read than the last, if it is so at all."""
-    for row in points:
-        yield points - row
-    top = np.abs(points).max()
-    if top > 0:
-        exponent = int(np.floor(np.log2(top)))
-        for power in (1, 2, 3, 4, 5, 6, 8, 10, 13, 17, 24):
-            yield np.round(points * 2.0 ** (power - exponent))
-        yield points * 2.0 ** -exponent
-    yield np.abs(points)
-    yield points[:, ::-1].copy()
-    for index in np.ndindex(points.shape):
-        x = float(points[index])
-        for value in [0.0, 1.0, -1.0, float(np.round(x))] + [float(f"{x:.{k}g}") for k in range(1, 17)]:
-            if value != x:
-                other = points.copy()
-                other[index] = value
-                yield other
-
-
-def tidied(points, still_fails, seconds):
-    """As long as something gives."""
-    end = time.monotonic() + seconds
-    changed = True
-    while changed and time.monotonic() < end:
-        changed = False
-        for k in range(len(points)):
-            fewer = np.delete(points, k, axis=0)
-            if still_fails(fewer, None):
-                points, changed = fewer, True
-                break
-        if changed:
-            continue
-        for other in simpler(points):
-            if time.monotonic() > end:
-                break
-            if np.isfinite(other).all() and length(other) < length(points) and still_fails(other, None):
-                points, changed = other, True
-                break
-    return points
-
-
-class Hunt:
-    """Counts, and the first cases of each signature."""
-
-    def __init__(self, target, arguments, single):
-        self.target, self.arguments = target, arguments
-        self.counts, self.first, self.looked = {}, {}, {}
-        self.single = single
-
-    def stored(self, points):
-        """As the library stores them: one that takes floats is given floats."""
-        if self.single:
-            with np.errstate(over="ignore"):
-                points = np.unique(points.astype(np.float32), axis=0).astype(np.float64)
-        return points
-
-    def note(self, outcome, case, family):
-        self.counts[outcome.rule] = self.counts.get(outcome.rule, 0) + 1
-        if len(self.first.get((outcome.rule, "fault"), ())) >= 3:
-            return
-        looked = self.looked[outcome.rule] = self.looked.get(outcome.rule, 0) + 1
-        if looked <= self.arguments.looks:
-            self.first.setdefault((outcome.rule, kind_of(outcome, case.points)), []).append((case, family))
-
-    def minimal(self, rule, kind, case, end):
-
-        def still_fails(points, _):
-            if time.monotonic() > end:
-                return False
-            if len(points) <= points.shape[1] or len(np.unique(points, axis=0)) < len(points) or not is_wanted(points, False):
-                return False
-            if self.single and (points.astype(np.float32) != points).any():
-                return False
-            outcome = self.target.outcome(Case(points))
-            return outcome.rule == rule and KINDS.index(kind_of(outcome, points)) <= KINDS.index(kind)
-
-        points = case.points
-        for _ in range(2):
-            points, _ = _core.minimized(points, None, still_fails, 20000, self.arguments.small_time)
-            points = tidied(points, still_fails, self.arguments.small_time)
-            kind = kind_of(self.target.outcome(Case(points)), points)
-        return points, kind
-
-
-def hunt(row, arguments):
-    adapter = Adapter(command_of(row, arguments), arguments.limit)
-    target = Target(adapter, row["claim"], ())
-    found = Hunt(target, arguments, row["numbers"] == "single")
-    dimension = arguments.dimension or int(row["dimensions"].split(",")[0])
-    names = [f.name for f in circumspect.families() if dimension in f.dimensions and not f.weighted and not f.repeats_points
-             and not f.is_of_domains and (arguments.extreme or f.name.split("+")[0] not in EXTREME and "+scaled" not in f.name)]
-    cases = skipped = large = 0
-    start = time.monotonic()
-    index = 0
-    while time.monotonic() - start < arguments.time:
-        index += 1
-        most = arguments.points
-        if index % 40 == 0:
-            most = 300 if dimension == 2 else 120
-        family, seed, points, _ = _core.drawn_case(names, dimension, False, most, arguments.seed, index)
-        points = found.stored(points)
-        size = np.abs(points[points != 0])
-        largest = 2.0 ** (25 if found.single else 100)  # of floats and of doubles, an in-circle test has a fourth power
-        if not arguments.extreme and len(size) and (size.min() < 1 / largest or size.max() > largest) or not is_wanted(points, False):
-            skipped += 1
-            continue
-        case = Case(points)
-        outcome = target.outcome(case)
-        cases += 1
-        large += len(points) > 24
-        if outcome.rule:
-            found.note(outcome, case, family)
-    seconds, refused = time.monotonic() - start, target.refused
-    findings = {}
-    folder = Path(arguments.output) / (row["target"] + (f"-{dimension}d" if "," in row["dimensions"] else "")
-                                       + ("-extreme" if arguments.extreme else ""))
-    folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob("*.json"):
-        old.unlink()
-    last_end = time.monotonic() + 2 * arguments.time
-    for (rule, kind), firsts in sorted(found.first.items(), key=lambda one: KINDS.index(one[0][1])):
-        if any((rule, better) in findings for better in KINDS[:KINDS.index(kind)]):
-            continue
-        end = min(time.monotonic() + 8 * arguments.small_time, last_end)
-        tries = [(*found.minimal(rule, kind, case, end), family) for case, family in firsts[:3 if kind == "fault" else 1]]
-        points, kind, family = min(tries, key=lambda one: (KINDS.index(one[1]), len(one[0]), length(one[0])))
-        repeats = 0
-        for _ in range(3):
-            adapter.close()  # a new process has to say the same
-            outcome = target.outcome(Case(points))
-            repeats += outcome.rule == rule
-        findings[rule, kind] = dict(rule=rule, kind=kind, repeats=repeats, family=family, margin=least_margin(points),
-                                    points=points.tolist(), report=outcome.report,
-                                    simplices=None if outcome.simplices is None else np.asarray(outcome.simplices).tolist())
-        (folder / f"{rule}-{kind}.json").write_text(json.dumps(findings[rule, kind], indent=1))
-    adapter.close()
-    failed = sum(found.counts.values())
-    summary = dict(target=row["target"], library=row["library"], version=row["version"], language=row["language"],
-                   dimension=dimension, regime="extreme" if arguments.extreme else "sane", cases=cases, large=large, skipped=skipped,
-                   seconds=round(seconds), refused=refused, hold=cases - failed - refused, counts=found.counts,
-                   found={f"{rule}/{kind}": [len(f["points"]), f["repeats"]] for (rule, kind), f in findings.items()})
-    (folder / "summary.json").write_text(json.dumps(summary, indent=1))
-    return summary
-
-
-def answer_once(row, arguments):
+def answer_once(command, path):
     """What the library makes of one .node file, as an .ele file beside it; the exit code tells how it ended otherwise."""
-    lines = [line.split() for line in Path(arguments.on).read_text().splitlines()]
-    points = np.array([list(map(float, line[1:])) for line in lines[1:1 + int(lines[0][0])]])
+    points = points_of(path)
     try:
-        made = Adapter(command_of(row, arguments), arguments.limit)(points)
-    except TimeoutError as error:
-        print(error)
+        ended = subprocess.run(command, input=case_of(points), capture_output=True, text=True, timeout=60)
+    except subprocess.TimeoutExpired:
+        print("no answer within 60 s")
         return 124
-    except ConnectionError as error:
-        print(error)
-        return 134
-    except (RuntimeError, Refused) as error:
-        print(error)
-        return 1
-    # A vertex that is none of the points given counts as the one after the last.
-    rows = ["%d %s" % (i, " ".join(str(v if v >= 0 else len(points)) for v in simplex)) for i, simplex in enumerate(made.tolist())]
-    Path(arguments.on).with_suffix(".ele").write_text("\n".join([f"{len(made)} {made.shape[1]} 0", *rows]) + "\n")
+    if ended.returncode != 0 or not ended.stdout or ended.stdout.startswith("error"):
+        print((ended.stdout + ended.stderr).strip())
+        return 128 - ended.returncode if ended.returncode < 0 else ended.returncode or 1
+    rows = ended.stdout.splitlines()
+    numbered = [f"{i} {row}" for i, row in enumerate(rows[1:1 + int(rows[0])])]
+    Path(path).with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(points[0]) + 1} 0", *numbered]) + "\n")
     return 0
 
 
-def command_of(row, arguments):
-    os.environ["BUILDS"] = str(Path(arguments.builds).resolve())
-    return shlex.split(row["command"].format(builds=os.environ["BUILDS"], here=HERE))
+def install(rows, builds):
+    """What npm has, and what is built from Debian's packages or from sources that lie in BUILDS/src. A failure is told, and passed over."""
+    folder = Path(builds).resolve()
+    for name in ("npm", "bin", "java", "cs"):
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    packages = sorted({package for row in rows if row["from"].startswith("npm:") for package in row["from"][4:].split()})
+    missing = [one for one in packages if not (folder / "npm" / "node_modules" / one.rsplit("@", 1)[0]).exists()]
+    if missing and subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", str(folder / "npm"), *missing]).returncode:
+        print(f"npm did not install {' '.join(missing)}")
+    for row in rows:
+        sources = row["from"].startswith("github:") and not any((folder / name).exists() for name in ("src", "rust", "go"))
+        if row["build"] == "-" or sources:
+            continue
+        built = subprocess.run(["sh", "-c", row["build"]], cwd=folder, env={**os.environ, "HERE": str(HERE)}, capture_output=True, text=True)
+        if built.returncode:
+            print(f"{row['target']}: was not built: {built.stderr.strip().splitlines()[-1:]}", flush=True)
 
 
-def arguments_and_row(words):
-    """The options, and the line of targets.tsv."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("target")
-    parser.add_argument("--builds", required=True, help="the folder where libraries were installed or built")
-    parser.add_argument("--output", default="hunt", help="the folder for what is found")
-    parser.add_argument("--on", metavar="FILE.node", help="hunt for nothing: write what the library makes of this file")
-    parser.add_argument("--time", type=float, default=120.0)
-    parser.add_argument("--small-time", type=float, default=10.0, help="seconds for each of the two steps that make an input small")
-    parser.add_argument("--dimension", type=int, default=0)
-    parser.add_argument("--points", type=int, default=20)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--limit", type=float, default=5.0, help="seconds of processor time for an answer")
-    parser.add_argument("--looks", type=int, default=150, help="cases of a signature that are asked for more than rounding")
-    parser.add_argument("--extreme", action="store_true", help="coordinates of any exponent, and single ulps")
-    arguments = parser.parse_args(words)
-    lines = [line.split("\t") for line in (HERE / "targets.tsv").read_text().splitlines()[1:]]
-    rows = [dict(zip(COLUMNS, line)) for line in lines if line[0] == arguments.target]
-    if not rows:
-        sys.exit(f"{arguments.target}: expected one of {', '.join(line[0] for line in lines)}")
-    return arguments, rows[0]
+def is_here(row, builds):
+    """Whether the target answers one simplex; or whether the program is there."""
+    options, command = options_and_command(row, builds)
+    if options != ["--worker"]:
+        return shutil.which(command[0]) is not None
+    d = int(row["dimensions"].split(",")[0])
+    simplex = [[0.0] * d, *([float(i == k) for i in range(d)] for k in range(d))]
+    try:
+        ended = subprocess.run(command, input=case_of(simplex), capture_output=True, text=True, timeout=60)
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+    return ended.returncode == 0 and bool(ended.stdout)
+
+
+def is_flat(points):
+    """Whether points of the plane lie on a line, exactly."""
+    exact = [[Fraction(x) for x in point] for point in points]
+    return not any(orientation(chosen) for chosen in itertools.combinations(exact, 3))
+
+
+def is_near(points):
+    """Whether a determinant of an orientation or of an in-ball test is not 0, and less than MARGIN of the extent; or the points are far away."""
+    exact = [[Fraction(x) for x in point] for point in points]
+    columns = list(zip(*exact))
+    if max(max(c) - min(c) for c in columns) < MARGIN * max(abs(x) for c in columns for x in c):
+        return True
+    d = len(columns)
+    for size, is_lifted in ((d + 1, False), (d + 2, True)):
+        for chosen in itertools.combinations(exact, size):
+            rows = [[x - y for x, y in zip(p, chosen[0])] for p in chosen[1:]]
+            extent = max(abs(x) for row in rows for x in row)
+            if not extent:
+                return True
+            rows = [[x / extent for x in row] for row in rows]
+            if 0 < abs(determinant([row + [sum(x * x for x in row)] for row in rows] if is_lifted else rows)) < MARGIN:
+                return True
+    return False
+
+
+def kind_of(finding, folder):
+    """rounding, flat, near or fault; large inputs are not looked at."""
+    if finding["signature"].endswith("-rounding"):
+        return "rounding"
+    if (folder / "minimal.poly").exists():
+        return "flat" if is_flat(points_of(folder / "minimal.poly")) else "fault"
+    if "points" not in finding or not (folder / "minimal.node").exists():
+        return "fault"
+    points = points_of(folder / "minimal.node")
+    return "large" if len(points) > 14 else "near" if is_near(points) else "fault"
+
+
+def families(circumspect, dimension, regime, is_of_domains):
+    if is_of_domains or regime == "extreme":
+        return ["--families", "all"] + ([] if is_of_domains else ["--exclude", "duplicates"])
+    lists = json.loads(subprocess.run([circumspect, "generate", "--list", "--format", "json"], capture_output=True, check=True).stdout)
+    names = [f["name"] for f in lists["results"][0]["points"]
+             if dimension in f["dimensions"] and not f["weighted"] and not f["repeats_points"] and f["name"] not in FAR]
+    modifiers = [""] if regime == "integers" else ["", "+ulp", "+moved"]
+    return ["--families", ",".join(name + modifier for name in names for modifier in modifiers)]
+
+
+def known(target, dimension):
+    """The signatures that runs have shown already, of any regime."""
+    return {signature.rsplit(" ", 1)[0] for run in table(RUNS, RUN_COLUMNS) if run["target"] == target and int(run["dimension"]) == dimension
+            for signature in run["signatures"].split(", ") if signature}
+
+
+def campaign(row, dimension, arguments):
+    """Its JSON, or None if there is none."""
+    options, command = options_and_command(row, arguments.builds)
+    is_of_domains = row["claim"] not in POINT_CLAIMS
+    folder = Path(arguments.output).resolve() / f"{row['target']}-{dimension}d-{arguments.regime}"
+    if not arguments.go_on:
+        shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
+    words = [arguments.circumspect, "campaign", *options, "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
+             "--time", arguments.time, "--minimize-time", "20s", "--jobs", str(arguments.jobs), "--output", str(folder), "--format", "json"]
+    words += families(arguments.circumspect, dimension, arguments.regime, is_of_domains)
+    words += [] if is_of_domains else ["--full-dimension"]
+    words += ["--mesh", "x.off", "--fill", "hull"] if row["claim"] == "cdt" else []
+    bits = {"single": 20}.get(row["numbers"], 10 if arguments.regime == "integers" else None)
+    words += ["--extreme"] if arguments.regime == "extreme" else ["--integers", str(bits)] if bits else []
+    words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []
+    ended = subprocess.run([*words, "--", *command], stdout=subprocess.PIPE, cwd=HERE.parents[1])
+    if ended.returncode not in (0, 1):
+        return None
+    return json.loads(ended.stdout)["results"][0], folder
+
+
+def hunt(row, dimension, arguments):
+    """The line of runs.tsv, and the signatures that are new; None if the campaign ended otherwise than by its time."""
+    made = campaign(row, dimension, arguments)
+    if made is None:
+        return None
+    result, folder = made
+    counts = {}
+    for family in result["families"].values():
+        for what, count in family.items():
+            counts[what] = counts.get(what, 0) + count
+    signatures = {f["signature"]: f["count"] for f in result["findings"]}
+    before = known(row["target"], dimension)
+    for finding in sorted(result["findings"], key=lambda one: -one["count"]):
+        where = Path(finding["folder"])
+        new = "" if finding["signature"] in before else " NEW"
+        print(f"  {finding['signature']} {finding['count']} times, {finding['minimal_points']} points, {kind_of(finding, where)}{new}: {where}")
+    date = subprocess.run(["date", "-u", "+%F"], capture_output=True, text=True).stdout.strip()
+    run = dict(target=row["target"], dimension=dimension, regime=arguments.regime, date=date, seconds=round(result["seconds"]),
+               cases=result["judged"], holds=counts.get("holds", 0), refused=counts.get("refused", 0),
+               signatures=", ".join(f"{name} {count}" for name, count in sorted(signatures.items(), key=lambda one: -one[1])))
+    print("\t".join(str(run[column]) for column in RUN_COLUMNS), flush=True)
+    return run, set(signatures) - before
 
 
 def main():
-    arguments, row = arguments_and_row(sys.argv[1:])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("target", nargs="*", help="names of targets.tsv")
+    parser.add_argument("--all", action="store_true", help="all targets that answer one simplex here")
+    parser.add_argument("--install", action="store_true", help="install and build them first")
+    parser.add_argument("--builds", required=True, help="the folder where libraries were installed or built")
+    parser.add_argument("--output", default="hunt", help="the folder for the campaigns")
+    parser.add_argument("--time", default="1m", help="of each campaign, a quarter of it for making small")
+    parser.add_argument("--regime", choices=["sane", "integers", "extreme"], default="sane",
+                        help="what users have; integers of ten bits; or any exponent")
+    parser.add_argument("--dimension", type=int, help="of all that the target takes by default")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--go-on", action="store_true", help="with the campaign that is in the folder")
+    parser.add_argument("--record", action="store_true", help="add the run to runs.tsv")
+    parser.add_argument("--on", help="answer this .node file alone, with an .ele file beside it")
+    parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parents[1] / "build/release/bin/circumspect")))
+    arguments = parser.parse_args()
+    unknown = set(arguments.target) - {row["target"] for row in targets()}
+    if unknown or not (arguments.target or arguments.all or arguments.install):
+        parser.error(f"expected names of {HERE / 'targets.tsv'}, --all or --install, found {', '.join(unknown) or 'none of them'}")
+    chosen = [row for row in targets() if not arguments.target or row["target"] in arguments.target]
+    if arguments.install:
+        install(chosen, arguments.builds)
     if arguments.on:
-        sys.exit(answer_once(row, arguments))
-    print(json.dumps(hunt(row, arguments)))
+        return answer_once(command_of(chosen[0], arguments.builds), arguments.on)
+    new, ran = 0, 0
+    for row in chosen:
+        if not is_here(row, arguments.builds):
+            print(f"{row['target']}: passed over, it does not answer one simplex here ({row['from']})", flush=True)
+            continue
+        for dimension in [arguments.dimension] if arguments.dimension else map(int, row["dimensions"].split(",")):
+            made = hunt(row, dimension, arguments)
+            if made is None:
+                continue
+            ran += 1
+            new += len(made[1])
+            if arguments.record:
+                with RUNS.open("a") as file:
+                    file.write("\t".join(str(made[0][column]) for column in RUN_COLUMNS) + "\n")
+    print(f"{ran} campaigns, {new} new signatures")
+    return 3 if not ran else int(new > 0)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,19 +1,19 @@
-// What every adapter in Go does: reads points from the standard input, writes triangles to the standard output.
+// What every adapter in Go does: it answers the cases of `circumspect campaign --worker` (docs/workers.md).
 package main
 
 import (
 	"bufio"
 	"fmt"
 	"os"
-	"strings"
 )
 
+// What `triangulate` returns as an error, and a panic, end the process: with exit code 1, and with 2.
 func serve(triangulate func(points [][]float64) ([]int, error)) {
 	in := bufio.NewReader(os.Stdin)
 	out := bufio.NewWriter(os.Stdout)
 	for {
-		var count, dimension int
-		if _, err := fmt.Fscan(in, &count, &dimension); err != nil {
+		var count, dimension, weights, segments, facets, holes int
+		if _, err := fmt.Fscan(in, &count, &dimension, &weights, &segments, &facets, &holes); err != nil {
 			return
 		}
 		points := make([][]float64, count)
@@ -23,24 +23,15 @@ func serve(triangulate func(points [][]float64) ([]int, error)) {
 				fmt.Fscan(in, &points[i][k])
 			}
 		}
-		flat, err := caught(triangulate, points)
+		flat, err := triangulate(points)
 		if err != nil {
-			fmt.Fprintf(out, "raised %s\n", strings.Split(err.Error(), "\n")[0])
-		} else {
-			fmt.Fprintf(out, "%d 3\n", len(flat)/3)
-			for i := 0; i+2 < len(flat); i += 3 {
-				fmt.Fprintln(out, flat[i], flat[i+1], flat[i+2])
-			}
+			fmt.Fprintln(os.Stderr, err)
+			os.Exit(1)
+		}
+		fmt.Fprintln(out, len(flat)/3)
+		for i := 0; i+2 < len(flat); i += 3 {
+			fmt.Fprintln(out, flat[i], flat[i+1], flat[i+2])
 		}
 		out.Flush()
 	}
-}
-
-func caught(triangulate func([][]float64) ([]int, error), points [][]float64) (made []int, err error) {
-	defer func() {
-		if cause := recover(); cause != nil {
-			err = fmt.Errorf("panic: %v", cause)
-		}
-	}()
-	return triangulate(points)
 }

@@ -1,4 +1,4 @@
-// What every adapter in C and C++ does: reads points from the standard input, writes simplices to the standard output.
+// What every adapter in C and C++ does: it answers the cases of `circumspect campaign --worker` (docs/workers.md).
 #pragma once
 
 #include <cstdio>
@@ -34,20 +34,20 @@ struct Indices {
 
 using Segments = std::vector<std::pair<long, long>>;
 
-// `triangulate` is given the points, and the segments that are to be edges.
-inline int serve_domains(
-    const std::function<Simplices(const Points&, const Segments&)>& triangulate) {
+using Triangulate = std::function<Simplices(const Points&, const Segments&)>;
+
+// One answer after the other. What `triangulate` throws beside Refused ends the process with exit code 1.
+inline int answer_all(const Triangulate& triangulate, bool is_of_domains) {
   std::FILE* out = fdopen(dup(1), "w");
   dup2(2, 1);  // libraries print what they like
-  long count = 0;
-  long dimension = 0;
   char header[256];
   while (std::fgets(header, sizeof header, stdin) != nullptr) {
-    long constraints = 0;
-    if (std::sscanf(header, "%ld %ld %ld", &count, &dimension, &constraints) < 2) continue;
-    Segments segments(static_cast<std::size_t>(constraints));
-    Points points(static_cast<std::size_t>(count),
-                  std::vector<double>(static_cast<std::size_t>(dimension)));
+    std::size_t count = 0;
+    std::size_t dimension = 0;
+    std::size_t constraints = 0;
+    if (std::sscanf(header, "%zu %zu %*d %zu", &count, &dimension, &constraints) < 3) continue;
+    Segments segments(constraints);
+    Points points(count, std::vector<double>(dimension));
     for (auto& point : points) {
       for (double& x : point) {
         if (std::scanf("%lf", &x) != 1) return 1;
@@ -58,24 +58,36 @@ inline int serve_domains(
     }
     try {
       const Simplices made = triangulate(points, segments);
-      std::fprintf(out, "%zu %ld\n", made.size(), dimension + 1);
+      if (is_of_domains) {
+        std::fprintf(out, "nOFF 2\n%zu %zu 0\n", count, made.size());
+        for (const auto& p : points) std::fprintf(out, "%.17g %.17g\n", p[0], p[1]);
+      } else {
+        std::fprintf(out, "%zu\n", made.size());
+      }
       for (const auto& simplex : made) {
-        for (const long vertex : simplex) std::fprintf(out, "%ld ", vertex);
+        if (is_of_domains) std::fputs("3 ", out);
+        for (const long v : simplex)
+          std::fprintf(out, "%zu ", v < 0 ? count : static_cast<std::size_t>(v));
         std::fputc('\n', out);
       }
     } catch (const Refused& refusal) {
-      std::fprintf(out, "refused %s\n", refusal.why.c_str());
+      std::fprintf(out, "error %s\n", refusal.why.c_str());
     } catch (const std::exception& error) {
-      const std::string text = error.what();
-      std::fprintf(out, "raised %s\n", text.substr(0, text.find('\n')).c_str());
+      std::fprintf(stderr, "%s\n", error.what());
+      return 1;
     }
     std::fflush(out);
   }
   return 0;
 }
 
+// `triangulate` is given the points of the plane, and the segments that are to be edges: a worker answers
+// domains with an .off file.
+inline int serve_domains(const Triangulate& triangulate) { return answer_all(triangulate, true); }
+
 inline int serve(const std::function<Simplices(const Points&)>& triangulate) {
-  return serve_domains([&](const Points& points, const Segments&) { return triangulate(points); });
+  return answer_all([&](const Points& points, const Segments&) { return triangulate(points); },
+                    false);
 }
 
 }  // namespace lines

@@ -1,4 +1,4 @@
-// What every adapter in JavaScript does: reads points from the standard input, writes triangles to the standard output.
+// What every adapter in JavaScript does: it answers the cases of `circumspect campaign --worker` (docs/workers.md).
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -14,12 +14,19 @@ export const indices = points => {
 /** [a, b, c, d, e, f] → [[a, b, c], [d, e, f]] */
 export const threes = flat => Array.from({ length: flat.length / 3 }, (_, i) => Array.from(flat.slice(3 * i, 3 * i + 3)));
 
-export async function serve(triangulate) {
+/** `triangulate` is given points, and returns rows of indices. What it throws ends the process with exit code 1. */
+export const serve = triangulate => answerAll(triangulate, (_, rows) => [rows.length, ...rows]);
+
+/** The same of the plane with segments that have to be edges: a worker answers domains with an .off file. */
+export const serveDomains = triangulate => answerAll(triangulate, (points, rows) =>
+  ['nOFF 2', `${points.length} ${rows.length} 0`, ...points, ...rows.map(row => '3 ' + row)]);
+
+async function answerAll(triangulate, answer) {
   let text = '', rows = [];
   const buffer = Buffer.alloc(1 << 20);
   for (;;) {
-    const [count, , constraints = 0] = (rows[0] ?? '0').split(' ').map(Number); // points, their dimension, segments
-    if (rows.length === 0 || rows.length <= count + constraints) {
+    const [count, , , segments = 0] = (rows[0] ?? '0').split(' ').map(Number); // points, their dimension, weights, segments
+    if (rows.length === 0 || rows.length <= count + segments) {
       const size = fs.readSync(0, buffer);
       if (size === 0) return;
       text += buffer.toString('latin1', 0, size);
@@ -28,15 +35,15 @@ export async function serve(triangulate) {
       rows.push(...lines);
       continue;
     }
-    const given = rows.splice(0, count + constraints + 1).slice(1).map(line => line.split(' ').map(Number));
-    const points = given.slice(0, count);
-    let answer;
+    const lines = rows.splice(0, count + segments + 1).slice(1);
+    const given = lines.map(line => line.split(' ').map(Number));
     try {
-      const simplices = await triangulate(points, given.slice(count));
-      answer = [`${simplices.length} ${points[0].length + 1}`, ...simplices.map(s => Array.from(s).join(' '))].join('\n');
+      const made = await triangulate(given.slice(0, count), given.slice(count));
+      const own = made.map(simplex => Array.from(simplex, v => (v >= 0 ? v : count)).join(' '));
+      fs.writeSync(1, answer(lines.slice(0, count), own).join('\n') + '\n');
     } catch (error) {
-      answer = `raised ${String(error).split('\n')[0]}`;
+      console.error(error);
+      process.exit(1);
     }
-    fs.writeSync(1, answer + '\n');
   }
 }

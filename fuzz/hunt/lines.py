@@ -1,6 +1,7 @@
-"""What every adapter in Python does: reads points from the standard input, writes triangles to the standard output."""
+"""What every adapter in Python does: it answers the cases of `circumspect campaign --worker` (docs/workers.md)."""
 import os
 import sys
+import traceback
 
 
 class Refused(Exception):
@@ -14,16 +15,21 @@ def indices(points):
 
 
 def serve(triangulate):
-    """`triangulate` is given a list of points, and returns lists of indices."""
+    """`triangulate` is given a list of points, and returns lists of indices; -1 is a vertex that is none of the points.
+
+    What it raises beside Refused ends the process with exit code 1.
+    """
     out = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # libraries print what they like
     while header := sys.stdin.readline():
-        points = [tuple(map(float, sys.stdin.readline().split())) for _ in range(int(header.split()[0]))]
+        count = int(header.split()[0])
+        points = [tuple(map(float, sys.stdin.readline().split())) for _ in range(count)]
         try:
-            simplices = [" ".join(str(int(v)) for v in simplex) for simplex in triangulate(points)]
-            out.write("\n".join([f"{len(simplices)} {len(points[0]) + 1}", *simplices]) + "\n")
+            simplices = [" ".join(str(int(v) if v >= 0 else count) for v in simplex) for simplex in triangulate(points)]
+            out.write("\n".join([f"{len(simplices)}", *simplices]) + "\n")
         except Refused as refusal:
-            out.write(f"refused {refusal}\n")
-        except Exception as error:
-            out.write(f"raised {type(error).__name__}: {str(error).splitlines()[:1]}\n")
+            out.write(f"error {refusal}\n")
+        except BaseException:
+            traceback.print_exc()
+            os._exit(1)
         out.flush()

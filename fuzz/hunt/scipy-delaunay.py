@@ -1,5 +1,14 @@
-from scipy.spatial import Delaunay
+from scipy.spatial import Delaunay, QhullError
 
-from lines import serve
+from lines import Refused, serve
 
-serve(lambda points: Delaunay(points).simplices)
+
+def triangulate(points):
+    """Its documents list QhullError, of geometrical degeneracy, among what it raises."""
+    try:
+        return Delaunay(points).simplices
+    except QhullError as error:
+        raise Refused(str(error).strip().splitlines()[0]) from error
+
+
+serve(triangulate)

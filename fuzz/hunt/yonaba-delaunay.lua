@@ -1,20 +1,17 @@
 package.path = os.getenv("BUILDS") .. "/src/yonaba-delaunay/?.lua;" .. package.path
 local Delaunay = require("delaunay")
 
--- Reads points from the standard input, writes triangles to the standard output.
+-- Answers the cases of `circumspect campaign --worker` (docs/workers.md). An error ends the process with exit code 1.
 for header in io.lines() do
   local points = {}
-  for i = 1, tonumber(header:match("^%d+")) do
+  local count = tonumber(header:match("^%d+"))
+  for i = 1, count do
     local x, y = io.read("l"):match("(%S+) (%S+)")
     points[i] = Delaunay.Point(tonumber(x), tonumber(y))
     points[i].own = i - 1
   end
-  local fine, made = pcall(Delaunay.triangulate, table.unpack(points))
-  if fine then
-    io.write(#made, " 3\n")
-    for _, t in ipairs(made) do io.write(t.p1.own or -1, " ", t.p2.own or -1, " ", t.p3.own or -1, "\n") end
-  else
-    io.write("raised ", tostring(made):gsub("\n.*", ""), "\n")
-  end
+  local made = Delaunay.triangulate(table.unpack(points))
+  io.write(#made, "\n")
+  for _, t in ipairs(made) do io.write(t.p1.own or count, " ", t.p2.own or count, " ", t.p3.own or count, "\n") end
   io.flush()
 end
