@@ -60,15 +60,6 @@ std::size_t distinct_points(const PointsCase& set) {
   return std::set<Point>(set.points.begin(), set.points.end()).size();
 }
 
-PointsCase chosen(const PointsCase& set, const std::vector<std::size_t>& places) {
-  PointsCase part;
-  for (const std::size_t v : places) {
-    part.points.push_back(set.points[v]);
-    if (!set.weights.empty()) part.weights.push_back(set.weights[v]);
-  }
-  return part;
-}
-
 std::vector<std::size_t> places(std::size_t count) {
   std::vector<std::size_t> all(count);
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -81,6 +72,29 @@ bool leave_out_points(PointsCase& set, const StillFails<PointsCase>& accepts) {
   const bool dropped = drop_items<std::size_t>(
       kept, [&](const std::vector<std::size_t>& part) { return accepts(chosen(whole, part)); });
   if (dropped) set = chosen(whole, kept);
+  return dropped;
+}
+
+// A point goes with all that happens to it.
+UpdatesCase chosen(const UpdatesCase& whole, const std::vector<std::size_t>& kept) {
+  UpdatesCase part{chosen(whole.set, kept)};
+  for (Update update : whole.updates) {
+    const auto place = std::lower_bound(kept.begin(), kept.end(), update.point);
+    const bool is_there = place != kept.end() && *place == update.point;
+    if (update.kind != UpdateKind::kRestore && !is_there) continue;
+    update.point = static_cast<std::size_t>(place - kept.begin());
+    if (update.kind == UpdateKind::kRestore) update.point = 0;
+    part.updates.push_back(update);
+  }
+  return part;
+}
+
+bool leave_out_points(UpdatesCase& whole, const StillFails<UpdatesCase>& accepts) {
+  std::vector<std::size_t> kept = places(whole.set.points.size());
+  const UpdatesCase all = whole;
+  const bool dropped = drop_items<std::size_t>(
+      kept, [&](const std::vector<std::size_t>& part) { return accepts(chosen(all, part)); });
+  if (dropped) whole = chosen(all, kept);
   return dropped;
 }
 
@@ -197,6 +211,30 @@ PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
   while (simplify_numbers(set, accepts) && leave_out_points(set, accepts)) {
   }
   return set;
+}
+
+UpdatesCase minimised(UpdatesCase whole, const StillFails<UpdatesCase>& still_fails,
+                      const MinimiseLimits& limits) {
+  Budget budget(limits);
+  const StillFails<UpdatesCase> accepts = [&](const UpdatesCase& candidate) {
+    if (budget.is_spent() || !is_sound(candidate)) return false;
+    return budget.take() && still_fails(candidate);
+  };
+  for (bool again = true; again;) {
+    again = leave_out_points(whole, accepts);
+    const UpdatesCase before = whole;
+    again = drop_items<Update>(whole.updates,
+                               [&](const std::vector<Update>& part) {
+                                 return accepts({before.set, part});
+                               }) ||
+            again;
+    again = simplify_numbers(whole.set,
+                             [&](const PointsCase& moved) {
+                               return accepts({moved, whole.updates});
+                             }) ||
+            again;
+  }
+  return whole;
 }
 
 ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,

@@ -9,6 +9,7 @@
 
 #include "inputs/complex_case.hpp"
 #include "inputs/points_case.hpp"
+#include "inputs/updates.hpp"
 
 namespace circumspect::generators {
 
@@ -34,6 +35,11 @@ PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
 // The same for domains: polygons, segments and hole seeds are dropped, then vertices that no cell uses,
 // then coordinates are moved. `still_fails` is asked about valid inputs only.
 ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
+                      const MinimiseLimits& limits = {});
+
+// The same for points that come and go: points go with all that happens to them, then updates, then coordinates are
+// moved. A point whose insertion is left out is there from the beginning.
+UpdatesCase minimised(UpdatesCase whole, const StillFails<UpdatesCase>& still_fails,
                       const MinimiseLimits& limits = {});
 
 // ---- Shorter numbers ----

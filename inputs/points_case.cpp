@@ -6,6 +6,15 @@
 
 namespace circumspect::generators {
 
+PointsCase chosen(const PointsCase& set, const std::vector<std::size_t>& places) {
+  PointsCase part;
+  for (const std::size_t v : places) {
+    part.points.push_back(set.points[v]);
+    if (!set.weights.empty()) part.weights.push_back(set.weights[v]);
+  }
+  return part;
+}
+
 std::ostream& operator<<(std::ostream& out, const PointsCase& set) {
   const std::size_t dimension = set.points.empty() ? 0 : set.points.front().size();
   out << set.points.size() << ' ' << dimension << (set.weights.empty() ? " 0 0\n" : " 1 0\n");

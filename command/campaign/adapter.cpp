@@ -15,6 +15,7 @@ namespace circumspect::cli {
 
 void add_adapter(CLI::App& app, ExitCode& exit_code) {
   const auto language = std::make_shared<std::string>();
+  const auto has_updates = std::make_shared<bool>(false);
   static const std::map<std::string, std::string> extensions = {
       {"c", ".c"},      {"c++", ".cpp"},  {"java", ".java"}, {"javascript", ".mjs"},
       {"julia", ".jl"}, {"octave", ".m"}, {"python", ".py"}, {"r", ".R"},
@@ -24,6 +25,7 @@ void add_adapter(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Examples:\n"
       "  circumspect adapter python > mine.py\n"
+      "  circumspect adapter python --updates > mine.py\n"
       "  circumspect campaign --worker --dimension 2 -- python3 mine.py\n\n"
       "One function of it calls the library; put yours there. What it reads and writes is in "
       "docs/workers.md.\n\n"
@@ -34,9 +36,17 @@ void add_adapter(CLI::App& app, ExitCode& exit_code) {
       ->required()
       ->check(one_of_words(languages))
       ->option_text("c|c++|java|javascript|julia|octave|python|r|rust");
-  command->callback([language, &exit_code] {
+  command->add_flag("--updates", *has_updates,
+                    "For campaign --updates: the library holds points that come and go (python)");
+  command->callback([language, has_updates, &exit_code] {
+    const auto adapter =
+        adapters().find((*has_updates ? ".updates" : "") + extensions.at(*language));
+    if (adapter == adapters().end()) {
+      exit_code = usage_error("expected python with --updates, found " + *language);
+      return;
+    }
     Output output{OutputOptions{}};
-    output.text(adapters().at(extensions.at(*language)));
+    output.text(adapter->second);
     exit_code = output.finish();
   });
 }

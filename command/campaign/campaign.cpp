@@ -58,6 +58,10 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
   for (const campaign::Replayed& replayed : plan.replayed) corpus.push_back(replayed.name);
   std::vector<std::string> refusals = subject.refusal_texts;
   for (const int code : subject.refusal_codes) refusals.push_back(std::to_string(code));
+  std::vector<std::string_view> updates;
+  for (const generators::UpdateKind kind : subject.updates) updates.push_back(name(kind));
+  std::vector<std::string_view> relations;
+  for (const generators::Relation relation : subject.relations) relations.push_back(name(relation));
   return {{"command", campaign::command_line(subject)},
           {"--claim", std::string(name(subject.claim))},
           {"--seed", std::to_string(plan.seed)},
@@ -74,6 +78,9 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
            subject.input_name + (subject.reads_stdin ? " on stdin" : "")},
           {"--mesh", subject.mesh_name + (subject.writes_stdout ? " on stdout" : "")},
           {"--worker", subject.talk ? fmt::format("{} cases", subject.talk->cases) : "no"},
+          {"--updates", fmt::format("{}", fmt::join(updates, ","))},
+          {"--metamorphic", fmt::format("{}", fmt::join(relations, ","))},
+          {"--against", join(subject.against)},
           {"--first-index", std::to_string(subject.first_index)},
           {"--full-dimension", subject.full_dimension ? "yes" : "no"},
           {"refusals", join(refusals)},

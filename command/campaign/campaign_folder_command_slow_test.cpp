@@ -129,6 +129,50 @@ TEST_CASE(
         "file://" + found + "/README.txt");
 }
 
+TEST_CASE("campaign: inputs that are changed, and another program on the same ones") {
+  const Arguments few = {"--cases",
+                         "4",
+                         "--families",
+                         "uniform",
+                         "--max-points",
+                         "6",
+                         "--full-dimension",
+                         "--refusal-exit-code",
+                         "9",
+                         "--minimize-runs",
+                         "60"};
+  const auto with = [&](const Program& program, Arguments more, const std::string& out) {
+    more.insert(more.end(), few.begin(), few.end());
+    return run(program.campaign(more, out));
+  };
+  const Program half("case $(sed -n 2p \"$1\") in '0 -'*) exit 9;; esac\n" + std::string(kRight));
+  CHECK(with(half, {}, "alone").exit_code != 1);
+  const Run changed = with(half, {"--metamorphic", "order,reflection"}, "changed");
+  CHECK(changed.exit_code == 1);
+  const std::string signature = "refused-after-reflection";
+  CHECK(half.signatures("changed") == std::set<std::string>{signature});
+  CHECK(has(half.finding(signature, "image.node", "changed"), " -"));
+  CHECK(has(half.finding(signature, "README.txt", "changed"), "image.node     the small one"));
+  CHECK(has(half.finding(signature, "reproduce.sh", "changed"), "cp \"$here/image.node\" x.node"));
+  CHECK(has(half.finding(signature, "verdict.json", "changed"),
+            "\"text\": \"it takes the input, and refuses it after a change of reflection: "));
+
+  const Program right(kRight);
+  const std::string other = right.path + " {points} {mesh}";
+  const Run alone = with(half, {"--against", other}, "against");
+  CHECK(half.signatures("against") == std::set<std::string>{"refused-alone"});
+  CHECK(has(alone.out, "it refuses what program takes, and gets right"));
+  CHECK(has(half.finding("refused-alone", "README.txt", "against"),
+            "The other program, program: holds"));
+  CHECK(with(right, {"--against", other}, "same").exit_code == 0);
+  const Run wrong = with(right, {"--against", "false {points} {mesh}"}, "wrong");
+  CHECK(wrong.exit_code == 0);
+  CHECK(has(wrong.out, "false is wrong: exit-code-1"));
+  CHECK(with(right, {"--against", "no-such-program"}, "none").exit_code == 3);
+  CHECK(has(with(right, {"--updates", "insert"}, "none").err, "expected --worker with --updates"));
+  CHECK(has(with(right, {"--metamorphic", "ordre"}, "none").err, "found ordre"));
+}
+
 TEST_CASE("campaign: says what kept the programs together") {
   const Program program(kRight);
   const Run result =

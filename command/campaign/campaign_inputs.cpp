@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -37,13 +39,17 @@ generators::Count count_of(const Sizes& sizes, std::size_t dimension, std::uint6
 
 Source source_of(const Family& family, const campaign::Subject& subject, const Sizes& sizes) {
   return {family.name,
-          [&family, dimension = subject.dimension, sizes](std::uint64_t seed) -> campaign::Input {
+          [&family, dimension = subject.dimension, updates = subject.updates,
+           sizes](std::uint64_t seed) -> campaign::Input {
             const bool repeats = family.repeats_points;
             generators::PointsCase set = generators::in_doubles(
                 generators::drawn(family, dimension, count_of(sizes, dimension, seed), seed),
                 repeats);
             if (sizes.integers) set = generators::in_integers(set, *sizes.integers, repeats);
-            return sizes.extreme ? set : generators::brought_within(set, sizes.exponents, repeats);
+            if (!sizes.extreme) set = generators::brought_within(set, sizes.exponents, repeats);
+            if (updates.empty()) return set;
+            generators::Dice dice(generators::mixed(seed));
+            return generators::with_updates(dice, set, updates);
           }};
 }
 
@@ -118,9 +124,25 @@ tl::expected<campaign::Input, std::string> points_input(const campaign::Subject&
   return campaign::Input(generators::in_doubles(set, true));
 }
 
+tl::expected<campaign::Input, std::string> updates_input(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  auto whole = campaign::read_updates(text.str());
+  if (!whole) {
+    return tl::unexpected(path +
+                          ": expected points and updates as workers read them (docs/workers.md), "
+                          "found something else");
+  }
+  whole->set = generators::in_doubles(whole->set, true);
+  return campaign::Input(std::move(*whole));
+}
+
 std::size_t dimension_of(const campaign::Input& input) {
   if (const auto* const set = std::get_if<generators::PointsCase>(&input)) {
     return set->points.empty() ? 0 : set->points.front().size();
+  }
+  if (const auto* const whole = std::get_if<generators::UpdatesCase>(&input)) {
+    return whole->set.points.empty() ? 0 : whole->set.points.front().size();
   }
   return std::get<generators::ComplexCase>(input).input.points.front().size();
 }
@@ -167,8 +189,9 @@ tl::expected<Sources, std::string> campaign_sources(const campaign::Subject& sub
 
 tl::expected<campaign::Input, std::string> campaign_input(const campaign::Subject& subject,
                                                           const std::string& path) {
-  auto input =
-      subject.is_about_domains() ? domain_input(subject, path) : points_input(subject, path);
+  auto input = subject.is_about_domains() ? domain_input(subject, path)
+               : !subject.updates.empty() ? updates_input(path)
+                                          : points_input(subject, path);
   if (!input) return input;
   const std::size_t dimension = dimension_of(*input);
   if (dimension != 0 && dimension != subject.dimension) {
@@ -188,8 +211,9 @@ tl::expected<std::vector<campaign::Replayed>, std::string> campaign_corpus(
        entry.increment(error)) {
     const std::string path = entry->path().string();
     const std::string extension = formats::extension(path);
-    const bool is_input = subject.is_about_domains()
-                              ? extension == ".poly" || extension == ".smesh"
+    const bool is_input = subject.is_about_domains() ? extension == ".poly" || extension == ".smesh"
+                          : !subject.updates.empty()
+                              ? extension == ".case"
                               : extension == ".node" || extension == ".qhull";
     if (is_input && entry->is_regular_file(error)) paths.push_back(path);
   }

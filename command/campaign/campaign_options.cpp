@@ -69,10 +69,46 @@ void add_files(CLI::App& command, SubjectOptions& options) {
                   "After so many cases a worker is started anew (default: 1000)")
       ->check(whole_number(1, 1'000'000'000))
       ->option_text("N");
+  using generators::UpdateKind;
+  const std::map<std::string, UpdateKind> kinds = {{"insert", UpdateKind::kInsert},
+                                                   {"delete", UpdateKind::kDelete},
+                                                   {"restore", UpdateKind::kRestore}};
+  command
+      .add_option("--updates", options.updates,
+                  "The worker holds a structure that lives: before it answers, points come and go, "
+                  "and with restore it is written and read again. Its cases then have a seventh "
+                  "count, that of the updates")
+      ->delimiter(',')
+      ->transform(one_of(kinds))
+      ->option_text("insert,delete,restore");
   command
       .add_option("--first-index", options.first_index, "The index of the first point (default: 0)")
       ->check(whole_number(0, 1))
       ->option_text("0|1");
+}
+
+void add_comparisons(CLI::App& command, SubjectOptions& options) {
+  using generators::Relation;
+  const std::map<std::string, Relation> relations = {{"order", Relation::kOrder},
+                                                     {"translation", Relation::kTranslation},
+                                                     {"reflection", Relation::kReflection},
+                                                     {"scaling", Relation::kScaling},
+                                                     {"repetition", Relation::kRepetition}};
+  command
+      .add_option("--metamorphic", options.relations,
+                  "Also try each input changed: in another order, moved, reflected or scaled (all "
+                  "exactly), with points that come twice. A program that was right has to be so "
+                  "still, and one that refused it has to refuse it still")
+      ->delimiter(',')
+      ->transform(one_of(relations))
+      ->option_text("order,translation,reflection,scaling,repetition");
+  command
+      .add_option(
+          "--against", options.against,
+          "Another program with its arguments, in one word, that is called in the same way "
+          "and given the same inputs: this one may not refuse what that one gets right, nor "
+          "make another mesh where only one is Delaunay")
+      ->option_text("COMMAND");
 }
 
 void add_claims(CLI::App& command, SubjectOptions& options) {
@@ -137,6 +173,10 @@ std::string worker_fault_of(const SubjectOptions& options, const Subject& subjec
                        subject.input_name);
   }
   if (options.first_index != 0) return "expected --first-index 0 for a worker, found 1";
+  if (!subject.updates.empty() && subject.is_about_domains()) {
+    return fmt::format("expected no --updates for the claim {}, which is about domains, found some",
+                       name(subject.claim));
+  }
   return "";
 }
 
@@ -181,8 +221,15 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
            "of a "
            "campaign are many";
   }
+  if (!options.is_worker && !subject.updates.empty()) {
+    return "expected --worker with --updates, found none: a program that reads files ends with its "
+           "mesh";
+  }
   const std::string fault = options.is_worker ? worker_fault_of(options, subject) : "";
   if (!fault.empty()) return fault;
+  if (!subject.updates.empty() && !subject.relations.empty()) {
+    return "expected --metamorphic or --updates, found both";
+  }
   const std::string place = place_fault(subject.input_name);
   return place.empty() ? place_fault(subject.mesh_name) : place;
 }
@@ -225,6 +272,7 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
       ->required();
   add_files(command, options);
   add_claims(command, options);
+  add_comparisons(command, options);
   add_duration(command, "--limit-time", options.seconds,
                "How long one run may take (default: 10s)");
   add_bytes(command, "--limit-memory", options.memory,
@@ -295,6 +343,8 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
                                             : Form::kSimplices;
     subject.talk = {form, options.worker_cases};
   }
+  subject.updates.insert(options.updates.begin(), options.updates.end());
+  subject.relations.insert(options.relations.begin(), options.relations.end());
   subject.dimension = options.dimension;
   const bool counts_from_zero = formats::extension(subject.mesh_name) == ".qhull-i";
   subject.first_index = counts_from_zero ? 0 : options.first_index;
@@ -310,15 +360,28 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   subject.judging_seconds = options.judging_seconds.value_or(kJudging * subject.limits.seconds);
   const std::string fault = fault_of(options, subject);
   if (!fault.empty()) return tl::unexpected(fault);
-  const std::string program = campaign::find_program(options.command.front());
-  if (program.empty()) {
-    not_found = true;
-    return tl::unexpected(
-        fmt::format("{}: expected a program that can be run, found none", options.command.front()));
-  }
-  subject.command = {program};
-  for (std::size_t i = 1; i < options.command.size(); ++i) {
-    subject.command.push_back(with_whole_path(options.command[i], options.is_worker));
+  const auto found = [&](const std::vector<std::string>& words)
+      -> tl::expected<std::vector<std::string>, std::string> {
+    const std::string program = campaign::find_program(words.front());
+    if (program.empty()) {
+      not_found = true;
+      return tl::unexpected(
+          fmt::format("{}: expected a program that can be run, found none", words.front()));
+    }
+    std::vector<std::string> command = {program};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      command.push_back(with_whole_path(words[i], options.is_worker));
+    }
+    return command;
+  };
+  auto command = found(options.command);
+  if (!command) return tl::unexpected(command.error());
+  subject.command = std::move(*command);
+  const std::vector<std::string> against = CLI::detail::split_up(options.against);
+  if (!against.empty()) {
+    auto other = found(against);
+    if (!other) return tl::unexpected(other.error());
+    subject.against = std::move(*other);
   }
   return subject;
 }

@@ -26,6 +26,9 @@ struct SubjectOptions {
   bool writes_stdout = false;
   bool is_worker = false;
   std::size_t worker_cases = 1000;
+  std::vector<generators::UpdateKind> updates;
+  std::vector<generators::Relation> relations;
+  std::string against;
   std::optional<Claim> claim;
   DomainOptions said;  // of every domain
   std::size_t dimension = 3;

@@ -72,8 +72,12 @@ picture::Page campaign_page(const campaign::Result& result, const campaign::Plan
                             {"text", details.value("text", "not made small yet")},
                             {"minimal", small_input(folder + own)},
                             {"reproduce", on_one_line(folder + "/reproduce.sh")}};
-    if (has_rule && add_judged(finding, folder + "/output/" + plan.subject.mesh_name, folder + own,
-                               plan.subject, page)) {
+    const std::string image =
+        folder + (plan.subject.is_about_domains() ? "/image.poly" : "/image.node");
+    const bool is_of_image =
+        details["signature"].get<std::string>().find("-after-") != std::string::npos;
+    if (has_rule && add_judged(finding, folder + "/output/" + plan.subject.mesh_name,
+                               is_of_image ? image : folder + own, plan.subject, page)) {
       continue;
     }
     page.add_finding(std::move(finding));

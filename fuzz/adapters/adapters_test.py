@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-LONGEST = 25  # lines of an adapter
+LONGEST = 30  # lines of an adapter
 
 PYTHON = """
 from itertools import combinations
@@ -31,6 +31,18 @@ class Delaunay:
         if FORGETS and len(p) > 4: self.simplices.pop()
         if len(p) < 3: raise QhullError("too few points")
 """
+
+# A structure around it that is right, or that forgets to forget: a point that was there before does not come back.
+UPDATES = {
+    False: "",
+    True: """
+    def delete(self, place): self.gone = getattr(self, "gone", []) + [self.points.pop(int(place))]
+    def simplices(self):
+        stays = [i for i, p in enumerate(self.points) if p not in getattr(self, "gone", [])]
+        rows = Delaunay([self.points[i] for i in stays]).simplices
+        return [[stays[v] for v in row] for row in rows]
+""",
+}
 
 # The same in languages like C: TURN and MEETS are for points a, b, c and the point at the origin.
 C_LOOPS = """
@@ -105,6 +117,12 @@ def python(folder, text, forgets):
     return [sys.executable, write(folder, "mine.py", text)]
 
 
+def python_updates(folder, text, forgets):
+    write(folder, "scipy/__init__.py", "")
+    write(folder, "scipy/spatial.py", "FORGETS = False\n" + PYTHON)
+    return [sys.executable, write(folder, "mine.py", text.replace("\n\n\nfor ", UPDATES[forgets] + "\n\nfor ", 1))]
+
+
 def javascript(folder, text, forgets):
     write(folder, "node_modules/delaunator/package.json", '{"type": "module", "exports": "./it.js"}')
     write(folder, "node_modules/delaunator/it.js", f"const FORGETS = {str(forgets).lower()};\n" + JAVASCRIPT)
@@ -147,6 +165,7 @@ def as_it_is(program, name, *options):
 
 LANGUAGES = {  # the program that has to be there, what makes a worker of an adapter, is it run each time?
     "python": (sys.executable, python, True),
+    "python --updates": (sys.executable, python_updates, True),
     "javascript": ("node", javascript, True),
     "c": ("cc", c, False),
     "c++": ("c++", cpp, False),
@@ -160,7 +179,7 @@ LANGUAGES = {  # the program that has to be there, what makes a worker of an ada
 
 def trial(command, language, make, forgets):
     """What went otherwise than it has to; empty if nothing."""
-    adapter = subprocess.run([command, "adapter", language], check=True, capture_output=True, text=True).stdout
+    adapter = subprocess.run([command, "adapter", *language.split()], check=True, capture_output=True, text=True).stdout
     if len(adapter.splitlines()) > LONGEST:
         return f"expected an adapter of at most {LONGEST} lines, found {len(adapter.splitlines())}"
     with tempfile.TemporaryDirectory() as folder:
@@ -168,8 +187,9 @@ def trial(command, language, make, forgets):
         if worker is None:
             return ""
         environment = {**os.environ, "PYTHONPATH": folder}
+        updates = ["--updates", "insert,delete,restore"] if "--updates" in language else []
         run = subprocess.run(
-            [command, "campaign", "--worker", "--dimension", "2", "--families", "uniform", "--max-points", "9",
+            [command, "campaign", "--worker", *updates, "--dimension", "2", "--families", "uniform", "--max-points", "9",
              "--cases", "60", "--full-dimension", "--limit-memory", "0", "--limit-time", "100s", "--minimize-runs", "40",
              "--output", folder + "/out", "--", *worker], capture_output=True, text=True, env=environment)
         if run.returncode != int(forgets):

@@ -173,7 +173,10 @@ class Campaign {
     if (!result_.points) result_.points = {points, points};
     result_.points->first = std::min(result_.points->first, points);
     result_.points->second = std::max(result_.points->second, points);
-    if (outcome.kind != OutcomeKind::kSkipped && outcome.kind != OutcomeKind::kRefused) return;
+    const bool says_why = outcome.kind == OutcomeKind::kSkipped ||
+                          outcome.kind == OutcomeKind::kRefused ||
+                          (outcome.kind == OutcomeKind::kHolds && !outcome.text.empty());
+    if (!says_why) return;
     std::map<std::string, std::size_t>& reasons = result_.reasons[word(outcome.kind)];
     if (reasons.size() < kMostReasons) ++reasons[outcome.text];
   }
@@ -261,6 +264,8 @@ class Campaign {
       not_run_ = outcome.text;
       return;
     }
+    const std::string other = runner.said_of_other(outcome.image ? *outcome.image : minimal);
+    if (!other.empty()) outcome.explanation += "The other program, " + other + "\n";
     if (outcome.signature != record.signature) {
       outcome.text = "not every time: when it was run again, " +
                      (outcome.signature.empty() ? "the mesh was right" : outcome.signature);
@@ -315,16 +320,11 @@ Input minimised(const Input& input, const std::string& signature, Runner& runner
       return !stop &&
              (anew ? runner.run_anew(candidate) : runner.run(candidate)).signature == signature;
     };
-    if (const auto* const set = std::get_if<PointsCase>(&input)) {
-      return minimised(*set, generators::StillFails<PointsCase>([&](const PointsCase& one) {
-        return fails(one);
-      }),
-                       limits);
-    }
-    return minimised(
-        std::get<ComplexCase>(input),
-        generators::StillFails<ComplexCase>([&](const ComplexCase& one) { return fails(one); }),
-        limits);
+    return std::visit(
+        [&]<class Case>(const Case& one) -> Input {
+          return minimised(one, generators::StillFails<Case>(fails), limits);
+        },
+        input);
   };
   // A worker that has had cases before is fast, but may answer wrongly on account of those.
   Input small = made_small(false);

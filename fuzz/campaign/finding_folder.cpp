@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 // The format in which this program reads inputs itself.
 std::string own_extension(const Input& input) {
-  return std::holds_alternative<PointsCase>(input) ? ".node" : ".poly";
+  return std::holds_alternative<ComplexCase>(input) ? ".poly" : ".node";
 }
 
 // Whole or not at all, and on the disk.
@@ -126,9 +126,10 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n"
       "issue.md       for the authors of the program; its version is to be added\n\n"
-      "{}",
+      "{}{}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
       origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
+      outcome.image ? "image" + own + "     the small one changed, with which it fails\n\n" : "",
       outcome.explanation);
 }
 
@@ -152,17 +153,29 @@ std::string snippet(const Subject& subject, const PointsCase& set) {
   return text + (is_code ? closing + "\n" : "");
 }
 
+// The files of the input with which it fails.
+std::string stem_of(const Outcome& outcome) { return outcome.image ? "image" : "minimal"; }
+
 // What can be sent to the authors of the program, once they are told the version.
 std::string issue(const Subject& subject, const Input& minimal, const Outcome& outcome) {
-  const auto* const set = std::get_if<PointsCase>(&minimal);
-  const std::string own = "minimal" + own_extension(minimal);
-  const std::string input = set == nullptr ? "The domain is in `" + own + "`.\n"
-                                           : "```\n" + snippet(subject, *set) + "```\n";
+  const Input& shown = outcome.image ? *outcome.image : minimal;
+  const bool comes_and_goes = std::holds_alternative<UpdatesCase>(minimal);
+  const std::string own =
+      stem_of(outcome) + (comes_and_goes ? std::string(".case") : own_extension(minimal));
+  std::string input = "The domain is in `" + own + "`.\n";
+  if (const auto* const set = std::get_if<PointsCase>(&shown)) {
+    input = "```\n" + snippet(subject, *set) + "```\n";
+  } else if (comes_and_goes) {
+    input =
+        "A line of counts, the points of the beginning, then what happens to them. `delete` names "
+        "a "
+        "point by its\nplace among those that are there, from 0.\n\n```\n" +
+        file_text(minimal, ".case", 0, subject.dimension).value_or("") + "```\n";
+  }
   const std::string by_hand =
-      subject.talk
-          ? fmt::format("By hand: `{} < minimal.case`, whose first line counts the points.\n",
-                        on_one_line(command_line(subject)))
-          : "";
+      subject.talk ? fmt::format("By hand: `{} < {}.case`, whose first line counts the points.\n",
+                                 on_one_line(command_line(subject)), stem_of(outcome))
+                   : "";
   return fmt::format(
       "# {0}\n\n{1}\n\n"
       "Command: `{2}`\n\n"
@@ -192,17 +205,18 @@ std::string printed_by_shell(const std::string& text) {
 // A name of a file in the folder of the script that no program takes for an option.
 std::string in_folder(const std::string& name) { return name[0] == '-' ? "./" + name : name; }
 
-std::string check_line(const Subject& subject, const Input& minimal) {
+std::string check_line(const Subject& subject, const Input& minimal, const std::string& stem) {
   std::string line = "\"${CIRCUMSPECT:-circumspect}\" check " +
                      quoted_for_shell(in_folder(subject.mesh_name)) + " --claim " +
                      std::string(name(subject.claim));
   if (subject.is_about_domains()) {
-    return line + " --domain \"$here/minimal.poly\" --domain-kind " +
+    return line + " --domain \"$here/" + stem + ".poly\" --domain-kind " +
            std::string(name(subject.fill)) + (subject.merges_coplanar ? " --merge-coplanar" : "");
   }
   const std::string extension = formats::extension(subject.mesh_name);
-  if (extension == ".ele" || extension == ".qhull-i") line += " --points \"$here/minimal.node\"";
-  const auto& points = std::get<PointsCase>(minimal).points;
+  if (extension == ".ele" || extension == ".qhull-i")
+    line += " --points \"$here/" + stem + ".node\"";
+  const std::vector<Point> points = judged_points(minimal)->points;
   const bool repeats = std::set<Point>(points.begin(), points.end()).size() < points.size();
   return line + (repeats ? " --duplicates merge" : "");
 }
@@ -235,6 +249,7 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
                    const Input& found, const Input& minimal, const Outcome& outcome,
                    const Runner& runner) {
   write_input_as(folder + "/minimal", subject, minimal);
+  if (outcome.image) write_input_as(folder + "/image", subject, *outcome.image);
   copy_output(folder, subject, runner);
   write_durably(folder + "/said.txt", on_lines(runner.said()));
   const report::Json document = verdict_document(subject, origin, found, minimal, outcome);
@@ -250,6 +265,13 @@ std::optional<Input> read_minimal(const std::string& folder, const Subject& subj
     auto domain = formats::read_domain(folder + "/minimal.poly", NumberReading::kDouble);
     if (!domain) return std::nullopt;
     return Input(ComplexCase{"minimal", std::move(domain->input)});
+  }
+  if (!subject.updates.empty()) {
+    std::ostringstream text;
+    text << std::ifstream(folder + "/minimal.case", std::ios::binary).rdbuf();
+    auto whole = read_updates(text.str());
+    if (!whole) return std::nullopt;
+    return Input(std::move(*whole));
   }
   auto raw = formats::read_points(folder + "/minimal.node", NumberReading::kDouble);
   if (!raw) return std::nullopt;
@@ -285,6 +307,7 @@ std::string reproduction(const Subject& subject, const Input& minimal, const Out
   own.command =
       filled_in(subject, {".", in_folder(subject.input_name), in_folder(subject.mesh_name)});
   const std::string extension = formats::extension(subject.input_name);
+  const std::string stem = stem_of(outcome);
   std::string limit;
   if (subject.limits.memory != 0) {
     limit = fmt::format("ulimit -v {}; ", subject.limits.memory / 1024);
@@ -301,13 +324,13 @@ std::string reproduction(const Subject& subject, const Input& minimal, const Out
       "folder=$(mktemp -d) || exit 2\n"
       "trap 'rm -rf \"$folder\"' EXIT\n"
       "cd \"$folder\" || exit 2\n"
-      "cp \"$here/minimal{}\" {}\n"
+      "cp \"$here/{}{}\" {}\n"
       "{}\n"
       "code=$?\n"
       "if [ $code -ne 0 ]; then echo \"the program ended with exit code $code\"; exit $code; fi\n"
       "{}\n",
-      outcome.signature, extension, quoted_for_shell(in_folder(subject.input_name)), run,
-      check_line(subject, minimal));
+      outcome.signature, stem, extension, quoted_for_shell(in_folder(subject.input_name)), run,
+      check_line(subject, outcome.image ? *outcome.image : minimal, stem));
 }
 
 }  // namespace circumspect::campaign

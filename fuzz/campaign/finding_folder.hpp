@@ -26,7 +26,7 @@ std::string finding_folder(const std::string& output, const std::string& signatu
 // std::system_error, also if the folder holds what no campaign has begun. Links are not followed.
 void write_input(const std::string& folder, const Subject& subject, const Input& input);
 
-// Adds the smallest input, what the program made of it, the verdict, README.txt, issue.md and reproduce.sh.
+// Adds the smallest input (and its image, if it is on that one that the program fails), what the program made of it, the verdict, README.txt, issue.md and reproduce.sh.
 // `runner` has just run the program on it, with this outcome.
 void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
                    const Input& found, const Input& minimal, const Outcome& outcome,
@@ -35,7 +35,7 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
 // The input that write_minimal wrote there, to go on from; nothing if it cannot be read.
 std::optional<Input> read_minimal(const std::string& folder, const Subject& subject);
 
-// A shell script that runs the program on minimal.* beside it and judges what it writes.
+// A shell script that runs the program on minimal.* beside it, or on image.*, the same changed, and judges what it writes.
 std::string reproduction(const Subject& subject, const Input& minimal, const Outcome& outcome);
 
 // The text as one word of a shell.

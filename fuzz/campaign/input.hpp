@@ -1,4 +1,4 @@
-// What a program under test is given: points or a domain, and the files that say so.
+// What a program under test is given: points, points that come and go, or a domain, and the files that say so.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,10 @@
 #include <variant>
 
 #include "inputs/complex_case.hpp"
+#include "inputs/modifiers.hpp"
 #include "inputs/points_case.hpp"
+#include "inputs/relations.hpp"
+#include "inputs/updates.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::campaign {
@@ -15,15 +18,27 @@ namespace circumspect::campaign {
 using generators::ComplexCase;
 using generators::PointsCase;
 
-using Input = std::variant<PointsCase, ComplexCase>;
+using generators::UpdatesCase;
 
+using Input = std::variant<PointsCase, UpdatesCase, ComplexCase>;
+
+// All points that are there at some time.
 std::size_t point_count(const Input& input);
+
+// The points whose mesh is judged: of those that come and go, the last. Null: a domain.
+std::optional<PointsCase> judged_points(const Input& input);
+
+// The input under a relation; nothing where there is no such image. What is within kOrdinary stays so.
+std::optional<Input> image_of(generators::Relation relation, const Input& input);
+
+// Numbers in which programs may be held to all that they promise.
+inline constexpr generators::Exponents kOrdinary = {-100, 100};
 
 // Are all coordinates, weights and seeds doubles, so that a program reads what is judged?
 bool is_of_doubles(const Input& input);
 
 // The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz .case" for
-// points, ".poly .geo .off .stl .ply .obj .msh .case" for domains.
+// points, ".case" for those that come and go, ".poly .geo .off .stl .ply .obj .msh .case" for domains.
 bool is_points_extension(const std::string& extension);
 bool is_domain_extension(const std::string& extension);
 
@@ -32,6 +47,7 @@ bool is_domain_extension(const std::string& extension);
 //   .node, .qhull, .off, .json   as oracle/formats writes them
 //   .xyz                         a line of coordinates a point, and its weight, if there are any
 //   .case                        what workers read, docs/workers.md; counted from 0
+//                                of points that come and go: .node and the like hold the last ones
 //   .poly                        of Triangle in the plane, of TetGen in space
 //   .geo                         Gmsh's: the surface of one volume (in the plane: of one surface, whose
 //                                outline is the first closed line), each segment one element long
@@ -44,5 +60,8 @@ bool is_domain_extension(const std::string& extension);
 // (.geo and surfaces: polygons with slits or holes, dangling cells, several surfaces, hole seeds).
 std::optional<std::string> file_text(const Input& input, const std::string& extension,
                                      Vertex first_index, std::size_t dimension);
+
+// The points and updates of a .case file that was written so; nothing if the text is no such file.
+std::optional<UpdatesCase> read_updates(const std::string& text);
 
 }  // namespace circumspect::campaign

@@ -78,11 +78,12 @@ std::vector<Rational> weights_of(const std::vector<Point>& points, const PointsC
   return weights;
 }
 
-Outcome judged_points(const Subject& subject, const PointsCase& set, const std::string& path) {
+// The mesh in the file, of the points of the input: with their weights, if the claim is about those.
+formats::Result<Mesh> mesh_of(const Subject& subject, const PointsCase& set,
+                              const std::string& path) {
   formats::MeshRequest request;
   request.mesh = path;
-  const bool own = lists_points(path);
-  if (!own) {
+  if (!lists_points(path)) {
     request.own_points.emplace();
     request.own_points->dimension =
         set.points.empty() ? subject.dimension : set.points.front().size();
@@ -90,22 +91,29 @@ Outcome judged_points(const Subject& subject, const PointsCase& set, const std::
     request.own_points->first_index = subject.first_index;
   }
   auto file = formats::read_mesh(request, 1);
-  if (!file) return unreadable(file.error().to_string());
+  if (!file) return tl::unexpected(file.error());
   Mesh& mesh = file->mesh;
   const bool weighted = subject.claim == Claim::kWeightedDelaunay && !set.weights.empty();
-  if (own) {
-    const std::vector<Point> points = mesh.exact_points();
-    if (sorted_set(points) != sorted_set(set.points)) {
-      return other_points(subject.mesh_name + ": expected the " +
-                          std::to_string(set.points.size()) + " points of the input, found " +
-                          std::to_string(points.size()) + ", not the same ones");
-    }
-    if (weighted) mesh.weights = numbers_of(weights_of(points, set, mesh.dimension()));
-  } else if (weighted) {
-    mesh.weights = numbers_of(set.weights);
+  if (weighted && !lists_points(path)) mesh.weights = numbers_of(set.weights);
+  const std::vector<Point> points = mesh.exact_points();
+  const bool are_those = sorted_set(points) == sorted_set(set.points);
+  if (weighted && lists_points(path) && are_those) {
+    mesh.weights = numbers_of(weights_of(points, set, mesh.dimension()));
   }
-  const Verdict verdict = check::judge_merged(subject.claim, mesh, nullptr, options());
-  return outcome_of(verdict, mesh, subject, nullptr);
+  return std::move(mesh);
+}
+
+Outcome judged_set(const Subject& subject, const PointsCase& set, const std::string& path) {
+  auto mesh = mesh_of(subject, set, path);
+  if (!mesh) return unreadable(mesh.error().to_string());
+  const std::vector<Point> points = mesh->exact_points();
+  if (sorted_set(points) != sorted_set(set.points)) {
+    return other_points(subject.mesh_name + ": expected the " + std::to_string(set.points.size()) +
+                        " points of the input, found " + std::to_string(points.size()) +
+                        ", not the same ones");
+  }
+  const Verdict verdict = check::judge_merged(subject.claim, *mesh, nullptr, options());
+  return outcome_of(verdict, *mesh, subject, nullptr);
 }
 
 // What of the domain is filled, and which of its polygons are one, is as the subject says. Nothing if its walls
@@ -147,12 +155,33 @@ Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const st
                       std::to_string(first.again + mesh.first_index) + " equal");
 }
 
+// The simplices by the coordinates of their vertices, in an order that says nothing.
+std::vector<std::vector<Point>> corners_of(const ExactMesh& mesh) {
+  std::vector<std::vector<Point>> all;
+  for (const Simplex& simplex : mesh.simplices) {
+    std::vector<Point> corners;
+    for (const Vertex v : simplex) corners.push_back(mesh.points[static_cast<std::size_t>(v)]);
+    std::sort(corners.begin(), corners.end());
+    all.push_back(std::move(corners));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 std::string reason_to_skip_points(const Subject& subject, const PointsCase& set) {
   for (const Point& point : set.points) {
     if (point.size() != subject.dimension) return "the points have another dimension";
   }
   const bool asked = subject.full_dimension;
   return asked && is_flat(subject, set) ? "the points lie in a hyperplane" : "";
+}
+
+std::string reason_to_skip_updates(const Subject& subject, const UpdatesCase& whole) {
+  for (const Point& point : whole.set.points) {
+    if (point.size() != subject.dimension) return "the points have another dimension";
+  }
+  const bool asked = subject.full_dimension;
+  return asked && is_flat(subject, whole) ? "the points lie in a hyperplane at some time" : "";
 }
 
 std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& whole) {
@@ -172,13 +201,46 @@ std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& who
 }  // namespace
 
 Outcome judged(const Subject& subject, const Input& input, const std::string& path) {
-  if (const auto* const set = std::get_if<PointsCase>(&input)) {
-    return judged_points(subject, *set, path);
-  }
+  if (const auto set = judged_points(input)) return judged_set(subject, *set, path);
   return judged_domain(subject, std::get<ComplexCase>(input), path);
 }
 
+Comparison compared(const Subject& subject, const Input& input, const std::string& one,
+                    const std::string& other) {
+  const auto set = judged_points(input);
+  Comparison comparison;
+  std::vector<std::vector<std::vector<Point>>> simplices;
+  for (const std::string& path : {one, other}) {
+    formats::MeshRequest request;
+    request.mesh = path;
+    auto mesh = set ? mesh_of(subject, *set, path)
+                    : formats::read_mesh(request, 1).map([](formats::MeshFile&& file) {
+                        return std::move(file.mesh);
+                      });
+    if (!mesh) return comparison;
+    merge_equal_points(*mesh);
+    simplices.push_back(corners_of(exact(*mesh)));
+    const bool is_plain = set && subject.claim != Claim::kWeightedDelaunay;
+    const Claim claim = is_plain ? Claim::kDelaunay : subject.claim;
+    if (!set && subject.claim != Claim::kCdt) continue;
+    std::optional<Domain> domain;
+    if (!set) {
+      auto complex = held_against(subject, std::get<ComplexCase>(input));
+      if (!complex) return comparison;
+      domain = Domain{std::move(*complex), {}, subject.first_index, {}};
+    }
+    const Verdict verdict =
+        check::judge_merged(claim, *mesh, domain ? &*domain : nullptr, options());
+    comparison.is_unique = comparison.is_unique || verdict.unique.value_or(false);
+  }
+  comparison.are_same = simplices.front() == simplices.back();
+  return comparison;
+}
+
 bool is_flat(const Subject& subject, const Input& input) {
+  if (const auto* const whole = std::get_if<UpdatesCase>(&input)) {
+    return is_ever_flat(*whole, subject.dimension);
+  }
   const auto* const set = std::get_if<PointsCase>(&input);
   if (set == nullptr) return false;
   return affine_hull(set->points).dimension < static_cast<int>(subject.dimension);
@@ -188,6 +250,9 @@ std::string reason_to_skip(const Subject& subject, const Input& input) {
   if (!is_of_doubles(input)) return "a number is not a double";
   if (const auto* const set = std::get_if<PointsCase>(&input)) {
     return reason_to_skip_points(subject, *set);
+  }
+  if (const auto* const whole = std::get_if<UpdatesCase>(&input)) {
+    return reason_to_skip_updates(subject, *whole);
   }
   return reason_to_skip_domain(subject, std::get<ComplexCase>(input));
 }

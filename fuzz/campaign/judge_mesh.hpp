@@ -15,6 +15,16 @@ namespace circumspect::campaign {
 // Requires: the file is a regular one.
 Outcome judged(const Subject& subject, const Input& input, const std::string& path);
 
+// Are these two meshes of the input, both right, different ones where there is only one right one? Of points: where the
+// Delaunay triangulation is unique and one of them is that; of a domain: where the CDT certainly is. Where they
+// differ otherwise, false.
+struct Comparison {
+  bool are_same = false;
+  bool is_unique = false;
+};
+Comparison compared(const Subject& subject, const Input& input, const std::string& one,
+                    const std::string& other);
+
 // Can the input be judged at all? Empty, or why it is skipped: it is not made of doubles; the points
 // do not span the space, where that is asked for; the domain is invalid or encloses nothing.
 std::string reason_to_skip(const Subject& subject, const Input& input);

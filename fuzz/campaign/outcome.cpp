@@ -67,6 +67,8 @@ std::string word(OutcomeKind kind) {
       return "process-limit";
     case OutcomeKind::kKillsParent:
       return "kills-parent";
+    case OutcomeKind::kDiffers:
+      return "differs";
     case OutcomeKind::kJudgingLimit:
       return "judging-limit";
     case OutcomeKind::kNotRun:

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/campaign/input.hpp"
 #include "fuzz/process/process.hpp"
-#include "inputs/modifiers.hpp"
+#include "inputs/relations.hpp"
+#include "inputs/updates.hpp"
 #include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
 #include "reference/kernel/piecewise_linear/filling.hpp"
@@ -31,6 +33,8 @@ enum class OutcomeKind {
   kOutputLimit,   // it wrote more than allowed
   kProcessLimit,  // it started more processes than allowed
   kKillsParent,   // it killed the process that started it, twice
+  kDiffers,  // it refuses an input, and not the same one changed, or what another program takes; or
+             // its mesh is another one than that program's where there is one right one
   kJudgingLimit,  // its mesh could not be judged within the time or the memory that there is for that
   kNotRun,        // it could not be started, or the disk is full: no fault of the program
   kInterrupted,  // this process is to end
@@ -44,14 +48,16 @@ struct Outcome {
   // at worst, "-extreme" if the input has a number outside of kOrdinary, and "-flat" if its points lie in a hyperplane or
   // are too few not to. None of this has a say in what is a finding.
   std::string signature = {};
-  std::string text = {};         // one line for people
+  std::string text = {};         // one line for people; kHolds: what another program did otherwise
   std::string explanation = {};  // the witnesses of a broken rule; else what the program said
   report::Json verdict = {};     // kFails: the whole verdict
+  // On which input, if that is the one that was given changed by a relation; the signature then ends in "-after-order" or
+  // the like.
+  std::optional<Input> image = {};
 };
 
-// A depth in a ball, relative to it, below which it is called rounding; and what numbers are ordinary.
+// A depth in a ball, relative to it, below which it is called rounding.
 inline constexpr double kRounding = 1e-9;
-inline constexpr generators::Exponents kOrdinary = {-100, 100};
 
 // An outcome as bytes, and back: for a process apart. Requires: bytes of this function.
 std::string bytes_of(const Outcome& outcome);
@@ -87,6 +93,8 @@ struct Subject {
   bool reads_stdin = false;           // the input is its standard input (and in the folder)
   bool writes_stdout = false;         // the mesh is its standard output, as if it were that file
   std::optional<Talk> talk = {};      // it is a worker; then both of these hold
+  // What happens to the points of a worker's structure before it answers; empty: nothing.
+  std::set<generators::UpdateKind> updates = {};
   Claim claim = Claim::kDelaunay;
   std::size_t dimension = 3;
   Vertex first_index = 0;       // of the points of the input
@@ -99,6 +107,11 @@ struct Subject {
   Limits limits = {};
   std::optional<Containment> containment = {};  // without it, the strongest that there is
   double judging_seconds = 100;                 // how long it may take to judge one mesh
+
+  // Changes after which it has to be as right as before, each tried on each input.
+  std::set<generators::Relation> relations = {};
+  // Another program, called in the same way, that is given each input on which this one is right or which it refuses.
+  std::vector<std::string> against = {};
 
   bool is_about_domains() const { return is_about_a_domain(claim); }
 };

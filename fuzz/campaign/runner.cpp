@@ -128,7 +128,14 @@ bool is_full(const std::string& folder) {
 Runner::Runner(const Subject& subject, Turn turn)
     : subject_(subject),
       scratch_(new_scratch_folder(subject.limits)),
-      supervisor_(scratch_, turn, subject.containment) {}
+      supervisor_(scratch_, turn, subject.containment) {
+  if (subject.against.empty()) return;
+  other_subject_ = subject;
+  other_subject_->command = subject.against;
+  other_subject_->against.clear();
+  other_subject_->relations.clear();
+  other_ = std::make_unique<Runner>(*other_subject_, turn);
+}
 
 Runner::~Runner() = default;
 
@@ -200,6 +207,81 @@ Outcome Runner::confirmed(const Input& input, const Outcome& outcome) {
 }
 
 Outcome Runner::run(const Input& input, bool anew) {
+  const auto is_fair = [](const Outcome& outcome) {
+    return outcome.kind == OutcomeKind::kHolds || outcome.kind == OutcomeKind::kRefused;
+  };
+  Outcome outcome = run_once(input, anew);
+  if (is_fair(outcome) && other_) outcome = against_other(input, std::move(outcome), anew);
+  if (!is_fair(outcome)) return outcome;
+  return after_relations(input, std::move(outcome), anew);
+}
+
+// A program that is right, or says no, has to do the same when nothing has changed that counts.
+Outcome Runner::after_relations(const Input& input, Outcome outcome, bool anew) {
+  for (const generators::Relation relation : subject_.relations) {
+    auto changed = image_of(relation, input);
+    if (!changed) continue;
+    Outcome after = run_once(*changed, anew);
+    if (after.kind == OutcomeKind::kInterrupted || after.kind == OutcomeKind::kNotRun) return after;
+    if (after.kind == OutcomeKind::kSkipped) continue;
+    const std::string what(name(relation));
+    const bool refuses = outcome.kind == OutcomeKind::kRefused;
+    const bool refuses_then = after.kind == OutcomeKind::kRefused;
+    if (refuses != refuses_then && !is_finding(after.kind)) {
+      const Outcome& refusal = refuses ? outcome : after;
+      after = {OutcomeKind::kDiffers, marked("refused", input),
+               "it " + std::string(refuses ? "refuses" : "takes") + " the input, and " +
+                   (refuses ? "takes" : "refuses") + " it after a change of " + what + ": " +
+                   refusal.text};
+      after.explanation = indented(said());
+    }
+    if (!is_finding(after.kind)) continue;
+    after.signature += "-after-" + what;
+    after.image = std::move(changed);
+    return after;
+  }
+  return outcome;
+}
+
+// What both get right, where there is more than one right answer, may differ.
+Outcome Runner::against_other(const Input& input, Outcome outcome, bool anew) {
+  const Outcome theirs = anew ? other_->run_anew(input) : other_->run(input);
+  if (theirs.kind == OutcomeKind::kInterrupted || theirs.kind == OutcomeKind::kNotRun)
+    return theirs;
+  const std::string name = fs::path(subject_.against.front()).filename().string();
+  if (is_finding(theirs.kind)) outcome.text = name + " is wrong: " + theirs.signature;
+  if (theirs.kind != OutcomeKind::kHolds) return outcome;
+  if (outcome.kind == OutcomeKind::kRefused) {
+    return {OutcomeKind::kDiffers, marked("refused-alone", input),
+            "it refuses what " + name + " takes, and gets right: " + outcome.text,
+            indented(said())};
+  }
+  const Comparison comparison = compared(subject_, input, mesh_file(), other_->mesh_file());
+  if (comparison.are_same) return outcome;
+  if (!comparison.is_unique) {
+    outcome.text = "another mesh than that of " + name + "; both are right";
+    return outcome;
+  }
+  return {OutcomeKind::kDiffers, marked("other-mesh", input),
+          "expected the mesh of " + name +
+              ", for there is one Delaunay triangulation of the points, found another mesh",
+          indented(said())};
+}
+
+std::string Runner::said_of_other(const Input& input) {
+  if (!other_) return "";
+  const Outcome theirs = other_->run_anew(input);
+  return on_one_line(fs::path(subject_.against.front()).filename().string()) + ": " +
+         (is_finding(theirs.kind) ? theirs.signature : word(theirs.kind));
+}
+
+std::string Runner::marked(const std::string& signature, const Input& input) const {
+  const auto set = judged_points(input);
+  const bool is_extreme = set && !generators::lie_within(*set, kOrdinary);
+  return signature + (is_extreme ? "-extreme" : "") + (is_flat(subject_, input) ? "-flat" : "");
+}
+
+Outcome Runner::run_once(const Input& input, bool anew) {
   const std::string reason = reason_to_skip(subject_, input);
   if (!reason.empty()) return {OutcomeKind::kSkipped, "skipped", reason};
   const auto text = file_text(input, formats::extension(subject_.input_name), subject_.first_index,
@@ -210,9 +292,7 @@ Outcome Runner::run(const Input& input, bool anew) {
   if (outcome.kind == OutcomeKind::kKillsParent) outcome = run_on(input, *text, anew);
   if (!is_finding(outcome.kind)) return outcome;
   if (is_full(scratch_)) return not_run(scratch_ + ": the disk is full");
-  const auto* const set = std::get_if<PointsCase>(&input);
-  if (set != nullptr && !generators::lie_within(*set, kOrdinary)) outcome.signature += "-extreme";
-  if (is_flat(subject_, input)) outcome.signature += "-flat";
+  outcome.signature = marked(outcome.signature, input);
   return outcome;
 }
 

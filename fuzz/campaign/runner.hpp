@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -28,11 +29,17 @@ class Runner {
 
   // Of a worker, the one that has answered the cases before, but for the first: of that a process is given its input
   // and its end, as it is by hand, so that a worker that does not end then, or says more, is found out.
+  //
+  // Then, if it was right or refused the input: the same on the input under each relation of the subject, and what the
+  // program of Subject::against does with it.
   Outcome run(const Input& input);
   // The same in a process that has had no case before.
   Outcome run_anew(const Input& input);
   // A finding that is new, run again: the first of three runs that is a finding, too. kFlaky if none is.
   Outcome confirmed(const Input& input, const Outcome& outcome);
+
+  // "other_program: holds", what that program does with the input; empty if there is none.
+  std::string said_of_other(const Input& input);
 
   // The mesh that the last run wrote; empty if it wrote none.
   std::string mesh_file() const;
@@ -46,6 +53,7 @@ class Runner {
   void interrupt() {
     is_interrupted_ = true;
     supervisor_.interrupt();
+    if (other_) other_->interrupt();
   }
 
   Containment containment() const { return supervisor_.containment(); }
@@ -55,6 +63,12 @@ class Runner {
   Outcome judged_in_time(const Input& input, const std::string& mesh) const;
   Outcome outcome_of(const Ended& ended, const Input& input) const;
   Outcome run(const Input& input, bool anew);
+  // Without relations, and without the other program.
+  Outcome run_once(const Input& input, bool anew);
+  Outcome after_relations(const Input& input, Outcome outcome, bool anew);
+  Outcome against_other(const Input& input, Outcome outcome, bool anew);
+  // The signature with what sets apart findings on such an input.
+  std::string marked(const std::string& signature, const Input& input) const;
   Outcome run_on(const Input& input, const std::string& text, bool anew);
   // What is wrong if there is none in the end; else an empty string.
   std::string prepare_work_folder();
@@ -66,6 +80,8 @@ class Runner {
   bool has_talked_ = false;
   std::atomic<bool> is_interrupted_ = false;
   Supervisor supervisor_;
+  std::optional<Subject> other_subject_;
+  std::unique_ptr<Runner> other_;
 };
 
 }  // namespace circumspect::campaign

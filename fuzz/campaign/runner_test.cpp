@@ -133,6 +133,109 @@ TEST_CASE("a worker that is wrong only since it had other cases before is flaky"
   CHECK(Runner(always).confirmed(kTetrahedron, wrong).kind == OutcomeKind::kFails);
 }
 
+TEST_CASE("the points that are there in the end are those whose mesh is judged") {
+  using generators::UpdateKind;
+  // (1, 1, 1) goes, and a corner that went comes back.
+  const UpdatesCase whole = {
+      {{{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}}, {}},
+      {{UpdateKind::kDelete, 1},
+       {UpdateKind::kRestore},
+       {UpdateKind::kDelete, 0},
+       {UpdateKind::kInsert, 5}}};
+  const std::string text =
+      "5 3 0 0 0 0 4\n0 0 0\n1 1 1\n0 1 0\n0 0 1\n1 0 0\n"
+      "delete 1\nrestore\ndelete 0\ninsert 0 0 0\n";
+  CHECK(file_text(whole, ".case", 0, 3) == text);
+  CHECK(file_text(whole, ".node", 0, 3) == "4 3 0 0\n0 0 1 0\n1 0 0 1\n2 1 0 0\n3 0 0 0\n");
+  const auto read = read_updates(text);
+  REQUIRE(read);
+  CHECK(file_text(*read, ".case", 0, 3) == text);
+  Subject subject =
+      worker("i=0; while [ $i -lt 4 ]; do read line; i=$((i+1)); done; echo 1; echo 0 1 2 3");
+  subject.updates = {UpdateKind::kInsert, UpdateKind::kDelete, UpdateKind::kRestore};
+  Runner runner(subject);
+  CHECK(runner.run(whole).text == "");
+  CHECK(runner.run(whole).text == "");
+  const Subject late =
+      worker("i=0; while [ $i -lt 4 ]; do read line; i=$((i+1)); done; echo 1; echo 1 2 3 4");
+  CHECK(Runner(late).run(whole).kind == OutcomeKind::kFails);
+}
+
+TEST_CASE("a text that is no sequence of updates is none") {
+  const std::string head = "2 2 0 0 0 0 1\n0 0\n1 0\n";
+  CHECK(read_updates(head + "delete 1\n"));
+  for (const char* const wrong :
+       {"delete 2\n", "delete\n", "delete 1 1\n", "insert 1\n", "insert 1 0\n", "insert 1 2 3\n",
+        "insert 1 x\n", "move 1\n", "", "delete 1\nrestore\n"}) {
+    CAPTURE(wrong);
+    CHECK(!read_updates(head + wrong));
+  }
+  for (const char* const wrong :
+       {"", "1 2 0 0 0 0\n0 0\n", "0 0 0 0 0 0 0\n", "1 2 0 0 0 0 0 0\n1 1\n", "-1 2 0 0 0 0 0\n",
+        "99999999999 2 0 0 0 0 0\n1 1\n"}) {
+    CAPTURE(wrong);
+    CHECK(!read_updates(wrong));
+  }
+}
+
+TEST_CASE("what a program does may not change with what does not count") {
+  using generators::Relation;
+  Subject subject = shell("grep -q -e ' -' $0 && exit 9; echo '1 4 0\n0 0 1 2 3' > $1");
+  subject.refusal_codes = {9};
+  CHECK(Runner(subject).run(kTetrahedron).kind == OutcomeKind::kHolds);
+  subject.relations = {Relation::kOrder, Relation::kTranslation, Relation::kReflection,
+                       Relation::kScaling};
+  const Outcome refused = Runner(subject).run(kTetrahedron);
+  CHECK(refused.kind == OutcomeKind::kDiffers);
+  CHECK(refused.signature == "refused-after-reflection");
+  REQUIRE(refused.image);
+  CHECK(std::get<PointsCase>(*refused.image).points[1] == Point{-1, 0, 0});
+  // Refused, but not when it is reflected: that is no way to refuse either.
+  subject.command[2] = "grep -q -e ' -' $0 || exit 9; echo '1 4 0\n0 0 1 2 3' > $1";
+  CHECK(Runner(subject).run(kTetrahedron).signature == "refused-after-reflection");
+  subject.command[2] = "exit 9";
+  CHECK(Runner(subject).run(kTetrahedron).kind == OutcomeKind::kRefused);
+  // Wrong unless the points come in this order.
+  subject.command[2] =
+      "l=2; [ \"$(sed -n 2,4p $0 | tr -d '\\n')\" = '0 0 0 01 1 0 02 0 1 0' ] && l=3; "
+      "echo \"1 4 0\n0 0 1 2 $l\" > $1";
+  const Outcome wrong = Runner(subject).run(kTetrahedron);
+  CHECK(wrong.kind == OutcomeKind::kFails);
+  CHECK(wrong.signature == "simplex.repeated-vertex-after-order");
+}
+
+TEST_CASE("a program is held against another one that gets it right") {
+  const PointsCase kite = {{{0, 0}, {4, -1}, {4, 1}, {8, 0}}, {}};
+  const PointsCase square = {{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {}};
+  const std::string along = "echo '2 3 0\n0 0 1 3\n1 0 2 3' > $1";
+  const std::string across = "echo '2 3 0\n0 0 1 2\n1 1 2 3' > $1";
+  Subject subject = shell(along);
+  subject.dimension = 2;
+  subject.claim = Claim::kTriangulation;
+  CHECK(Runner(subject).run(kite).kind == OutcomeKind::kHolds);
+  subject.against = shell(across).command;
+  const Outcome differs = Runner(subject).run(kite);
+  CHECK(differs.kind == OutcomeKind::kDiffers);
+  CHECK(differs.signature == "other-mesh");
+  // Of four points on a circle there are two Delaunay triangulations.
+  subject.command = shell("echo '2 3 0\n0 0 1 3\n1 0 2 3' > $1").command;
+  const Outcome either = Runner(subject).run(square);
+  CHECK(either.kind == OutcomeKind::kHolds);
+  CHECK(either.text == "another mesh than that of sh; both are right");
+  subject.command = subject.against;
+  CHECK(Runner(subject).run(kite).text == "");
+  subject.refusal_codes = {9};
+  subject.command[2] = "exit 9";
+  CHECK(Runner(subject).run(kite).signature == "refused-alone");
+  subject.against[2] = "exit 9";
+  CHECK(Runner(subject).run(kite).kind == OutcomeKind::kRefused);
+  subject.command[2] = across;
+  subject.against[2] = "exit 3";
+  Runner runner(subject);
+  CHECK(runner.run(kite).text == "sh is wrong: exit-code-3");
+  CHECK(runner.said_of_other(kite) == "sh: exit-code-3");
+}
+
 TEST_CASE("no case finds what the one before it left") {
   const Subject subject =
       shell("ls -A . | grep -v x.node && exit 9; mkdir -p a/b; touch a/b/c d; chmod 0 a; exit 0");
