@@ -157,7 +157,7 @@ class DistributedJudge {
   bool sweep_simplices(const fast::MeshView<kDimension, std::int32_t>& view, const Sample& sample,
                        Swept& result) {
     const auto links = fast::matched_facets(view, threads_, fast::Proposal::kLikely);
-    if (!links) return false;
+    if (!links || !links->overused.empty()) return false;
     fast::WholeSweep<kDimension, std::int32_t, std::int32_t> sweep(view, links->view(), threads_);
     const fast::Swept swept =
         sweep.run({.sample = &sample, .balls = asks_balls(), .weighted = mesh_.is_weighted()});

@@ -17,19 +17,6 @@ namespace circumspect::check {
 
 namespace {
 
-// The vertices of the facet of a simplex opposite one of them, ascending.
-template <std::size_t kVertices, typename Index>
-std::array<Index, kVertices - 1> vertices_of(std::span<const Index, kVertices> simplex,
-                                             std::size_t opposite) {
-  std::array<Index, kVertices - 1> facet;
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < kVertices; ++i) {
-    if (i != opposite) facet[size++] = simplex[i];
-  }
-  std::sort(facet.begin(), facet.end());
-  return facet;
-}
-
 // Looks facets up by their vertices.
 template <std::size_t kDimension, typename Index>
 class FacetTable {
@@ -45,7 +32,7 @@ class FacetTable {
     entries_.reserve(facets.size());
     for (const fast::FacetId facet : facets) {
       const std::size_t simplex = facet.simplex();
-      entries_.push_back({vertices_of(mesh.row(simplex), facet.place()), simplex});
+      entries_.push_back({fast::facet_of(mesh.row(simplex), facet.place()), simplex});
       for (const Index v : entries_.back().facet) has_facet_[static_cast<std::size_t>(v)] = 1;
       fast::for_each_facet_of<kVertices>(mesh.row(simplex),
                                          [&](std::uint64_t hash, std::size_t place) {
@@ -69,7 +56,7 @@ class FacetTable {
                   std::vector<SharedFacet>& shared) const {
     fast::for_each_facet_of<kVertices>(simplex, [&](std::uint64_t hash, std::size_t place) {
       if (!has_hash_[hash & (has_hash_.size() - 1)]) return;
-      const auto facet = vertices_of(simplex, place);
+      const auto facet = fast::facet_of(simplex, place);
       const auto found =
           std::lower_bound(entries_.begin(), entries_.end(), facet,
                            [](const Entry& entry, const auto& key) { return entry.facet < key; });

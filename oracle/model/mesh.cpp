@@ -1,6 +1,7 @@
 #include "oracle/model/mesh.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -180,8 +181,42 @@ std::vector<std::size_t> in_order(const Rows<Value>& rows) {
   return order;
 }
 
+// Rows of doubles, by a table of their hashes; nothing if that takes long, as it does where many hashes are alike.
+// Requires: the numbers are finite.
+std::optional<std::vector<Duplicate>> equal_rows_by_hash(const Rows<double>& rows) {
+  constexpr std::size_t kFree = ~std::size_t{0};
+  const std::size_t count = rows.rows();
+  std::vector<std::size_t> table(std::bit_ceil(count + count / 2 + 1), kFree);
+  std::size_t steps = 8 * count;
+  std::vector<Duplicate> found;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = rows.row(i);
+    std::uint64_t hash = 0;
+    for (const double number : row) {
+      // 0 for −0, which equals it. The product's upper half is mixed with its lower one, as all bits are to count.
+      hash = (hash ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9e3779b97f4a7c15U;
+      hash ^= hash >> 32;
+    }
+    std::size_t place = hash & (table.size() - 1);
+    while (table[place] != kFree &&
+           !std::equal(row.begin(), row.end(), rows.row(table[place]).begin())) {
+      if (steps-- == 0) return std::nullopt;
+      place = (place + 1) & (table.size() - 1);
+    }
+    if (table[place] == kFree) {
+      table[place] = i;
+    } else {
+      found.push_back({static_cast<Vertex>(table[place]), static_cast<Vertex>(i)});
+    }
+  }
+  return found;
+}
+
 template <class Value>
 std::vector<Duplicate> equal_rows(const Rows<Value>& rows) {
+  if constexpr (std::is_same_v<Value, double>) {
+    if (auto found = equal_rows_by_hash(rows)) return *std::move(found);
+  }
   const std::vector<std::size_t> order = in_order(rows);
   const auto are_equal = [&rows](std::size_t a, std::size_t b) {
     return std::equal(rows.row(a).begin(), rows.row(a).end(), rows.row(b).begin());

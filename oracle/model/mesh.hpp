@@ -98,7 +98,7 @@ Mesh in_rows(const ExactMesh& mesh);
 // ---- Equal points ----
 // Points of a mesh that are equal: which, and how they are made one.
 
-// Every point that repeats an earlier one, in order of `again`. On doubles, by sorting indices.
+// Every point that repeats an earlier one, in order of `again`. Of doubles, by a table of their hashes.
 std::vector<Duplicate> equal_points(const Mesh& mesh);
 
 // Makes equal points one: the first of them, or the heaviest (of these the first) if they have weights,

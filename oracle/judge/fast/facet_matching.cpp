@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <numeric>
-#include <optional>
+#include <set>
 #include <utility>
 
 #include "oracle/judge/fast/facet_records.hpp"
@@ -38,33 +38,79 @@ class Matching {
     if (mesh_.size() > kMostSimplices) return tl::unexpected(Undecided::kTooLarge);
     links_ = large_array<std::int32_t>(mesh_.simplices.size());
     if (!count()) return tl::unexpected(Undecided::kUnknownVertex);
-    // As many piles at a time as have records for not quite half of the facets; for fewer of a small mesh,
-    // where tables weigh more.
-    const std::size_t facets = mesh_.simplices.size();
-    most_records_ =
-        std::max(facets * 7 / 16 - std::min(facets * 7 / 16, kRecordsForTables), facets / 4);
-    for (std::size_t pile = 0; pile < piles_; ++pile) {
-      most_records_ = std::max(most_records_, size_of(pile));
-    }
-    records_ = large_array<std::uint64_t>(most_records_ + slices() * kWordsInLine);
-    for (std::size_t first = 0; first < piles_;) {
-      std::size_t last = first;
-      std::size_t records = 0;
-      while (last < piles_ && records + size_of(last) <= most_records_) records += size_of(last++);
-      fill(first, last);
-      match(first, last);
-      if (proposal_ == Proposal::kLikely && !overused_.empty()) {
-        return tl::unexpected(Undecided::kFacetOverused);
+    in_rounds(most_at_a_time(), [this](std::size_t first, std::size_t last) {
+      fill(first, last, [](std::int32_t link, std::size_t) { return link < 0; });
+      match(first, last, [this](auto pile, auto& table) { match_pile(pile, table); });
+    });
+    return owned_links();
+  }
+
+  // What facet_matching.hpp says of complete(). One facet of each pair is compared, and every facet without a link.
+  std::vector<std::uint64_t> complete(OwnedLinks& links) {
+    links_ = std::move(links.links);
+    const auto stands_for_its_pair = [](std::int32_t link, std::size_t s) {
+      return (static_cast<std::int64_t>(link) >= static_cast<std::int64_t>(s)) | (link < 0);
+    };
+    counts_.assign(slices() * piles_, 0);
+    in_slices([&](std::size_t slice, std::size_t first, std::size_t last) {
+      const std::span<std::uint32_t> counts = counts_of(slice);
+      for (std::size_t s = first; s < last; ++s) {
+        const std::int32_t* const own = &links_[s * kVertices];
+        for_each_facet_of<kVertices, Index>(mesh_.row(s), [&](std::uint64_t hash,
+                                                              std::size_t place) {
+          counts[pile_of(hash)] += static_cast<std::uint32_t>(stands_for_its_pair(own[place], s));
+        });
       }
-      first = last;
-    }
-    std::sort(overused_.begin(), overused_.end());  // which thread was first is chance
-    return OwnedLinks{std::move(links_), mesh_.simplices.size(), std::move(overused_)};
+    });
+    in_rounds(mesh_.simplices.size() * 5 / 8, [&](std::size_t first, std::size_t last) {
+      fill(first, last, stands_for_its_pair);
+      match(first, last, [this](auto pile, auto& table) { separate(pile, table); });
+    });
+    links = owned_links();
+    std::sort(matched_again_.begin(), matched_again_.end());
+    return std::move(matched_again_);
   }
 
  private:
   static constexpr std::size_t kVertices = kDimension + 1;
   static constexpr std::size_t kWordsInLine = 8;  // of a cache
+
+  std::size_t most_at_a_time() const {
+    // As many piles at a time as have records for not quite half of the facets; for fewer of a small mesh,
+    // where tables weigh more.
+    const std::size_t facets = mesh_.simplices.size();
+    return std::max(facets * 7 / 16 - std::min(facets * 7 / 16, kRecordsForTables), facets / 4);
+  }
+
+  // Calls work(first pile, last pile) for all piles, each time for some that have at most as many records, or for one.
+  template <class Work>
+  void in_rounds(std::size_t most_records, const Work& work) {
+    std::vector<std::size_t> sizes;
+    for (std::size_t pile = 0; pile < piles_; ++pile) sizes.push_back(size_of(pile));
+    const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+    most_records_ =
+        std::max(std::min(most_records, all), *std::max_element(sizes.begin(), sizes.end()));
+    records_ = large_array<std::uint64_t>(most_records_ + slices() * kWordsInLine);
+    for (std::size_t first = 0; first < piles_;) {
+      std::size_t last = first;
+      std::size_t records = 0;
+      while (last < piles_ && records + sizes[last] <= most_records_) records += sizes[last++];
+      work(first, last);
+      first = last;
+    }
+    records_.reset();
+  }
+
+  OwnedLinks owned_links() {
+    for (auto& facets : overused_) std::sort(facets.begin(), facets.end());
+    std::sort(overused_.begin(), overused_.end());  // which thread was first is chance
+    return OwnedLinks{std::move(links_), mesh_.simplices.size(), std::move(overused_)};
+  }
+
+  template <class Work>
+  void in_slices(const Work& work) {
+    in_chunks(mesh_.size(), slice_, threads_, work);
+  }
 
   // The last bits of a hash say into which pile a facet goes, and its record has the others.
   std::size_t pile_of(std::uint64_t hash) const { return hash & (piles_ - 1); }
@@ -87,13 +133,11 @@ class Matching {
   bool count() {
     counts_.assign(slices() * piles_, 0);
     std::atomic<bool> known = true;
-    in_chunks(mesh_.size(), slice_, threads_,
-              [&](std::size_t slice, std::size_t first, std::size_t last) {
-                const bool all_known = proposal_ == Proposal::kLikely
-                                           ? count_with_nearby(slice, first, last)
-                                           : count_all(slice, first, last);
-                if (!all_known) known.store(false);
-              });
+    in_slices([&](std::size_t slice, std::size_t first, std::size_t last) {
+      const bool all_known = proposal_ == Proposal::kLikely ? count_with_nearby(slice, first, last)
+                                                            : count_all(slice, first, last);
+      if (!all_known) known.store(false);
+    });
     return known.load();
   }
 
@@ -124,8 +168,10 @@ class Matching {
     return true;
   }
 
-  // Writes the records of these piles, pile by pile, in the order of simplices.
-  void fill(std::size_t first_pile, std::size_t last_pile) {
+  // Writes records of these piles, pile by pile, in the order of simplices: of the facets that are wanted, which
+  // is_wanted(link, simplex) says without a branch.
+  template <class IsWanted>
+  void fill(std::size_t first_pile, std::size_t last_pile, const IsWanted& is_wanted) {
     begins_.assign(1, 0);
     std::size_t begin = 0;
     for (std::size_t pile = first_pile; pile < last_pile; ++pile) {
@@ -135,14 +181,14 @@ class Matching {
       }
       begins_.push_back(begin);
     }
-    in_chunks(mesh_.size(), slice_, threads_,
-              [&](std::size_t slice, std::size_t first, std::size_t last) {
-                fill_from(slice, first, last, first_pile, last_pile);
-              });
+    in_slices([&](std::size_t slice, std::size_t first, std::size_t last) {
+      fill_from(slice, first, last, first_pile, last_pile, is_wanted);
+    });
   }
 
+  template <class IsWanted>
   void fill_from(std::size_t slice, std::size_t first, std::size_t last, std::size_t first_pile,
-                 std::size_t last_pile) {
+                 std::size_t last_pile, const IsWanted& is_wanted) {
     const std::span<std::uint32_t> next = counts_of(slice);
     std::uint64_t* const records = records_.get();
     const std::size_t nowhere = most_records_ + slice * kWordsInLine;
@@ -151,7 +197,7 @@ class Matching {
       for_each_facet_of<kVertices, Index>(mesh_.row(s), [&](std::uint64_t hash, std::size_t place) {
         const std::size_t pile = pile_of(hash);
         // Whether the record is wanted is a coin toss: no branch.
-        const auto wanted = static_cast<std::size_t>(links[place] < 0) &
+        const auto wanted = static_cast<std::size_t>(is_wanted(links[place], s)) &
                             static_cast<std::size_t>(pile - first_pile < last_pile - first_pile);
         const std::size_t to = nowhere ^ ((nowhere ^ next[pile]) & -wanted);
         records[to] = record(hash, s * kVertices + place);
@@ -160,14 +206,16 @@ class Matching {
     }
   }
 
-  void match(std::size_t first_pile, std::size_t last_pile) {
+  // Calls match_one(records of a pile, a table) for each of them.
+  template <class MatchOne>
+  void match(std::size_t first_pile, std::size_t last_pile, const MatchOne& match_one) {
     constexpr std::size_t kPilesInChunk = 8;
     in_chunks(last_pile - first_pile, kPilesInChunk, threads_,
               [&](std::size_t, std::size_t first, std::size_t last) {
                 std::vector<std::uint64_t> table;
                 for (std::size_t pile = first; pile < last; ++pile) {
                   const std::size_t begin = begins_[pile], count = begins_[pile + 1] - begin;
-                  match_pile({&records_[begin], count}, table);
+                  match_one(std::span(&records_[begin], count), table);
                 }
               });
   }
@@ -211,6 +259,56 @@ class Matching {
     if (!thrice.empty()) match_by_vertices(pile, thrice);
   }
 
+  // Matches facets once more of which two that are no pair have the same hash.
+  void separate(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& bits) {
+    // A bit each, within the nearest cache; few records find another's bit set, and most of those by accident.
+    const int shift = 64 - bits_of(pile.size()) - 3;
+    const std::size_t words = (std::size_t{1} << (64 - shift)) / 64 + 1;
+    bits.assign(2 * words, 0);
+    std::uint64_t* const seen = bits.data();
+    std::uint64_t* const again = seen + words;
+    for (const std::uint64_t record : pile) {
+      const std::uint64_t place = record >> shift, bit = std::uint64_t{1} << (place % 64);
+      again[place / 64] |= seen[place / 64] & bit;
+      seen[place / 64] |= bit;
+    }
+    std::vector<std::uint64_t> doubtful;
+    for (const std::uint64_t record : pile) {
+      const std::uint64_t place = record >> shift;
+      if ((again[place / 64] >> (place % 64) & 1) != 0) doubtful.push_back(record);
+    }
+    std::sort(doubtful.begin(), doubtful.end());
+    std::vector<std::uint64_t> twice;
+    for (std::size_t i = 1; i < doubtful.size(); ++i) {
+      if (layout_.same_hash(doubtful[i - 1], doubtful[i])) twice.push_back(doubtful[i]);
+    }
+    if (!twice.empty()) match_by_vertices(with_partners(doubtful, twice), twice);
+  }
+
+  // The records whose hash is among those of `some`, and those of the facets that they are linked to.
+  std::vector<std::uint64_t> with_partners(std::span<const std::uint64_t> pile,
+                                           const std::vector<std::uint64_t>& some) {
+    std::set<std::uint64_t> hashes, facets;
+    for (const std::uint64_t record : some) hashes.insert(layout_.hash(record));
+    std::vector<std::uint64_t> all;
+    for (const std::uint64_t record : pile) {
+      if (!hashes.contains(layout_.hash(record))) continue;
+      const std::uint64_t facet = layout_.facet(record);
+      if (facets.insert(facet).second) all.push_back(record);
+      if (links_[facet] < 0) continue;
+      const auto vertices = vertices_of(facet);
+      for (std::size_t place = 0; place < kVertices; ++place) {
+        const std::uint64_t other = static_cast<std::uint64_t>(links_[facet]) * kVertices + place;
+        if (vertices_of(other) == vertices && facets.insert(other).second) {
+          all.push_back((record & ~layout_.no_facet()) | other);
+        }
+      }
+    }
+    const std::lock_guard lock(mutex_);
+    matched_again_.insert(matched_again_.end(), facets.begin(), facets.end());
+    return all;
+  }
+
   void link(std::uint64_t a, std::uint64_t b) {
     links_[a] = static_cast<std::int32_t>(b / kVertices);
     links_[b] = static_cast<std::int32_t>(a / kVertices);
@@ -237,13 +335,7 @@ class Matching {
   }
 
   std::array<Index, kDimension> vertices_of(std::uint64_t facet) const {
-    std::array<Index, kDimension> vertices;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < kVertices; ++i) {
-      if (i != facet % kVertices) vertices[next++] = mesh_.row(facet / kVertices)[i];
-    }
-    std::sort(vertices.begin(), vertices.end());
-    return vertices;
+    return facet_of(mesh_.row(facet / kVertices), facet % kVertices);
   }
 
   const MeshView<kDimension, Index>& mesh_;
@@ -261,6 +353,7 @@ class Matching {
   LargeArray<std::int32_t> links_;
   std::mutex mutex_;  // of:
   std::vector<std::vector<std::uint64_t>> overused_;
+  std::vector<std::uint64_t> matched_again_;
 };
 
 }  // namespace
@@ -271,6 +364,12 @@ tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<kDimension, In
   return Matching<kDimension, Index>(mesh, proposal, threads).run();
 }
 
+template <std::size_t kDimension, typename Index>
+std::vector<std::uint64_t> complete(const MeshView<kDimension, Index>& mesh, OwnedLinks& links,
+                                    unsigned threads) {
+  return Matching<kDimension, Index>(mesh, Proposal::kComplete, threads).complete(links);
+}
+
 template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<2, std::int32_t>&,
                                                             unsigned, Proposal);
 template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<2, std::int64_t>&,
@@ -279,5 +378,13 @@ template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<3, st
                                                             unsigned, Proposal);
 template tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<3, std::int64_t>&,
                                                             unsigned, Proposal);
+template std::vector<std::uint64_t> complete(const MeshView<2, std::int32_t>&, OwnedLinks&,
+                                             unsigned);
+template std::vector<std::uint64_t> complete(const MeshView<2, std::int64_t>&, OwnedLinks&,
+                                             unsigned);
+template std::vector<std::uint64_t> complete(const MeshView<3, std::int32_t>&, OwnedLinks&,
+                                             unsigned);
+template std::vector<std::uint64_t> complete(const MeshView<3, std::int64_t>&, OwnedLinks&,
+                                             unsigned);
 
 }  // namespace circumspect::fast

@@ -70,7 +70,7 @@ struct OwnedLinks {
 
 // What is promised of links before they are verified.
 enum class Proposal {
-  // Facets of three simplices are seen if they meet by chance; the fastest.
+  // Facets of three simplices are overused if they meet by chance; the fastest.
   kLikely,
   // A facet without a link that is not overused is in no other simplex, and one with a link that is right
   // is in no third.
@@ -81,12 +81,20 @@ enum class Proposal {
 // Facets are compared by hashes, and by their vertices only where the same hash comes up three times:
 // what is returned is a proposal, which the sweep verifies like that of any other program. If it is
 // wrong, hashes of 46 bits or more are equal by accident, and the mesh is left undecided.
-// Undecided: an index that names no point; three simplices with one facet, unless the proposal is complete;
-// more than 2^29 simplices.
+// Undecided: an index that names no point; more than 2^29 simplices.
 // Memory: 4 (d + 1) bytes a simplex for the links, and as much again until it returns.
 template <std::size_t kDimension, typename Index>
 tl::expected<OwnedLinks, Undecided> matched_facets(const MeshView<kDimension, Index>& mesh,
                                                    unsigned threads,
                                                    Proposal proposal = Proposal::kComplete);
+
+// Makes links complete. Returns the facets that were matched once more, ascending, as OwnedLinks::overused names
+// them: all that have their vertices, or their hash, in common with a facet that they are not linked to. What is
+// across all others is as it was.
+// Requires: links come from matched_facets; a facet that has one is the only one with this link of exactly one
+// facet, which has the same vertices and is linked back.
+template <std::size_t kDimension, typename Index>
+std::vector<std::uint64_t> complete(const MeshView<kDimension, Index>& mesh, OwnedLinks& links,
+                                    unsigned threads);
 
 }  // namespace circumspect::fast

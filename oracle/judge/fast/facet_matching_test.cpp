@@ -63,6 +63,30 @@ void check_grid(std::size_t side, bool in_order = true) {
       REQUIRE(links.has_value());
       CHECK(listed(*links) == expected);
     }
+    // Likely links are those of a complete proposal, and nothing is to be matched again.
+    auto links = matched_facets(mesh.view(), threads, Proposal::kLikely).value();
+    CHECK(complete(mesh.view(), links, threads).empty());
+    CHECK(listed(links) == expected);
+  }
+}
+
+TEST_CASE("likely links of simplices that are listed twice, far apart, are made complete") {
+  for (const bool in_order : {true, false}) {
+    auto mesh = grid_mesh<3>(22);
+    if (!in_order) shuffle<4>(mesh.simplices);
+    const std::vector<std::int32_t> some(mesh.simplices.begin() + 4000,
+                                         mesh.simplices.begin() + 6000);
+    mesh.simplices.insert(mesh.simplices.end(), some.begin(), some.end());
+    const auto expected = matched_facets(mesh.view(), 1).value();
+    REQUIRE(!expected.overused.empty());
+    for (const unsigned threads : {1U, 3U}) {
+      auto links = matched_facets(mesh.view(), threads, Proposal::kLikely).value();
+      CHECK(listed(links) != listed(expected));
+      const auto again = complete(mesh.view(), links, threads);
+      CHECK(std::is_sorted(again.begin(), again.end()));
+      CHECK(listed(links) == listed(expected));
+      CHECK(links.overused == expected.overused);
+    }
   }
 }
 

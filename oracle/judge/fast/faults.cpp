@@ -25,25 +25,20 @@ class FaultFinder {
   FaultFinder(const MeshView<kDimension, Index>& mesh, Question question, unsigned threads)
       : mesh_(mesh), question_(question), threads_(threads), orientations_(mesh.size(), 0) {}
 
-  tl::expected<Faults, Undecided> run(std::optional<SweptMesh> swept) {
-    if (facets_are_sound(std::move(swept))) {
+  tl::expected<Faults, Undecided> run(std::optional<SweptMesh> known) {
+    if (known && go_on_from(std::move(*known))) return std::move(faults_);
+    known.reset();
+    faults_ = {};
+    orientations_.assign(mesh_.size(), 0);
+    if (facets_are_sound()) {
       list_turned();
       judge_boundary();
       return std::move(faults_);
     }
-    judge_simplices();
-    const auto sound = std::find_if(orientations_.begin(), orientations_.end(),
-                                    [](std::int8_t own) { return own != 0; });
-    if (sound == orientations_.end()) return tl::unexpected(Undecided::kFlatSimplex);
-    faults_.sound_simplex = static_cast<std::size_t>(sound - orientations_.begin());
-    if (!faults_.unsound.empty()) {
-      std::vector<std::size_t> all(mesh_.size());
-      std::iota(all.begin(), all.end(), std::size_t{0});
-      faults_.duplicates = duplicates_among(std::move(all));
-      return std::move(faults_);
-    }
-    if (const auto reason = match_facets()) return tl::unexpected(*reason);
-    if (faults_.duplicates.empty()) list_turned();
+    faults_.unused = points_that_are_no_vertices();
+    std::vector<std::size_t> all(mesh_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    if (const auto reason = judge_simplices(all)) return tl::unexpected(*reason);
     return std::move(faults_);
   }
 
@@ -82,74 +77,149 @@ class FaultFinder {
     std::sort(set.begin(), set.end());
     return set;
   }
-  bool names_points(Row row) const {
-    return std::all_of(row.begin(), row.end(), [this](Index v) { return mesh_.names_point(v); });
+
+  // ── What the judge has seen ────────────────────────────────────────────────────────────────────
+
+  // Goes on from what the judge found out, and looks again at what it doubts alone; false if that does not say
+  // everything. docs/theory/fast.md, "Every place at fault", says why this is enough.
+  bool go_on_from(SweptMesh known) {
+    if (known.swept.undecided) return false;
+    faults_.links = std::move(known.links);
+    std::vector<std::size_t> doubtful;
+    for (const std::size_t first : known.swept.doubtful) {
+      for (std::size_t s = first; s < std::min(first + kBlock, mesh_.size()); ++s) {
+        doubtful.push_back(s);
+      }
+    }
+    if (known.swept.doubt && !are_linked_back(doubtful, known.swept)) return false;
+    if (!known.is_triangulation) {
+      for (const std::uint64_t facet : complete(mesh_, faults_.links, threads_)) {
+        doubtful.push_back(facet / kVertices);
+      }
+    }
+    take_orientations(known.orientations);
+    faults_.unused = std::move(known.unused);
+    faults_.stages = known.swept.stages;
+    if (known.swept.doubt || !doubtful.empty()) {
+      return judge_doubtful(distinct(std::move(doubtful)), known.orientations);
+    }
+    list_not_local(known.swept);
+    list_turned();
+    if (!known.is_triangulation) judge_boundary();
+    return true;
+  }
+
+  // Links to later simplices lead back from as many facets as have links to earlier ones, if all these do: so every
+  // facet with a link has one partner. The sweep has seen to the links of simplices that are not doubtful.
+  bool are_linked_back(const std::vector<std::size_t>& doubtful, const Swept& swept) const {
+    std::uint64_t to_themselves = 0;
+    std::vector<std::size_t> partners;
+    for (const std::size_t s : doubtful) {
+      for (std::size_t place = 0; place < kVertices; ++place) {
+        const auto other = beyond(s, place);
+        to_themselves += static_cast<std::uint64_t>(other == s);
+        if (!other || *other <= s) continue;
+        std::size_t back = 0;
+        while (back < kVertices &&
+               (beyond(*other, back) != s ||
+                facet_of(mesh_.row(*other), back) != facet_of(mesh_.row(s), place))) {
+          ++back;
+        }
+        if (back == kVertices) return false;
+        partners.push_back(*other * kVertices + back);
+      }
+    }
+    std::sort(partners.begin(), partners.end());
+    return std::adjacent_find(partners.begin(), partners.end()) == partners.end() &&
+           swept.up + to_themselves == swept.down;
+  }
+
+  // False if nothing is wrong with these simplices and their facets, or if the judge took another orientation of one
+  // of them for its own.
+  bool judge_doubtful(const std::vector<std::size_t>& doubtful, const Orientations& swept) {
+    if (judge_simplices(doubtful) || faults_.facets_match()) return false;
+    return std::all_of(doubtful.begin(), doubtful.end(), [&](std::size_t s) {
+      return orientations_[s] == 0 || orientations_[s] == swept.of(s);
+    });
   }
 
   // ── Where simplices and facets are in order ───────────────────────────────────────────────────
 
   // Matches facets, and sweeps as the judge does; true if that finds no simplex and no facet at fault.
-  bool facets_are_sound(std::optional<SweptMesh> known) {
+  bool facets_are_sound() {
     // Complete: facets with the same vertices have the same hash.
     auto matched = matched_facets(mesh_, threads_);
     if (!matched) return false;
     faults_.links = std::move(*matched);
     if (!faults_.links.overused.empty()) return false;
-    if (known && swept_these_links(*known)) {
-      take(known->swept, known->orientations, std::move(known->unused));
-      return !known->swept.undecided;
-    }
     WholeSweep<kDimension, Index, std::int32_t> sweep(mesh_, faults_.links.view(), threads_);
     const bool weighted = question_ == Question::kWeightedDelaunay && !mesh_.weights.empty();
     const Swept swept =
         sweep.run({.balls = question_ != Question::kTriangulation, .weighted = weighted});
-    take(swept, sweep.orientations(), sweep.unused());
-    return !swept.undecided;
+    if (swept.undecided) return false;
+    take_orientations(sweep.orientations());
+    faults_.unused = sweep.unused();
+    faults_.stages = swept.stages;
+    list_not_local(swept);
+    return true;
   }
 
-  // Has the judge swept the mesh with the same links, and found nothing about its sample point?
-  bool swept_these_links(const SweptMesh& known) const {
-    const auto theirs = known.links.view(), ours = faults_.links.view();
-    return known.swept.undecided != Undecided::kCoveredTwice &&
-           std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end());
+  void take_orientations(const Orientations& orientations) {
+    std::size_t s = 0;
+    for (std::int8_t& own : orientations_) own = static_cast<std::int8_t>(orientations.of(s++));
   }
 
-  void take(const Swept& swept, const Orientations& orientations, std::vector<std::size_t> unused) {
-    if (swept.undecided) return;
-    for (std::size_t s = 0; s < mesh_.size(); ++s) {
-      orientations_[s] = static_cast<std::int8_t>(orientations.of(s));
-    }
-    faults_.unused = std::move(unused);
+  void list_not_local(const Swept& swept) {
     for (const FacetId facet : swept.not_local) {
       const std::size_t other = *beyond(facet.simplex(), facet.place());
       const std::size_t place = across(facet.simplex(), facet.place(), other)->place;
       faults_.not_local.push_back({facet, {other, place}});
     }
-    faults_.stages = swept.stages;
   }
 
   // ── Simplices one by one ───────────────────────────────────────────────────────────────────────
 
-  void judge_simplices() {
+  std::vector<std::size_t> points_that_are_no_vertices() {
     UsedPoints used(mesh_.points());
-    faults_.unsound = list_of<std::size_t>(
-        mesh_.size(), [&](std::size_t s, std::vector<std::size_t>& unsound, Stages& stages) {
-          const Row row = mesh_.row(s);
-          for (const Index v : row) {
-            if (mesh_.names_point(v)) used.mark(static_cast<std::size_t>(v));
-          }
+    for (const Index v : mesh_.simplices) {
+      if (mesh_.names_point(v)) used.mark(static_cast<std::size_t>(v));
+    }
+    return used.missing();
+  }
+
+  // Those of the simplices that are no simplices; the orientation of each is known afterwards.
+  std::vector<std::size_t> unsound_among(const std::vector<std::size_t>& simplices) {
+    return list_of<std::size_t>(
+        simplices.size(), [&](std::size_t i, std::vector<std::size_t>& unsound, Stages& stages) {
+          const std::size_t s = simplices[i];
           // A simplex with a vertex twice is flat.
-          if (names_points(row)) {
-            orientations_[s] =
-                static_cast<std::int8_t>(orientation<kDimension>(sites_of(s), stages));
+          int sign = 0;
+          if (std::ranges::all_of(mesh_.row(s), [&](Index v) { return mesh_.names_point(v); })) {
+            sign = orientation<kDimension>(sites_of(s), stages);
           }
-          if (orientations_[s] == 0) unsound.push_back(s);
+          orientations_[s] = static_cast<std::int8_t>(sign);
+          if (sign == 0) unsound.push_back(s);
         });
-    faults_.unused = used.missing();
+  }
+
+  // Judges these simplices, and their facets if all are sound; the others, and their facets, are.
+  std::optional<Undecided> judge_simplices(const std::vector<std::size_t>& simplices) {
+    faults_.unsound = unsound_among(simplices);
+    const auto sound = std::find_if(orientations_.begin(), orientations_.end(),
+                                    [](std::int8_t own) { return own != 0; });
+    if (sound == orientations_.end()) return Undecided::kFlatSimplex;
+    faults_.sound_simplex = static_cast<std::size_t>(sound - orientations_.begin());
+    if (!faults_.unsound.empty()) {
+      faults_.duplicates = duplicates_among(simplices);
+      return std::nullopt;
+    }
+    if (const auto reason = match_facets(simplices)) return reason;
+    if (faults_.duplicates.empty()) list_turned();
+    return std::nullopt;
   }
 
   // Those of the simplices that have the same vertices as another of them, ascending.
-  std::vector<std::size_t> duplicates_among(std::vector<std::size_t> simplices) const {
+  std::vector<std::size_t> duplicates_among(const std::vector<std::size_t>& simplices) const {
     std::vector<std::pair<std::uint64_t, std::size_t>> hashes;
     hashes.reserve(simplices.size());
     for (const std::size_t s : simplices) {
@@ -217,7 +287,8 @@ class FaultFinder {
     return static_cast<std::size_t>(link);
   }
 
-  std::optional<Undecided> match_facets() {
+  // `simplices`: all whose links to later ones may be wrong, ascending.
+  std::optional<Undecided> match_facets(const std::vector<std::size_t>& simplices) {
     if (faults_.links.count == 0) return Undecided::kTooLarge;
     std::vector<std::size_t> doubtful;  // simplices that may be listed twice
     for (const std::vector<std::uint64_t>& facets : faults_.links.overused) {
@@ -231,8 +302,9 @@ class FaultFinder {
       FacetPair pair;
       bool matches;
     };
-    const auto suspects =
-        list_of<Suspect>(mesh_.size(), [&](std::size_t s, std::vector<Suspect>& found, Stages&) {
+    const auto suspects = list_of<Suspect>(
+        simplices.size(), [&](std::size_t i, std::vector<Suspect>& found, Stages&) {
+          const std::size_t s = simplices[i];
           for (std::size_t place = 0; place < kVertices; ++place) {
             const auto other = beyond(s, place);
             if (!other || *other <= s) continue;

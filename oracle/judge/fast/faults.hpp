@@ -80,9 +80,10 @@ struct Faults {
 // What the judge (judge.hpp) found out about a mesh of which it knows nothing in the end.
 struct SweptMesh {
   OwnedLinks links;  // likely ones
-  Swept swept;       // with a sample point; `undecided` if the sweep itself found something wrong
+  Swept swept;       // past doubts, with a sample point
   Orientations orientations;
   std::vector<std::size_t> unused;
+  bool is_triangulation;  // of its vertices: nothing is wrong but points that are none
 };
 
 // All faults that the question asks for. Of weighted points, whether those that are no vertices lie above

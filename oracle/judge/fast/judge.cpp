@@ -24,24 +24,29 @@ class Judge {
         weighted_(question == Question::kWeightedDelaunay && !mesh.weights.empty()),
         threads_(threads) {}
 
-  // `kept`: where to put what was found, but for the links, if nothing is known.
-  tl::expected<Facts, Undecided> run(std::optional<SweptMesh>* kept = nullptr) {
+  // `kept`: where to put what was found, but for the links, if nothing is known. Facets that are `overused` have no links.
+  tl::expected<Facts, Undecided> run(bool overused = false,
+                                     std::optional<SweptMesh>* kept = nullptr) {
     Stages stages;
     const auto sample = sample_point(mesh_, stages);
     if (!sample) return tl::unexpected(sample.error());
     WholeSweep<kDimension, Index, Link> sweep(mesh_, links_, threads_);
-    Swept swept = sweep.run({.sample = &*sample, .balls = balls_, .weighted = weighted_});
+    Swept swept = sweep.run({.sample = &*sample,
+                             .balls = balls_,
+                             .weighted = weighted_,
+                             .past_doubts = kept != nullptr});
+    if (overused && !swept.doubt) swept.doubt = Undecided::kFacetOverused;
     const Orientations& orientations = sweep.orientations();
-    const std::optional<Undecided> in_sweep = swept.undecided;
-    if (!swept.undecided) judge_boundary(sweep, *sample, swept);
-    if (!swept.undecided) judge_unused_points(sweep.unused(), orientations, swept);
-    if (swept.undecided) {
-      const Undecided reason = *swept.undecided;
-      swept.undecided = in_sweep;
+    std::optional<Undecided> reason = swept.undecided ? swept.undecided : swept.doubt;
+    if (!reason) reason = judge_boundary(sweep, *sample, swept.stages);
+    const bool is_triangulation = !reason;
+    if (is_triangulation) reason = judge_unused_points(sweep.unused(), orientations, swept);
+    if (reason) {
       if (kept != nullptr) {
-        kept->emplace(SweptMesh{{}, std::move(swept), orientations, sweep.unused()});
+        kept->emplace(
+            SweptMesh{{}, std::move(swept), orientations, sweep.unused(), is_triangulation});
       }
-      return tl::unexpected(reason);
+      return tl::unexpected(*reason);
     }
     return Facts{swept.unique, swept.canonical, orientations.are_equal(),
                  std::move(swept.not_local), sum(stages, swept.stages)};
@@ -50,8 +55,9 @@ class Judge {
  private:
   static constexpr std::size_t kVertices = kDimension + 1;
 
-  void judge_boundary(const WholeSweep<kDimension, Index, Link>& sweep,
-                      const SamplePoint<kDimension>& sample, Swept& swept) const {
+  std::optional<Undecided> judge_boundary(const WholeSweep<kDimension, Index, Link>& sweep,
+                                          const SamplePoint<kDimension>& sample,
+                                          Stages& stages) const {
     constexpr std::size_t kChunk = WholeSweep<kDimension, Index, Link>::kChunk;
     const Boundary<kDimension, Index, Link> boundary(mesh_, links_, sweep.orientations(), sample,
                                                      sweep.lattice());
@@ -62,19 +68,21 @@ class Judge {
                     sweep.boundary().template facets<kVertices>(links_, first, last);
                 parts[chunk].undecided = boundary.judge(facets, parts[chunk].stages);
               });
-    for (const Swept& part : parts) swept.append(part);
+    Swept all;
+    for (const Swept& part : parts) all.append(part);
+    stages = sum(stages, all.stages);
+    return all.undecided;
   }
 
-  void judge_unused_points(const std::vector<std::size_t>& unused, const Orientations& orientations,
-                           Swept& swept) const {
-    if (unused.empty()) return;
-    swept.undecided = Undecided::kUnusedPoint;
-    if (!weighted_) return;
+  std::optional<Undecided> judge_unused_points(const std::vector<std::size_t>& unused,
+                                               const Orientations& orientations,
+                                               Swept& swept) const {
+    if (unused.empty()) return std::nullopt;
+    if (!weighted_) return Undecided::kUnusedPoint;
     // The walks end, and the planes say something, where all facets are locally Delaunay.
-    swept.undecided = Undecided::kFacetNotLocal;
-    if (!swept.not_local.empty()) return;
+    if (!swept.not_local.empty()) return Undecided::kFacetNotLocal;
     const SubmergedPoints<kDimension, Index, Link> points(mesh_, links_, orientations);
-    swept.undecided = points.judge(unused, swept);
+    return points.judge(unused, swept);
   }
 
   const MeshView<kDimension, Index>& mesh_;
@@ -111,9 +119,11 @@ tl::expected<Facts, Undecided> judge(const MeshView<kDimension, Index>& mesh, Qu
   }
   auto links = matched_facets(mesh, threads, Proposal::kLikely);
   if (!links) return tl::unexpected(links.error());
+  const bool overused = !links->overused.empty();
+  if (overused && swept == nullptr) return tl::unexpected(Undecided::kFacetOverused);
   if (!has_finite_numbers(mesh, threads)) return tl::unexpected(Undecided::kNotFinite);
-  auto facts =
-      Judge<kDimension, Index, std::int32_t>(mesh, links->view(), question, threads).run(swept);
+  auto facts = Judge<kDimension, Index, std::int32_t>(mesh, links->view(), question, threads)
+                   .run(overused, swept);
   if (swept != nullptr && *swept) (*swept)->links = std::move(*links);
   return facts;
 }

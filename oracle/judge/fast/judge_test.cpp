@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/fast/facet_matching.hpp"
+#include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -272,8 +273,14 @@ void mutate(MeshInArrays<3>& mesh, int kind, std::mt19937_64& random) {
     case 8:  // a point that no simplex has, where another is
       mesh.coordinates.insert(mesh.coordinates.end(), {1, 1, 1});
       break;
-    default:  // a point moved out of its place
+    case 9:  // a point moved out of its place
       mesh.coordinates[static_cast<std::size_t>(old) * 3] += 1.5;
+      break;
+    default: {  // some simplices that follow each other, listed once more far from there
+      const std::size_t last = std::min(row + 400, mesh.simplices.size());
+      const std::vector<std::int32_t> again(at(row), at(last));
+      mesh.simplices.insert(mesh.simplices.end(), again.begin(), again.end());
+    }
   }
 }
 
@@ -281,12 +288,74 @@ TEST_CASE("no mutation of a grid of 10^5 points is taken for a triangulation") {
   const auto good = grid_mesh<3>(properties::kOneInputIn > 1 ? 12 : 47);
   REQUIRE(undecided(good) == "");
   std::mt19937_64 random(2);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 22; ++i) {
     CAPTURE(i);
     MeshInArrays<3> mesh = good;
-    mutate(mesh, i % 10, random);
+    mutate(mesh, i % 11, random);
     CHECK(undecided(mesh) != "");
   }
+}
+
+// Everything that is said of a mesh, list after list.
+using Said = std::vector<std::vector<std::uint64_t>>;
+
+std::uint64_t name_of(FacetId facet) { return facet.simplex() * 4 + facet.place(); }
+
+void say_pairs(const std::vector<FacetPair>& pairs, Said& said) {
+  auto& list = said.emplace_back();
+  for (const auto& [first, second] : pairs) {
+    list.insert(list.end(), {name_of(first), name_of(second)});
+  }
+}
+
+Said said_of(const Faults& faults) {
+  Said said = faults.overused.empty() ? Said() : Said{{faults.overused.size()}};
+  for (const auto* const list :
+       {&faults.unsound, &faults.duplicates, &faults.turned, &faults.unused, &faults.covering}) {
+    said.emplace_back(list->begin(), list->end());
+  }
+  said.push_back({faults.sound_simplex, faults.first_of_most,
+                  static_cast<std::uint64_t>(faults.orientation_of_most)});
+  for (const auto& facets : faults.overused) {
+    auto& list = said.emplace_back();
+    for (const FacetId facet : facets) list.push_back(name_of(facet));
+  }
+  say_pairs(faults.same_side, said);
+  say_pairs(faults.not_local, said);
+  for (const FaultyRidge& ridge : faults.ridges) {
+    auto& list = said.emplace_back(ridge.vertices.begin(), ridge.vertices.end());
+    for (const FacetId facet : ridge.facets) list.push_back(name_of(facet));
+  }
+  auto& beyond = said.emplace_back();
+  for (const FacetId facet : faults.beyond) beyond.push_back(name_of(facet));
+  if (faults.facets_match()) {
+    const auto links = faults.links.view();
+    said.emplace_back(links.begin(), links.end());
+  }
+  return said;
+}
+
+TEST_CASE("what the judge found out leads to the faults that are found without it") {
+  constexpr std::array kinds = {0, 1, 2, 3, 4, 5, 6, 9, 10};  // that make no points equal
+  std::mt19937_64 random(5);
+  std::size_t gone_on = 0;
+  for (int i = 0; i < 220; ++i) {
+    CAPTURE(i);
+    MeshInArrays<3> mesh = grid_mesh<3>(12, i % 2 == 0);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(i) / 9 % 3; ++k)
+      mutate(mesh, kinds[(static_cast<std::size_t>(i) + 2 * k) % kinds.size()], random);
+    std::optional<SweptMesh> swept;
+    const unsigned threads = 1 + static_cast<unsigned>(i) % 3;
+    const Question question = i % 5 == 0 ? Question::kTriangulation : Question::kDelaunay;
+    const auto facts = judge(mesh.view(), question, threads, &swept);
+    if (facts || !swept) continue;
+    gone_on += static_cast<std::size_t>(!swept->swept.undecided);
+    const auto without = faults(mesh.view(), question, threads);
+    const auto with = faults(mesh.view(), question, threads, std::move(swept));
+    REQUIRE(with.has_value() == without.has_value());
+    if (with) CHECK(said_of(*with) == said_of(*without));
+  }
+  CHECK(gone_on > 100);
 }
 
 }  // namespace

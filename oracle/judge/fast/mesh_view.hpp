@@ -2,6 +2,7 @@
 // facets.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -72,6 +73,19 @@ struct MeshView {
     return site;
   }
 };
+
+// The vertices of the facet of a simplex opposite one of them, ascending.
+template <std::size_t kVertices, typename Index>
+std::array<Index, kVertices - 1> facet_of(std::span<const Index, kVertices> simplex,
+                                          std::size_t opposite) {
+  std::array<Index, kVertices - 1> facet;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < kVertices; ++i) {
+    if (i != opposite) facet[size++] = simplex[i];
+  }
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
 
 // For each simplex and vertex, what is across the facet opposite: given, or found by facet_matching.hpp.
 template <typename Link>

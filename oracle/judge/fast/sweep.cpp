@@ -41,9 +41,11 @@ class BlockSweep {
       Rows& now = rows_[turn % 2];
       const std::size_t next = now.first + kBlock;
       if (next < last) read(rows_[(turn + 1) % 2], next, last);
-      if (swept_.goes_on()) look_across(now);
-      if (swept_.goes_on()) look_at_simplices(now);
-      if (swept_.goes_on() && task_.balls) look_at_balls(now);
+      is_doubtful_ = false;
+      if (goes_on()) look_across(now);
+      if (goes_on()) look_at_simplices(now);
+      if (goes_on() && task_.balls) look_at_balls(now);
+      if (is_doubtful_) swept_.doubtful.push_back(now.first);
       if (next >= last) return;
     }
   }
@@ -72,6 +74,14 @@ class BlockSweep {
   void give_up(Undecided reason) {
     if (!swept_.undecided) swept_.undecided = reason;
   }
+
+  // Of the block that is looked at.
+  void doubt(Undecided reason) {
+    if (!task_.past_doubts) return give_up(reason);
+    if (!swept_.doubt) swept_.doubt = reason;
+    is_doubtful_ = true;
+  }
+  bool goes_on() const { return swept_.goes_on() && !is_doubtful_; }
 
   void prefetch_site(Index v) const {
     const auto place = static_cast<std::size_t>(v);
@@ -144,20 +154,20 @@ class BlockSweep {
     kernels_.fit(lanes);
     for (const Facet& facet : rows.looked_at()) {
       const Index fit = lanes.fits[facet.place][facet.lane];
-      if (fit < 0) return give_up(Undecided::kUnmatchedNeighbor);
+      if (fit < 0) return doubt(Undecided::kUnmatchedNeighbor);
       constexpr Index kOdd = RowBlock<kVertices, Index>::kOdd;
       const auto place = static_cast<std::size_t>(fit % kOdd);
       const std::size_t s = rows.first + facet.lane;
       const Link back = task_.links[facet.beyond * kVertices + place];
       if (static_cast<std::int64_t>(back) != static_cast<std::int64_t>(s)) {
-        return give_up(Undecided::kUnmatchedNeighbor);
+        return doubt(Undecided::kUnmatchedNeighbor);
       }
       const int product = task_.orientations.are_equal()
                               ? 1
                               : task_.orientations.of(s) * task_.orientations.of(facet.beyond);
       if ((product > 0) != (fit >= kOdd)) {
         // Unless the one of them is oriented as expected and the other is not.
-        if (!task_.orientations.are_equal()) return give_up(Undecided::kSameSide);
+        if (!task_.orientations.are_equal()) return doubt(Undecided::kSameSide);
         swept_.mixed = true;
         return;
       }
@@ -185,7 +195,7 @@ class BlockSweep {
       swept_.stages.filtered += rows.count;
       return;
     }
-    for (std::size_t lane = 0; lane < rows.count && swept_.goes_on(); ++lane) {
+    for (std::size_t lane = 0; lane < rows.count && goes_on(); ++lane) {
       look_at_simplex(lane, rows.first + lane);
     }
   }
@@ -198,13 +208,13 @@ class BlockSweep {
       ++swept_.stages.filtered;
     }
     if (own != block_.own[lane]) {
-      if (own == 0) return give_up(Undecided::kFlatSimplex);
+      if (own == 0) return doubt(Undecided::kFlatSimplex);
       swept_.mixed = true;
       return;
     }
     if (block_.apart[lane] == 0 && s != task_.sample->simplex &&
         covers<kDimension>(block_.row(lane), own, *task_.sample, swept_.stages)) {
-      give_up(Undecided::kCoveredTwice);
+      doubt(Undecided::kCoveredTwice);
     }
   }
 
@@ -259,6 +269,7 @@ class BlockSweep {
   Swept& swept_;
   const BlockKernels<kDimension>& kernels_;
   std::array<Rows, 2> rows_;
+  bool is_doubtful_ = false;
   SimplexBlock<kDimension> block_;
 };
 
@@ -276,6 +287,8 @@ Swept swept_in_blocks(const SweepTask<kDimension, Index, Link>& task, std::size_
 void Swept::append(const Swept& later) {
   if (!undecided) undecided = later.undecided;
   mixed |= later.mixed;
+  if (!doubt) doubt = later.doubt;
+  doubtful.insert(doubtful.end(), later.doubtful.begin(), later.doubtful.end());
   unique &= later.unique;
   canonical &= later.canonical;
   up += later.up;

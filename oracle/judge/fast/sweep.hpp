@@ -124,6 +124,7 @@ struct SweepTask {
   bool balls;                             // are facets to be locally Delaunay?
   bool weighted;                          // in the weighted sense? Requires weights.
   bool ties;                              // are those to be listed whose apex is on the sphere?
+  bool past_doubts = false;               // to the end, whatever is wrong with some?
   Lattice lattice;  // one that all points lie on, and their weights if those count
   UsedPoints& used;
   BoundarySimplices& boundary;
@@ -147,6 +148,11 @@ struct Swept {
   std::vector<FacetId> not_local = {};      // the other apex is strictly inside the ball
   std::vector<FacetId> ties = {};           // it is on the sphere; listed if asked for
   std::vector<FacetId> not_canonical = {};  // those of them that the perturbation makes not local
+  // If the sweep goes past doubts: the first simplices of blocks in which something is wrong, ascending, of which
+  // nothing else is known but the number of links, and the first reason. Simplices of other blocks are sound, and so
+  // are their links to later ones.
+  std::vector<std::size_t> doubtful = {};
+  std::optional<Undecided> doubt = {};
   Stages stages = {};
 
   bool goes_on() const { return !undecided && !mixed; }
@@ -170,6 +176,7 @@ struct SweepQuestions {
   bool balls = false;
   bool weighted = false;
   bool ties = false;
+  bool past_doubts = false;
 };
 
 template <std::size_t kDimension, typename Index, typename Link>
@@ -198,13 +205,13 @@ class WholeSweep {
                               questions.weighted ? mesh_.weights : std::span<const double>());
     Swept swept = swept_by_all(questions);
     if (swept.mixed) {
-      auto each = orientation_of_each();
+      auto each = orientation_of_each(questions.past_doubts);
       if (!each) return {.undecided = each.error()};
       orientations_ = Orientations(std::move(*each));
       swept = swept_by_all(questions);
     }
     // Signs are exact, so that no second pass finds one other than expected.
-    if (!swept.undecided && (swept.mixed || swept.up != swept.down)) {
+    if (!swept.undecided && (swept.mixed || (swept.up != swept.down && !swept.doubt))) {
       swept.undecided = Undecided::kUnmatchedNeighbor;
     }
     return swept;
@@ -234,7 +241,8 @@ class WholeSweep {
     return sign;
   }
 
-  tl::expected<std::vector<std::uint64_t>, Undecided> orientation_of_each() const {
+  // Past doubts a flat simplex counts as positive: the second pass finds it.
+  tl::expected<std::vector<std::uint64_t>, Undecided> orientation_of_each(bool past_doubts) const {
     constexpr std::size_t kBits = 64;
     std::vector<std::uint64_t> negative(chunks_of(mesh_.size(), kBits), 0);
     std::vector<std::optional<Undecided>> found(chunks_of(negative.size(), kChunk / kBits));
@@ -242,7 +250,8 @@ class WholeSweep {
               [&](std::size_t chunk, std::size_t first, std::size_t last) {
                 Stages stages;  // every sign is asked for again
                 for (std::size_t s = first * kBits; s < std::min(last * kBits, mesh_.size()); ++s) {
-                  const auto sign = orientation_of(s, stages);
+                  auto sign = orientation_of(s, stages);
+                  if (!sign && past_doubts && sign.error() == Undecided::kFlatSimplex) sign = 1;
                   if (!sign) {
                     found[chunk] = sign.error();
                     return;
@@ -264,6 +273,7 @@ class WholeSweep {
                                                   .balls = questions.balls,
                                                   .weighted = questions.weighted,
                                                   .ties = questions.ties,
+                                                  .past_doubts = questions.past_doubts,
                                                   .lattice = lattice_,
                                                   .used = used_,
                                                   .boundary = boundary_};
