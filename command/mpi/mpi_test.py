@@ -165,7 +165,8 @@ def whole_corpus(commands, corpus):
                 # What is left to circumspect check is said to be.
                 expect(str(mesh), "circumspect check" in ended.stderr or "vertices" in ended.stderr, True)
                 break
-            expect(f"{ranks} ranks, {mesh}", (ended.returncode, ended.stdout), (one.returncode, one.stdout))
+            what = f"{ranks} ranks, {mesh}, which said {ended.stderr!r} on standard error"
+            expect(what, (ended.returncode, ended.stdout), (one.returncode, one.stdout))
 
 
 def main(words):

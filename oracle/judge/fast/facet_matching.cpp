@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t kFacetsInPile = 16384;  // and tables of what is left of them, within a cache
 constexpr std::size_t kMostPiles = std::size_t{1} << 14;
 constexpr std::uint64_t kMostSimplices = std::uint64_t{1} << 29;
-constexpr std::size_t kSlicesPerThread = 8;
+constexpr std::size_t kSlices =
+    32;  // whatever the number of threads, and so what is likely is, too
 constexpr std::size_t kRecordsForTables = std::size_t{3}
                                           << 16;  // that take as much memory as they, about
 constexpr std::size_t kLeastSlice = std::size_t{1} << 14;
@@ -28,8 +29,7 @@ class Matching {
  public:
   Matching(const MeshView<kDimension, Index>& mesh, Proposal proposal, unsigned threads)
       : mesh_(mesh), proposal_(proposal), threads_(threads), layout_(mesh.simplices.size()) {
-    // Some slices of simplices for each thread, so that none waits long for another.
-    slice_ = std::max(chunks_of(mesh.size(), kSlicesPerThread * threads), kLeastSlice);
+    slice_ = std::max(chunks_of(mesh.size(), kSlices), kLeastSlice);
     const std::size_t wanted = chunks_of(mesh.simplices.size(), kFacetsInPile);
     piles_ = std::min(std::bit_ceil(wanted), kMostPiles);
   }

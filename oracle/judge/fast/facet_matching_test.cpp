@@ -70,6 +70,23 @@ void check_grid(std::size_t side, bool in_order = true) {
   }
 }
 
+TEST_CASE("what is likely does not depend on the number of threads") {
+  const auto grid = grid_mesh<3>(32);
+  MeshInArrays<3> mesh{grid.coordinates};
+  for (std::size_t s = 0; s < grid.size(); ++s) {  // each twice, one after the other
+    const auto row = grid.view().row(s);
+    for (int time = 0; time < 2; ++time) {
+      mesh.simplices.insert(mesh.simplices.end(), row.begin(), row.end());
+    }
+  }
+  const auto links = matched_facets(mesh.view(), 1, Proposal::kLikely).value();
+  for (const unsigned threads : {2U, 5U}) {
+    const auto again = matched_facets(mesh.view(), threads, Proposal::kLikely).value();
+    CHECK(listed(again) == listed(links));
+    CHECK(again.overused == links.overused);
+  }
+}
+
 TEST_CASE("likely links of simplices that are listed twice, far apart, are made complete") {
   for (const bool in_order : {true, false}) {
     auto mesh = grid_mesh<3>(22);
