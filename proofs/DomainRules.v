@@ -19,9 +19,13 @@ Inductive domain_evidence :=
   (* entry I of simplex T is on segment S, between entries J and K of simplex U *)
   | VertexInEdge (t : positive) (i : nat) (u : positive) (j k : nat) (s : positive)
   | OfMesh.                                          (* the evidence that is about the mesh alone *)
+(** The caller's triangles and edges that may be faces of no simplex: the entries of each, and which of the [pads],
+    points of no mesh that are counted on after the caller's, make a d-simplex of it, to see where it is. *)
+Record dangling_part := DanglingPart { pads : list site; dangling : list (row * row) }.
 Record domain_refutation := DomainRefutation {
   domain_refuted : domain_claim;
   mesh_refuted : refutation;          (* the caller's points, simplices and, for [OfMesh], evidence *)
+  dangling_refuted : dangling_part;   (* its rows are counted on after the simplices *)
   vertices_given : list site;
   segments_given : list (positive * positive);
   domain_because : domain_evidence
@@ -50,6 +54,7 @@ Inductive whole_evidence :=
   | Gap (t : positive) (q : site) (w : Z) (l : leg).
 Record whole_refutation := WholeRefutation {
   mesh_against : refutation;          (* the caller's points and simplices; its evidence is not read *)
+  dangling_against : dangling_part;
   about_domain : domain_certificate;  (* and the claim that is refuted *)
   shown_by : whole_evidence
 }.
@@ -96,15 +101,28 @@ Section Rules.
 Context {d : nat}.
 Implicit Types (P : domain d) (L : list (list (option (point d)))).
 
-(** What is claimed: all vertices are known, and of the simplices the claim holds. *)
-Definition claims_of_domain (c : domain_claim) P L : Prop :=
-  exists T, L = map (map Some) T /\
+(** Definition 4.5 where something may dangle: the d-simplices [T], triangles and edges (vertices, too) [U], and their
+    faces are the complex.  With no [U] it is [steiner_triangulation]. *)
+Definition steiner_triangulation_with P (T U : list (simplex d)) : Prop :=
+  (forall t, In t T -> NoDup t /\ length t = S d) /\ (forall u, In u U -> NoDup u /\ u <> [] /\ (length u <= d)%nat) /\
+  ForallOrdPairs (fun s t => ~ same s t) T /\
+  simplicial_complex (faces_of (T ++ U)) /\
+  (forall v, In v (domain_vertices P) -> exists t, In t (T ++ U) /\ In v t) /\
+  (forall X, In X (cells P) -> union_of_simplices (T ++ U) X) /\
+  (forall q, underlying P q <-> exists t, In t (T ++ U) /\ conv t q).
+(** Definition 4.4, and Definition 4.7: every d-simplex is constrained Delaunay, and every triangle that dangles. *)
+Definition only_given P (T : list (simplex d)) : Prop := forall t v, In t T -> In v t -> In v (domain_vertices P).
+Definition constrained_with V P (T U : list (simplex d)) : Prop := forall t,
+  In t T \/ In t U /\ length t = 3%nat /\ (forall s, In s T -> ~ incl t s) -> constrained_delaunay V P t.
+(** What is claimed: all vertices are known, and of the simplices [L] and what dangles, [M], the claim holds. *)
+Definition claims_of_domain (c : domain_claim) P L M : Prop :=
+  exists T U, L = map (map Some) T /\ M = map (map Some) U /\ steiner_triangulation_with P T U /\
   match c with
-  | PlcTriangulation => plc_triangulation P T
-  | SteinerTriangulation => steiner_triangulation P T
-  | ConformingDelaunay => conforming_delaunay P T
-  | Cdt => cdt P T
-  | SteinerCdt => steiner_cdt P T
+  | PlcTriangulation => only_given P (T ++ U)
+  | SteinerTriangulation => True
+  | ConformingDelaunay => forall t, In t (T ++ U) -> delaunay (concat (T ++ U)) t
+  | Cdt => only_given P (T ++ U) /\ constrained_with (domain_vertices P) P T U
+  | SteinerCdt => constrained_with (concat (T ++ U)) P T U
   end.
 
 (** A vertex of the domain is a vertex of no simplex. *)
@@ -145,24 +163,32 @@ Definition visible_vertex_in_ball P L : Prop := exists s v x, listed_simplex L s
   (forall X e, In X (low_cells P) -> 0 <= e < 1 -> ~ X (between x v e)) /\
   forall c r2, circumball s c r2 -> dist2 c v < r2.
 
-(** The rule is broken; of the mesh's own rules those of simplices alone are used, and one about balls. *)
-Definition broken_of_domain P L (r : domain_rule) : Prop :=
+(** The vertices of the mesh. *)
+Definition entries L : list (point d) := flat_map (flat_map (fun o => match o with Some v => [v] | None => [] end)) L.
+(** The rule is broken; of the mesh's own rules those of simplices alone are used, and two about balls. *)
+Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   match r with
-  | domain_vertex_missing => vertex_missing P L
-  | domain_steiner_forbidden => steiner_forbidden P L
-  | domain_segment_missing => segment_missing P L
-  | domain_vertex_in_edge => vertex_in_edge P L
-  | domain_polygon_not_tiled => polygon_not_tiled P L
-  | domain_uncovered => uncovered P L
-  | domain_outside => outside P L
-  | domain_uncovered_or_outside => ~ (~ uncovered P L /\ ~ outside P L)
+  | domain_vertex_missing => vertex_missing P (L ++ M)
+  | domain_steiner_forbidden => steiner_forbidden P (L ++ M)
+  | domain_segment_missing => segment_missing P (L ++ M)
+  | domain_vertex_in_edge => vertex_in_edge P (L ++ M)
+  | domain_polygon_not_tiled => polygon_not_tiled P (L ++ M)
+  | domain_uncovered => uncovered P (L ++ M)
+  | domain_outside => outside P (L ++ M)
+  | domain_uncovered_or_outside => ~ (~ uncovered P (L ++ M) /\ ~ outside P (L ++ M))
   | cdt_facet_not_local => constrained_facet_not_local P L
   | cdt_visible_vertex_in_ball => visible_vertex_in_ball P L
-  | mesh_rule r => broken Delaunay norm2 [] L r
+  | mesh_rule complex_overlap => overlap (L ++ M)
+  | mesh_rule r => broken Delaunay norm2 (entries (L ++ M)) L r
   end.
 End Rules.
 
 (** ** What the files are about *)
+
+(** The caller's triangles and edges. *)
+Definition dangling_simplices (D : plane_or_space) (c : refutation) (x : dangling_part) :
+    list (list (option (point (dimension_of D)))) :=
+  caller_rows (refuted_unit c) (sites c) (map fst (dangling x)).
 
 Section Refuted.
 Variables (D : plane_or_space) (c : domain_refutation).

@@ -89,22 +89,24 @@ Proof. apply ComplexSound.check_complex_sound. Qed.
 (** An accepted refutation of a claim about a domain: whatever domain has the vertices and, among others, the
     segments of the refutation, the claim is false of it and the mesh, ... *)
 Theorem verified_not_domain D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
-  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c)).
+  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c))
+      (dangling_simplices D (mesh_refuted c) (dangling_refuted c)).
 Proof. apply DomainRefuted.refute_domain_sound. Qed.
 
 (** ... because it breaks the rule that is printed. *)
 Theorem verified_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
-  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
+  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (dangling_simplices D (mesh_refuted c) (dangling_refuted c))
+    (domain_rule_of c).
 Proof. apply DomainRefuted.refute_domain_rule. Qed.
 
 (** The same of refutations that speak of the whole domain: it is that of the refutation. *)
 Theorem verified_not_whole_domain D x : refute_whole D x = true ->
   ~ claims_of_domain (domain_claimed (about_domain x)) (domain_of_certificate (dimension_of D) (about_domain x))
-      (refuted_simplices D (mesh_against x)).
+      (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)).
 Proof. apply WholeRefuted.refute_whole_sound. Qed.
 Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
   broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x))
-    (refuted_simplices D (mesh_against x)) (whole_rule_of x).
+    (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
 Proof. apply WholeRefuted.refute_whole_rule. Qed.
 
 (** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT

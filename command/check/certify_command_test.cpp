@@ -95,7 +95,12 @@ TEST_CASE("certify: a refutation of a claim about a domain") {
                     "circumspect-refutation 2 plc-triangulation 2 domain.segment-missing\n"));
   CHECK(has(contents(meshes.cert), "\nvertices 4\n"));
   CHECK(has(contents(meshes.cert), "\nsegments 4\n1 2\n1 4\n2 3\n3 4\nbecause 2 0 1 2\nend\n"));
-  // A diagonal that the mesh does not have, and an edge that dangles in its place.
+  // The upper side is there, as an edge that dangles; a point makes a triangle of it.
+  meshes.folder.write("bad.edge", "1 0\n1 7 8\n");
+  CHECK(run(bad).exit_code == 1);
+  CHECK(has(contents(meshes.cert), "\npads 1\n1 2\ndangling 1\n2  3 4  5\nvertices 4\n"));
+  CHECK(has(contents(meshes.cert), "\nbecause 2 0 1 2\nend\n"));
+  // A diagonal that the mesh does not have.
   const std::string diagonal = meshes.folder.write(
       "diagonal.poly",
       "4 2 0 0\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n5 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n5 6 8\n0\n");
@@ -103,11 +108,12 @@ TEST_CASE("certify: a refutation of a claim about a domain") {
                                             "--domain", diagonal,    "--claim", "cdt"};
   CHECK(run(missing).exit_code == 1);
   CHECK(has(contents(meshes.cert), "\nbecause 4 1 1 2\nend\n"));
+  // It dangles: the rule that is named has no evidence.
   std::filesystem::remove(meshes.cert);
   meshes.folder.write("good.edge", "1 0\n1 6 8\n");
   const Run dangling = run(missing);
   CHECK(dangling.exit_code == 2);
-  CHECK(has(dangling.err, "there is no refutation of this mesh: a triangle or an edge dangles"));
+  CHECK(has(dangling.err, "there is no refutation of this mesh: domain.uncovered is broken"));
   CHECK(!meshes.has_cert());
 }
 

@@ -139,6 +139,8 @@ struct WholeEvidence {
   Rule rule;
   std::string word;
   std::string because;
+  std::optional<HomogeneousPoint> seen =
+      {};  // the point that is in no simplex, or in none's face there
 };
 
 // Of a domain what is not in its vertices and segments, for such evidence.
@@ -149,12 +151,19 @@ struct WholeDomain {
   std::vector<PolygonCertificate> polygons = {};
 };
 
+// A triangle or an edge that is a face of no simplex, and points that make it one of full dimension, to see where it is.
+struct DanglingFace {
+  Simplex face;
+  std::vector<std::vector<Integer>> pads;
+};
+
 struct DomainRefutation {
   Refutation refutation;
   ScaledPoints points;  // of the mesh, then the vertices of the domain that are none of these
   std::vector<Vertex> vertices;   // of the domain, among all points
   std::vector<Simplex> segments;  // of the domain, by its vertices
   std::optional<WholeDomain> whole = {};
+  std::vector<DanglingFace> dangling = {};
 };
 
 // Of the rules that the verdict says are broken the first that can be shown: by the vertices and segments of the
@@ -166,7 +175,8 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
                                                                  const Verdict& verdict,
                                                                  const HullFillers& fillers);
 
-// Requires: `vertices` are those of the domain among the points, of which the first are those of the mesh.
+// Requires: `vertices` are those of the domain among the points, of which the first are those of the mesh; the mesh lists what
+// dangles after its simplices.
 std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain& domain,
                                             const Verdict& verdict, const ScaledPoints& points,
                                             const std::vector<Vertex>& vertices);

@@ -1,6 +1,8 @@
 // Refutations of claims about domains.
 #include <algorithm>
+#include <bit>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -25,6 +27,7 @@ bool refutes(Rule rule, Claim claim) {
     case Rule::kOverlap:
     case Rule::kCoveredTwice:
       return true;
+    case Rule::kVertexInBall:
     case Rule::kFacetNotLocal:
       return claim == Claim::kConformingDelaunay;
     default:
@@ -32,21 +35,69 @@ bool refutes(Rule rule, Claim claim) {
   }
 }
 
-// Is a triangle or an edge listed that is a face of no simplex with more vertices?
-bool something_dangles(const ExactMesh& mesh) {
+// The triangles and edges that are faces of no simplex, nor of each other.
+std::vector<Simplex> dangling_faces(const ExactMesh& mesh) {
   std::set<Simplex> listed;
   for (const Simplex& face : mesh.faces) listed.insert(sorted(face));
-  for (const Simplex& simplex : mesh.simplices) {
-    if (simplex.size() > 4) continue;
+  const auto remove_faces = [&](const Simplex& simplex, std::size_t most) {
     for (unsigned subset = 1; subset < 1U << simplex.size() && !listed.empty(); ++subset) {
       Simplex face;
       for (std::size_t i = 0; i < simplex.size(); ++i) {
         if ((subset >> i & 1U) != 0) face.push_back(simplex[i]);
       }
-      listed.erase(sorted(face));
+      if (face.size() <= most) listed.erase(sorted(face));
+    }
+  };
+  for (const Simplex& simplex : mesh.simplices) {
+    if (simplex.size() <= 4) remove_faces(simplex, simplex.size());
+  }
+  const std::set<Simplex> all = listed;
+  for (const Simplex& face : all) remove_faces(face, face.size() - 1);
+  return {listed.begin(), listed.end()};
+}
+
+// Points that make the face a simplex of full dimension, which does not contain `without` if the face does not: steps along
+// the axes from its first vertex, in one direction or the other. Nothing if the face is degenerate.
+std::optional<std::vector<std::vector<Integer>>> pads_of(
+    const Simplex& face, const ScaledPoints& points,
+    const std::optional<HomogeneousPoint>& without) {
+  const std::size_t dimension = points.dimension;
+  const std::size_t missing = dimension + 1 - face.size();
+  ScaledPoints own{dimension};
+  for (const Vertex v : face) {
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      own.coordinates.push_back(points.coordinate(v, axis));
     }
   }
-  return !listed.empty();
+  Simplex simplex(dimension + 1);
+  std::iota(simplex.begin(), simplex.end(), Vertex{0});
+  for (unsigned axes = 0; axes < 1U << dimension; ++axes) {
+    if (static_cast<std::size_t>(std::popcount(axes)) != missing) continue;
+    for (unsigned signs = 0; signs < 1U << missing; ++signs) {
+      ScaledPoints full = own;
+      std::vector<std::vector<Integer>> pads;
+      for (std::size_t axis = 0; axis < dimension; ++axis) {
+        if ((axes >> axis & 1U) == 0) continue;
+        std::vector<Integer> pad(own.coordinates.begin(),
+                                 own.coordinates.begin() + static_cast<std::ptrdiff_t>(dimension));
+        pad[axis] += (signs >> pads.size() & 1U) == 0 ? 1 : -1;
+        full.coordinates.insert(full.coordinates.end(), pad.begin(), pad.end());
+        pads.push_back(std::move(pad));
+      }
+      Sidedness sidedness(full);
+      const int orientation = sidedness.orientation(simplex);
+      if (orientation == 0) break;
+      bool is_beyond = !without;
+      bool is_in_hull = true;
+      for (std::size_t i = face.size(); i < simplex.size() && without; ++i) {
+        const int sign = orientation * sidedness.orientation_with(simplex, i, *without);
+        is_beyond = is_beyond || sign < 0;
+        is_in_hull = is_in_hull && sign == 0;
+      }
+      if (is_beyond || is_in_hull) return pads;
+    }
+  }
+  return std::nullopt;
 }
 
 class Finder {
@@ -97,6 +148,7 @@ class Finder {
         return Integer(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
       };
       const Simplex& listed = mesh_.simplices[*edge - 1];
+      if (listed.size() != points_.dimension + 1) continue;
       return Evidence{
           Rule::kVertexInEdge,
           {Integer(around - mesh_.simplices.begin()) + 1, place(*around, witness.vertices.front()),
@@ -172,17 +224,21 @@ class Finder {
   std::map<Point, Vertex> used_;
 };
 
-std::optional<Evidence> evidence_in(const ExactMesh& mesh, const Domain& domain,
-                                    const Verdict& verdict, const ScaledPoints& points,
+// `all` are the simplices of the mesh, then what dangles.
+std::optional<Evidence> evidence_in(const ExactMesh& mesh, const ExactMesh& all,
+                                    const Domain& domain, const Verdict& verdict,
+                                    const ScaledPoints& points,
                                     const std::vector<Vertex>& vertices) {
-  const Finder finder(mesh, domain, points, vertices);
+  const Finder finder(all, domain, points, vertices);
   for (const auto& [rule, tally] : verdict.tallies()) {
     std::optional<Evidence> found;
     if (rule == Rule::kDomainVertexMissing) found = finder.vertex_missing();
     if (rule == Rule::kSteinerForbidden) found = finder.steiner_forbidden();
     if (rule == Rule::kSegmentMissing) found = finder.segment_missing();
     if (rule == Rule::kVertexInEdge) found = finder.vertex_in_edge(verdict);
-    if (refutes(rule, verdict.claim())) found = evidence_for(mesh, verdict, points, rule);
+    if (refutes(rule, verdict.claim())) {
+      found = evidence_for(rule == Rule::kOverlap ? all : mesh, verdict, points, rule);
+    }
     if (found) return found;
   }
   return std::nullopt;
@@ -218,10 +274,14 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
                                                                  const ListedSegments& listed,
                                                                  const Verdict& verdict,
                                                                  const HullFillers& fillers) {
-  if (something_dangles(mesh)) {
-    return tl::unexpected(
-        std::string("there is no refutation of this mesh: a triangle or an edge dangles, and a "
-                    "refutation knows only the simplices of full dimension"));
+  ExactMesh listed_simplices = mesh;  // and what dangles
+  const std::vector<Simplex> dangling = dangling_faces(mesh);
+  for (const Simplex& face : dangling) {
+    if (!std::all_of(face.begin(), face.end(), [&](Vertex v) { return mesh.points.names(v); })) {
+      return tl::unexpected(std::string(
+          "there is no refutation of this mesh: a dangling triangle or edge names no point"));
+    }
+    listed_simplices.simplices.push_back(face);
   }
   // Each point once: most vertices of the domain are points of the mesh.
   std::vector<Point> all = mesh.points.points();
@@ -240,24 +300,41 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
     return tl::unexpected(std::string(
         "there is no refutation of this mesh: its points do not span the plane or space"));
   }
-  if (auto evidence = evidence_in(mesh, domain, verdict, *points, vertices)) {
-    return DomainRefutation{
-        Refutation{verdict.claim(), evidence->rule, std::move(evidence->because), basis},
-        std::move(*points), std::move(vertices), domain.complex.segments};
+  DomainRefutation made{Refutation{verdict.claim(), {}, {}, basis}, std::move(*points),
+                        std::move(vertices), domain.complex.segments};
+  std::optional<HomogeneousPoint> seen;  // the point that must be in no simplex
+  if (auto evidence =
+          evidence_in(mesh, listed_simplices, domain, verdict, made.points, made.vertices)) {
+    made.refutation.rule = evidence->rule;
+    made.refutation.because = std::move(evidence->because);
+    if (evidence->rule == Rule::kSegmentMissing) {
+      const std::vector<Integer>& because = made.refutation.because;
+      seen = HomogeneousPoint{{because.begin() + 1, because.end() - 1}, because.back()};
+    }
+  } else {
+    auto of_whole = whole_evidence(listed_simplices, domain, verdict, made.points, made.vertices);
+    if (!of_whole) {
+      return tl::unexpected(fmt::format(
+          "there is no refutation of this mesh: {} is broken, and no evidence was found that "
+          "circumspect-verified reads",
+          identifier(verdict.tallies().begin()->first)));
+    }
+    made.refutation.rule = of_whole->rule;
+    seen = of_whole->seen;
+    auto whole = whole_domain(domain.complex, listed, made.points, made.vertices,
+                              std::move(*of_whole), fillers);
+    if (!whole) return tl::unexpected(whole.error());
+    made.whole = std::move(*whole);
   }
-  auto of_whole = whole_evidence(mesh, domain, verdict, *points, vertices);
-  if (!of_whole) {
-    return tl::unexpected(fmt::format(
-        "there is no refutation of this mesh: {} is broken, and no evidence was found that "
-        "circumspect-verified reads",
-        identifier(verdict.tallies().begin()->first)));
+  for (const Simplex& face : dangling) {
+    auto pads = pads_of(face, made.points, seen);
+    if (!pads) {
+      return tl::unexpected(std::string(
+          "there is no refutation of this mesh: a dangling triangle or edge is degenerate"));
+    }
+    made.dangling.push_back({face, std::move(*pads)});
   }
-  const Rule rule = of_whole->rule;
-  auto whole =
-      whole_domain(domain.complex, listed, *points, vertices, std::move(*of_whole), fillers);
-  if (!whole) return tl::unexpected(whole.error());
-  return DomainRefutation{Refutation{verdict.claim(), rule, {}, basis}, std::move(*points),
-                          std::move(vertices), domain.complex.segments, std::move(*whole)};
+  return made;
 }
 
 }  // namespace circumspect::certificate

@@ -108,11 +108,16 @@ std::optional<Evidence> simplex_evidence(const ExactMesh& mesh, const ScaledPoin
 std::optional<Evidence> overlap_evidence(const ExactMesh& mesh, const ScaledPoints& points,
                                          Rule rule, const Witness& witness) {
   if (!witness.point || witness.simplices.size() != 2) return std::nullopt;
+  // Faces of simplices, too: then the simplices overlap.
   Evidence evidence{rule, {}};
-  for (const Simplex& simplex : witness.simplices) {
-    const auto number = number_of(mesh, simplex);
-    if (!number) return std::nullopt;
-    evidence.because.emplace_back(static_cast<unsigned long>(*number));
+  for (const Simplex& face : witness.simplices) {
+    const auto found =
+        std::find_if(mesh.simplices.begin(), mesh.simplices.end(), [&](const Simplex& simplex) {
+          return std::all_of(face.begin(), face.end(),
+                             [&](Vertex v) { return contains(simplex, v); });
+        });
+    if (found == mesh.simplices.end()) return std::nullopt;
+    evidence.because.emplace_back(static_cast<unsigned long>(found - mesh.simplices.begin() + 1));
   }
   const HomogeneousPoint common = scaled(points, *witness.point);
   evidence.because.insert(evidence.because.end(), common.numerators.begin(),

@@ -62,13 +62,13 @@ class WholeSearch {
     }
   }
 
-  // Is each simplex a simplex? Else other evidence says so.
+  // Is each simplex a simplex? Else other evidence says so. What dangles comes last.
   bool is_sound() {
     return std::all_of(mesh_.simplices.begin(), mesh_.simplices.end(), [&](const Simplex& simplex) {
-      return simplex.size() == points_.dimension + 1 &&
+      return simplex.size() <= points_.dimension + 1 &&
              std::all_of(simplex.begin(), simplex.end(),
                          [&](Vertex v) { return mesh_.points.names(v); }) &&
-             sidedness_.orientation(simplex) != 0;
+             (!is_full(simplex) || sidedness_.orientation(simplex) != 0);
     });
   }
 
@@ -101,6 +101,10 @@ class WholeSearch {
     std::size_t polygon;
   };
 
+  bool is_full(const Simplex& simplex) const { return simplex.size() == points_.dimension + 1; }
+  bool something_dangles() const {
+    return !mesh_.simplices.empty() && !is_full(mesh_.simplices.back());
+  }
   Point at(Vertex v) const {
     Point point;
     for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
@@ -118,6 +122,7 @@ class WholeSearch {
   // ---- Balls ----
 
   std::optional<WholeEvidence> facet_not_local() const {
+    if (something_dangles()) return std::nullopt;
     for (const Violation& violation : verdict_.violations()) {
       if (violation.rule != Rule::kConstrainedFacetNotLocal || !violation.witness.face) continue;
       const auto found = ball_evidence(mesh_, Rule::kFacetNotLocal, violation.witness);
@@ -133,6 +138,7 @@ class WholeSearch {
   std::optional<WholeEvidence> visible_vertex() const {
     constexpr std::array<std::array<int, 4>, 3> kWeights = {
         {{1, 1, 1, 1}, {1, 2, 3, 5}, {5, 3, 2, 1}}};
+    if (something_dangles()) return std::nullopt;
     for (const Violation& violation : verdict_.violations()) {
       if (violation.rule != Rule::kVisibleVertexInBall) continue;
       const Vertex v = violation.witness.vertices.front();
@@ -187,9 +193,15 @@ class WholeSearch {
     return kind + part.name + " " + text(point);
   }
 
+  bool is_in(const Simplex& face, const Point& point) const {
+    std::vector<Point> corners;
+    for (const Vertex v : face) corners.push_back(at(v));
+    return !intersection(corners, {point}).empty();
+  }
   bool is_in_none(const Point& point) {
     const HomogeneousPoint q = homogeneous(point);
     return std::all_of(mesh_.simplices.begin(), mesh_.simplices.end(), [&](const Simplex& simplex) {
+      if (!is_full(simplex)) return !is_in(simplex, point);
       return sidedness_.separating_place(simplex, sidedness_.orientation(simplex), q).has_value();
     });
   }
@@ -199,7 +211,7 @@ class WholeSearch {
       for (const Point& point : samples(part)) {
         if (!is_in_none(point)) continue;
         return WholeEvidence{Rule::kUncovered, std::string(identifier(Rule::kUncovered)),
-                             named(part, point)};
+                             named(part, point), homogeneous(point)};
       }
     }
     return std::nullopt;
@@ -220,13 +232,30 @@ class WholeSearch {
         if (!all_leave) continue;
         return WholeEvidence{Rule::kPolygonNotTiled,
                              std::string(identifier(Rule::kPolygonNotTiled)),
-                             part.name + " " + text(point)};
+                             part.name + " " + text(point), q};
       }
     }
     return std::nullopt;
   }
   // The simplex misses the point, or of the least face around it a vertex is off the polygon.
   bool leaves(const Simplex& simplex, const HomogeneousPoint& q, std::size_t polygon) {
+    if (!is_full(simplex)) {
+      // Its least face with the point: what is left when the others are taken away that are not needed.
+      Simplex face = simplex;
+      const Point point = ordinary(q);
+      if (!is_in(face, point)) return true;
+      for (std::size_t i = 0; i < face.size() && face.size() > 1;) {
+        Simplex fewer = face;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        if (is_in(fewer, point)) {
+          face = std::move(fewer);
+        } else {
+          ++i;
+        }
+      }
+      return std::any_of(face.begin(), face.end(),
+                         [&](Vertex v) { return is_off(at(v), polygon); });
+    }
     const int own = sidedness_.orientation(simplex);
     bool leaves = false;
     for (std::size_t place = 0; place < simplex.size(); ++place) {
@@ -310,7 +339,7 @@ class WholeSearch {
     for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
       found.emplace_back(points_.dimension, 0).at(axis) = 1;
     }
-    for (std::size_t place = 0; place < simplex.size(); ++place) {
+    for (std::size_t place = 0; place < simplex.size() && is_full(simplex); ++place) {
       Simplex facet = simplex;
       facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
       const Point edge = at(facet[1]) - at(facet[0]);
@@ -337,7 +366,7 @@ class WholeSearch {
     for (const Simplex& simplex : mesh_.simplices) {
       for (std::size_t place = 0; place < simplex.size(); ++place) ++uses[without(simplex, place)];
     }
-    for (std::size_t s = 0; s < mesh_.simplices.size(); ++s) {
+    for (std::size_t s = 0; s < mesh_.simplices.size() && is_full(mesh_.simplices[s]); ++s) {
       const Point start = middle(mesh_.simplices[s]);
       for (std::size_t place = 0; place < mesh_.simplices[s].size(); ++place) {
         const Simplex facet = without(mesh_.simplices[s], place);
@@ -351,7 +380,8 @@ class WholeSearch {
           if (!is_in_none(end)) continue;
           if (const auto planes = separators(start, end, true)) {
             return WholeEvidence{Rule::kUncovered, "domain.uncovered-or-outside",
-                                 fmt::format("{} {} {}", s + 1, text(start), leg(end, *planes))};
+                                 fmt::format("{} {} {}", s + 1, text(start), leg(end, *planes)),
+                                 homogeneous(end)};
           }
         }
       }

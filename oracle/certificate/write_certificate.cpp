@@ -287,6 +287,28 @@ void write_domain(Lines& lines, std::size_t vertices, const std::vector<Simplex>
   for (const PolygonCertificate& polygon : polygons) write_polygon(lines, number, polygon);
 }
 
+// The points are counted on after those of the mesh.
+void write_dangling(Lines& lines, std::size_t points, const std::vector<DanglingFace>& dangling) {
+  std::size_t count = 0;
+  for (const DanglingFace& entry : dangling) count += entry.pads.size();
+  begin_section(lines, "pads", count);
+  for (const DanglingFace& entry : dangling) {
+    for (const std::vector<Integer>& pad : entry.pads) {
+      for (const Integer& x : pad) lines << x;
+      lines.end_line();
+    }
+  }
+  begin_section(lines, "dangling", dangling.size());
+  for (const DanglingFace& entry : dangling) {
+    lines << entry.face.size();
+    lines.gap();
+    for (const Vertex v : entry.face) lines << to_integer(v) + 1;
+    lines.gap();
+    for (std::size_t i = 0; i < entry.pads.size(); ++i) lines << ++points;
+    lines.end_line();
+  }
+}
+
 std::string_view name_of(DomainKind kind) {
   return kind == DomainKind::kHull ? "hull" : "enclosed";
 }
@@ -298,6 +320,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
   const auto& whole = refutation.whole;
   write_mesh(lines, mesh, refutation.points, refutation.refutation,
              whole ? fmt::format("{} {}", whole->evidence.word, name_of(whole->kind)) : "");
+  if (!refutation.dangling.empty()) write_dangling(lines, mesh.points.size(), refutation.dangling);
   begin_section(lines, "vertices", refutation.vertices.size());
   for (const Vertex v : refutation.vertices) {
     write_point(lines, refutation.points, v, false);

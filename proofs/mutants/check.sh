@@ -146,6 +146,21 @@ varied "malformed: varied-plane.poly:11: expected a vertex of the file, found '1
 varied "malformed: varied-plane.poly:*: expected the end of the file, found 'and'" '$s/$/\n0\nand more/' plane.poly
 varied "malformed: varied-plane.poly:4: expected the index 3, found 4" 's/^3 8 0/4 8 0/' plane.poly
 domain "malformed: cannot read absent.poly*" plane.node plane.ele absent.poly
+# An edge that dangles is in MESH.edge; what is listed there and dangles is in the certificate.
+certificate=complex.overlap--shown--dangling.cert
+printf '7 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 1/2\n5 1 1\n6 1/2 3/2\n' >dangling.node
+printf '1 3\n0 0 1 2\n' >dangling.ele
+printf '3 1\n0 0 1 1\n1 6 1 0\n2 6 1 -1\n' >dangling.edge
+domain "verified: not steiner-cdt, complex.overlap; 1 dangling face; *" dangling.node dangling.ele
+sed 's/^0 0 1/0 0 3/' dangling.edge >other.edge
+cp other.edge dangling.edge
+domain "rejected: another mesh, dangling.edge:2: found a triangle or an edge that is a face of no simplex*" dangling.node dangling.ele
+printf '1 0\n0 0 1\n' >dangling.edge
+domain "rejected: another mesh, dangling.edge:0: expected a dangling triangle or edge that is not listed" dangling.node dangling.ele
+printf '1 0\n0 0 9\n' >dangling.edge
+domain "rejected: another mesh, dangling.edge:2: found a point that the certificate does not list" dangling.node dangling.ele
+rm dangling.edge
+domain "rejected: another mesh, dangling.ele:0: expected a dangling triangle or edge that is not listed" dangling.node dangling.ele
 certificate=triangle
 domain "rejected: another domain, plane.poly: the certificate is about none" own.node own.ele plane.poly
 certificate=sound--domain-in-space.cert

@@ -15,6 +15,7 @@ import os
 import sys
 from fractions import Fraction
 
+import domain_refutations
 import domains
 import impossible
 from honest import certificate, text as mesh_text
@@ -302,7 +303,8 @@ def main():
     os.makedirs(folder, exist_ok=True)
     for name, content, answer in itertools.chain(
             ((name, text(c), answer) for name, c, answer in files()), refutations(),
-            domains.refutations_of_domains(), domains.refutations_by_the_whole_domain(), impossible.files(), malformed()):
+            domain_refutations.refutations_of_domains(), domain_refutations.refutations_by_the_whole_domain(),
+            domain_refutations.refutations_where_something_dangles(), impossible.files(), malformed()):
         with open(os.path.join(folder, name + ".cert"), "w") as out:
             out.write("# %s\n%s" % (answer, content))
 

@@ -110,7 +110,7 @@ let certificate (c : Reading.context) space claimed standing =
     { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d;
       weighted = c.weighted; labels = Array.of_list labels; ordered = false;
       sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
-      simplices = List.rev (List.rev_map corners (unpacked space packed).simplices) }) in
+      simplices = List.rev (List.rev_map corners (unpacked space packed).simplices); dangling = None }) in
   let verdict () =
     let asked = Option.map (fun word -> fst (List.assoc word standings)) standing in
     match judge space packed asked (Certificate_file.digits_left_out frame) with
@@ -146,7 +146,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
   let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
-               simplices } in
+               simplices; dangling = None } in
   let checked () = match check_domain space certificate, complex with
     | Accepted, Some complex -> check_complex space certificate complex
     | result, _ -> result in
@@ -162,7 +162,7 @@ let vertices_of d (about : domain_certificate) =
   let whole = about.whole_mesh in
   let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
   { Users_mesh.unit = (whole.numerator, whole.denominator); d; weighted = false;
-    labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites; simplices = [] }
+    labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites; simplices = []; dangling = None }
 
 let impossibility (c : Reading.context) claimed kind =
   let impossibility = Impossibility_file.read c claimed kind in
@@ -179,7 +179,7 @@ let refutation (c : Reading.context) space claimed rule =
   let mesh = { Users_mesh.unit = (refutation.unit_numerator, refutation.unit_denominator); d = c.d;
                weighted = c.weighted; labels = Array.of_list labels; ordered = true;
                sites = Array.of_list refutation.sites;
-               simplices = refutation.rows } in
+               simplices = refutation.rows; dangling = None } in
   let verdict () =
     let rule = rule_name (rule_of refutation.because) in
     if refute space refutation then
@@ -187,16 +187,23 @@ let refutation (c : Reading.context) space claimed rule =
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh = lazy mesh; compare_domain = None; verdict }
 
+(* The triangles and edges that may be faces of no simplex. *)
+let own_rows part = List.map fst part.dangling
+let how_many_dangle part = match List.length part.dangling with
+  | 0 -> ""
+  | n -> counted n "dangling face" "dangling faces" ^ "; "
+
 let domain_refutation (c : Reading.context) space claimed rule =
   let refutation, labels = Refutation_file.read_domain c claimed rule in
   let about = refutation.mesh_refuted in
   let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
-               simplices = about.rows } in
+               simplices = about.rows; dangling = Some (own_rows refutation.dangling_refuted) } in
   let verdict () =
     let rule = domain_rule_name (domain_rule_of refutation) in
     if refute_domain space refutation then
-      (Printf.sprintf "verified: not %s, %s; domain: %s, %s" (domain_claim_name claimed) rule
+      (Printf.sprintf "verified: not %s, %s; %sdomain: %s, %s" (domain_claim_name claimed) rule
+         (how_many_dangle refutation.dangling_refuted)
          (counted (List.length refutation.vertices_given) "vertex" "vertices")
          (counted (List.length refutation.segments_given) "segment" "segments"), 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
@@ -207,11 +214,12 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   let against = refutation.mesh_against and about = refutation.about_domain in
   let mesh = { Users_mesh.unit = (against.unit_numerator, against.unit_denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list against.sites;
-               simplices = against.rows } in
+               simplices = against.rows; dangling = Some (own_rows refutation.dangling_against) } in
   let verdict () =
     let rule = domain_rule_name (whole_rule_of refutation) in
     if refute_whole space refutation then
-      (Printf.sprintf "verified: not %s, %s; %s" (domain_claim_name claimed) rule (described about ~is_complex:false), 0)
+      (Printf.sprintf "verified: not %s, %s; %s%s" (domain_claim_name claimed) rule
+         (how_many_dangle refutation.dangling_against) (described about ~is_complex:false), 0)
     else ("rejected: the evidence does not show " ^ rule, 1) in
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
@@ -249,8 +257,8 @@ let content source =
 (* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
    line if it is another. *)
 let of_users_files ~exactly mesh poly content =
-  let compared what name compare =
-    match compare (Text.of_string (read_file name)) with
+  let compared ?text what name compare =
+    match compare (match text with Some text -> text | None -> Text.of_string (read_file name)) with
     | result -> Ok result
     | exception Sys_error message ->
       Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name)
@@ -266,12 +274,25 @@ let of_users_files ~exactly mesh poly content =
         Users_domain.points ~exactly (Text.of_string (read_file (Filename.remove_extension name ^ ".node"))) in
       compared "domain" name (compare_domain points_elsewhere ~exactly) in
   let ( let* ) = Result.bind in
+  (* MESH.face and MESH.edge, those that there are. *)
+  let faces_beside ele mesh number_of dangling =
+    let beside (vertices, extension) =
+      let name = Filename.remove_extension ele ^ extension in
+      if Sys.file_exists name then Some (vertices, name) else None in
+    let files = List.filter_map beside [ (3, ".face"); (2, ".edge") ] in
+    let names = String.concat " and " (if files = [] then [ ele ] else List.map snd files) in
+    match List.map (fun (vertices, name) -> (vertices, Text.of_string (read_file name))) files with
+    | sources -> compared "mesh" names ~text:(Text.of_string "") (fun _ -> Users_mesh.compare_faces mesh dangling number_of sources)
+    | exception Sys_error message ->
+      Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped names) (String.escaped message), 3) in
   let same () =
     let* () = match mesh with
       | None -> Ok ()
       | Some (node, ele) ->
         let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly (Lazy.force content.mesh)) in
-        compared "mesh" ele (Users_mesh.compare_simplices (Lazy.force content.mesh) number_of) in
+        let mesh = Lazy.force content.mesh in
+        let* () = compared "mesh" ele (Users_mesh.compare_simplices mesh number_of) in
+        Option.fold ~none:(Ok ()) ~some:(faces_beside ele mesh number_of) mesh.dangling in
     Option.fold ~none:(Ok ()) ~some:of_domain poly in
   (* What a rejected file says is looked at no further. *)
   match content.verdict () with

@@ -103,6 +103,27 @@ let mesh c refuted =
   let nothing = WrongDimension (named c max_int) in
   ({ refuted; unit_numerator; unit_denominator; sites; rows; basis; because = nothing }, labels)
 
+(* What may dangle, if there is such a section: points of no mesh, and triangles and edges, each with some of these
+   points.  Its rows name points of the mesh, as those of simplices do. *)
+let dangling c (mesh : refutation) =
+  if not (Text.is_next c.Reading.source "pads") then { pads = []; dangling = [] }
+  else begin
+    let pads = section c "pads" "coordinates" (site c "coordinates" false) in
+    let expected = "at most " ^ string_of_int c.d ^ " vertices, and points that make them a simplex" in
+    let points = List.length mesh.sites in
+    let dangling = section c "dangling" expected (fun tokens ->
+        let sizes, rest = take c count 1 expected tokens in
+        let size = List.hd sizes in
+        if size > c.d then Text.fail c.source expected (Text.quote (string_of_int size));
+        let own, rest = take c vertex size expected rest in
+        List.iter (function
+            | Some k when k > points -> Text.fail c.source "a point of the mesh" (string_of_int k)
+            | _ -> ()) own;
+        let added, rest = take c vertex (c.d + 1 - size) expected rest in
+        ((own, added), rest)) in
+    { pads; dangling }
+  end
+
 (* The refutation, and the labels of its points. *)
 let read c refuted rule =
   let mesh, labels = mesh c refuted in
@@ -114,6 +135,7 @@ let read c refuted rule =
 (* The same of a claim about a domain. *)
 let read_domain c domain_refuted rule =
   let mesh, labels = mesh c Delaunay in
+  let dangling_refuted = dangling c mesh in
   let expected = "the coordinates of a vertex" in
   let vertices_given = section c "vertices" expected (site c expected false) in
   let expected = "two vertices" in
@@ -151,12 +173,13 @@ let read_domain c domain_refuted rule =
     | _ -> ((OfMesh, evidence c Delaunay rule mesh.rows tokens), []) in
   no_more c expected rest;
   ending c;
-  ({ domain_refuted; mesh_refuted = { mesh with because }; vertices_given; segments_given; domain_because },
+  ({ domain_refuted; mesh_refuted = { mesh with because }; dangling_refuted; vertices_given; segments_given; domain_because },
    labels)
 
 (* The same of a claim about a domain that is wholly in the file, of this kind. *)
 let read_whole c claimed rule kind =
   let mesh_against, labels = mesh c Delaunay in
+  let dangling_against = dangling c mesh_against in
   let about_domain = Domain_file.alone c claimed kind (mesh_against.unit_numerator, mesh_against.unit_denominator) in
   let expected = "what CERTIFICATE.md asks for as evidence of " ^ rule in
   let number = Domain_file.number c expected and integer = Domain_file.integer c expected in
@@ -209,4 +232,4 @@ let read_whole c claimed rule kind =
     | _ -> Text.fail c.source "a rule of CERTIFICATE.md that speaks of the whole domain" (Text.quote rule) in
   no_more c expected rest;
   ending c;
-  ({ mesh_against; about_domain; shown_by }, labels)
+  ({ mesh_against; dangling_against; about_domain; shown_by }, labels)

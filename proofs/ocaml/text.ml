@@ -92,6 +92,14 @@ let next_of source expected =
     else tokens (token source "" :: read_so_far) in
   tokens []
 
+(* Does the next line that has any tokens begin with this one? *)
+let is_next source word =
+  let { at; line; _ } = source in
+  let found = found_line source && token source "" = word in
+  source.at <- at;
+  source.line <- line;
+  found
+
 let is_integer token =
   let n = String.length token in
   let first = if n > 0 && token.[0] = '-' then 1 else 0 in

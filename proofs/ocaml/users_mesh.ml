@@ -82,6 +82,7 @@ type mesh = {
   labels : Big.t array;
   simplices : int option list list;  (* the numbers of the points; none, where it names no point *)
   ordered : bool;                    (* are the vertices of a simplex in the user's order? *)
+  dangling : int option list list option;  (* of a refutation: all that is listed and is a face of no simplex *)
 }
 
 let compare_points ~exactly mesh source =
@@ -131,3 +132,41 @@ let compare_simplices mesh number_of source =
         | [] -> differs source "found more simplices than %d" row) in
   if !left <> [] then
     differs source "expected %d simplices, found %d" (List.length mesh.simplices) header.(0)
+
+(* The triangles and edges that MESH.face and MESH.edge list: each is a face of a simplex or dangles, and what dangles is
+   listed. *)
+module Faces = Set.Make (struct type t = int list let compare = compare end)
+let rec faces_of = function
+  | [] -> [ [] ]
+  | v :: rest -> let others = faces_of rest in others @ List.map (List.cons v) others
+let compare_faces mesh dangling number_of listed =
+  let known row =
+    let numbers = List.filter_map (function
+        | Some n when n >= 1 && n <= Array.length mesh.sites -> Some (n - 1)
+        | _ -> None) row in
+    if List.length numbers = List.length row then Some (List.sort_uniq compare numbers) else None in
+  let dangling = List.filter_map known dangling in
+  let found = List.concat_map (fun (vertices, source) ->
+      let faces = ref [] in
+      let expected = "'FACES [MARKERS]'" in
+      let count = Text.count source (List.hd (Text.next_of source expected)) in
+      for row = 1 to count do
+        let tokens = Text.next_of source (Printf.sprintf "row %d of %d" row count) in
+        if List.length tokens <= vertices then
+          Text.fail source (string_of_int (vertices + 1) ^ " columns") (string_of_int (List.length tokens));
+        let numbers = List.filteri (fun i _ -> i < vertices) (List.tl tokens) in
+        let known = List.filter_map (fun token -> Hashtbl.find_opt number_of (Text.integer source token)) numbers in
+        if List.length known <> vertices then differs source "found a point that the certificate does not list";
+        faces := (List.sort_uniq compare known, source.Text.line) :: !faces
+      done;
+      !faces) listed in
+  let left = ref (Faces.of_list (List.map fst found)) in
+  List.iter (fun face -> if not (Faces.mem face !left) then
+                raise (Another "0: expected a dangling triangle or edge that is not listed")) dangling;
+  let remove row = List.iter (fun face -> left := Faces.remove face !left) (faces_of row) in
+  List.iter remove dangling;
+  if not (Faces.is_empty !left) then
+    List.iter (fun row -> if List.length row <= mesh.d + 1 then Option.iter remove (known row)) mesh.simplices;
+  List.iter (fun (face, line) -> if Faces.mem face !left then
+                raise (Another (Printf.sprintf "%d: found a triangle or an edge that is a face of no simplex, and does not dangle" line)))
+    (List.rev found)

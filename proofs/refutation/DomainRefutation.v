@@ -11,7 +11,7 @@ Definition of_mesh (e : evidence) (c : domain_claim) : bool :=
   match e with
   | WrongDimension _ | UnknownVertex _ _ | RepeatedVertex _ _ _ | Degenerate _ | DuplicateSimplex _ _
   | Overlap _ _ _ _ | CoveredTwice _ _ _ _ => true
-  | FacetNotLocal _ _ _ _ => match c with ConformingDelaunay => true | _ => false end
+  | VertexInBall _ _ | FacetNotLocal _ _ _ _ => match c with ConformingDelaunay => true | _ => false end
   | _ => false
   end.
 Definition only_vertices (c : domain_claim) : bool :=
@@ -69,18 +69,67 @@ Definition holds_of_domain (e : domain_evidence) : bool :=
   end.
 End Evidence.
 
+(** ** What may dangle
+
+    Its rows come after the simplices: as the caller has listed them, or made d-simplices by points on which the claim
+    does not depend.  A point that is in none of these is in none of their faces. *)
+Section Dangling.
+Variables (m : refutation) (x : dangling_part).
+Definition with_rows (S : list site) (l : list row) : refutation :=
+  Refutation (refuted m) (unit_numerator m) (unit_denominator m) S l (basis m) (because m).
+Definition as_listed : refutation := with_rows (sites m) (rows m ++ map fst (dangling x)).
+Definition padded : refutation :=
+  with_rows (sites m ++ pads x) (rows m ++ map (fun ab => fst ab ++ snd ab) (dangling x)).
+Definition known_in (S : Table.t site) (n : option positive) : bool :=
+  match named S n with Some _ => true | None => false end.
+Definition pads_known : bool :=
+  let S := Table.of_list (site_for Delaunay) (sites padded) in
+  forallb (fun ab => forallb (known_in S) (snd ab)) (dangling x).
+
+(** The simplex T, made full, and how many of its vertices are its own. *)
+Definition own_at (pr : predicates) (S own : Table.t site) (entries : Table.t (row * row)) (t : positive)
+    (f : list site -> nat -> bool) : bool :=
+  match Table.find t entries with
+  | Some (a, b) => forallb (known_in own) a &&
+      match proper_simplex_of pr S (a ++ b) with Some X => f X (length a) | None => false end
+  | None => false
+  end.
+(** The point is in the hull of the first N vertices. *)
+Definition in_own (pr : predicates) (X : list site) (n : nat) (q : site) (w : Z) : bool :=
+  in_simplex pr X q w && forallb (fun v => existsb (same_place v) (firstn n X)) (carrier_of pr X q w).
+Definition own_simplex_at (pr : predicates) (t : positive) (f : list site -> nat -> bool) : bool :=
+  own_at pr (Table.of_list (site_for Delaunay) (sites padded)) (Table.of_list (site_for Delaunay) (sites m))
+    (Table.of_list id (map (fun r => (r, [])) (rows m) ++ dangling x)) t f.
+Definition overlap_of_all (pr : predicates) (t u : positive) (q : site) (w : Z) : bool :=
+  own_simplex_at pr t (fun X i => in_own pr X i q w &&
+    own_simplex_at pr u (fun Y j => in_own pr Y j q w && overlapping pr X Y q w)).
+End Dangling.
+
+(** Whatever dangles, the evidence is about these rows. *)
+Definition shows_domain (pr : predicates) (m : refutation) (r : domain_refutation) : bool :=
+  (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
+  forallb (shaped pr) (sites m) && forallb (shaped pr) (vertices_given r) &&
+  holds_of_domain pr (Table.of_list (site_for (refuted m)) (sites m)) (Table.of_list id (rows m)) (rows m) (vertices_given r)
+    (Table.of_list id (vertices_given r)) (Table.of_list id (segments_given r)) (domain_because r).
+Definition lists_in_mesh (m : refutation) (p : positive) : bool :=
+  let S := Table.of_list (site_for Delaunay) (sites m) in
+  point_at S p (fun q => existsb (lists S q) (rows m)).
+
 Definition refute_domain_in (pr : predicates) (r : domain_refutation) : bool :=
   let m := mesh_refuted r in
-  let S := Table.of_list (site_for (refuted m)) (sites m) in
+  let x := dangling_refuted r in
+  match refuted m with Delaunay => true | _ => false end &&
   match domain_because r with
   | OfMesh => of_mesh (because m) (domain_refuted r) &&
-      match refuted m with Delaunay => refute_in pr m | _ => false end
-  | e =>
-      match e with SteinerForbidden _ _ => only_vertices (domain_refuted r) | _ => true end &&
-      (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
-      forallb (shaped pr) (sites m) && forallb (shaped pr) (vertices_given r) &&
-      holds_of_domain pr S (Table.of_list id (rows m)) (rows m) (vertices_given r)
-        (Table.of_list id (vertices_given r)) (Table.of_list id (segments_given r)) e
+      match because m with
+      | Overlap t u q w => (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
+          forallb (shaped pr) (sites (padded m x)) && overlap_of_all m x pr t u q w
+      | VertexInBall t p => refute_in pr m && lists_in_mesh (as_listed m x) p
+      | _ => refute_in pr m
+      end
+  | SteinerForbidden _ _ => only_vertices (domain_refuted r) && shows_domain pr (as_listed m x) r
+  | SegmentMissing _ _ _ => pads_known m x && shows_domain pr (padded m x) r
+  | _ => shows_domain pr (as_listed m x) r
   end.
 Definition refute_domain (D : plane_or_space) (r : domain_refutation) : bool :=
   refute_domain_in (predicates_of D) r.

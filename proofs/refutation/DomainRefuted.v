@@ -3,74 +3,10 @@ From Coq Require Import Reals Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import DomainRefutation Numbering.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound Broken RefutationSound.
-From Circumspect Require Import Combinations Soundness.
+From Circumspect Require Import Combinations Soundness DomainBroken Dangling.
 From Circumspect Require KeptCells.
 Import ListNotations.
 Open Scope R_scope.
-
-(** ** A broken rule refutes the claim *)
-
-Section Refutes.
-Context {d : nat}.
-Implicit Types (P : domain d) (L : list (list (option (point d)))).
-
-Lemma claims_steiner c P L : claims_of_domain c P L -> exists T, L = map (map Some) T /\ steiner_triangulation P T.
-Proof. intros (T & E & H). exists T. split; [assumption|]. destruct c; try apply H; assumption. Qed.
-Lemma claims_a_complex c P L : claims_of_domain c P L -> claims_complex L.
-Proof.
-  intros H. destruct (claims_steiner c P L H) as (T & E & Nd & Di & Cx & _). exists T. auto.
-Qed.
-
-Lemma vertex_missing_refutes c P L : vertex_missing P L -> ~ claims_of_domain c P L.
-Proof.
-  intros (v & Iv & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & V & _).
-  destruct (V v Iv) as (t & It & I). apply (N (map Some t)); now apply in_map.
-Qed.
-Lemma steiner_forbidden_refutes c P L : only_vertices c = true -> steiner_forbidden P L -> ~ claims_of_domain c P L.
-Proof.
-  intros O (r & v & Ir & Iv & N) (T & -> & H). apply in_listed in Ir. destruct Ir as (t & -> & It).
-  apply in_map_iff in Iv. destruct Iv as (x & E & Ix). injection E as ->. apply N.
-  destruct c; try discriminate; [now apply (proj2 H t v)|now apply (proj2 (proj1 H) t v)].
-Qed.
-Lemma segment_missing_refutes c P L : segment_missing P L -> ~ claims_of_domain c P L.
-Proof.
-  intros (a & b & q & I & C & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & _ & U & _).
-  destruct (U (conv [a; b])) as (F & HF & E).
-  { unfold cells. apply in_or_app. right. apply in_or_app. left.
-    apply (in_map (fun ab q => conv [fst ab; snd ab] q) _ (a, b) I). }
-  apply E in C. destruct C as (s & Is & Cs). destruct (HF s Is) as (_ & _ & t & It & J).
-  apply (N t s); try assumption; [unfold listed; now apply in_map|]. intros x X. apply E. eauto.
-Qed.
-Lemma vertex_in_edge_refutes c P L : vertex_in_edge P L -> ~ claims_of_domain c P L.
-Proof.
-  intros (r & s & v & a & b & e & f & Ir & Iv & Ls & Ie & If & Ne & Nf & Cv & _) H.
-  destruct (claims_steiner c P L H) as (T & -> & _ & _ & (_ & _ & M) & _). apply listed_in in Ls. apply in_listed in Ir.
-  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (x & E & Ix). injection E as ->.
-  assert (Nef : e <> f) by (intros ->; apply Ne, (conv_singleton f), (conv_incl [f; f]); [intros y [<-|[<-|[]]]; now left|assumption]).
-  destruct (M [v] [e; f]) as (g & Gv & Ge & C).
-  - split; [repeat constructor; now intros []|]. split; [discriminate|]. exists t. split; [assumption|]. now intros y [<-|[]].
-  - split; [constructor; [intros [E|[]]; now apply Nef|repeat constructor; now intros []]|]. split; [discriminate|].
-    exists s. split; [assumption|]. now intros y [<-|[<-|[]]].
-  - specialize (C v (conv_point [v] v (or_introl eq_refl)) Cv). destruct g as [|y g]; [now apply (conv_empty v)|].
-    destruct (Gv y (or_introl eq_refl)) as [<-|[]]. destruct (Ge v (or_introl eq_refl)) as [E|[E|[]]]; congruence.
-Qed.
-Lemma mesh_rule_refutes c P L e : of_mesh e c = true -> broken Delaunay norm2 [] L (rule_of e) ->
-  ~ claims_of_domain c P L.
-Proof.
-  intros O B H. pose proof (claims_a_complex c P L H) as Cx. destruct e; try discriminate; cbn in B.
-  - now apply (wrong_dimension_refutes L).
-  - now apply (unknown_vertex_refutes L).
-  - now apply (repeated_vertex_refutes L).
-  - now apply (degenerate_refutes L).
-  - now apply (duplicate_simplex_refutes L).
-  - now apply (overlap_refutes L).
-  - now apply (covered_twice_refutes L).
-  - destruct c; try discriminate. destruct H as (T & -> & _ & De).
-    destruct B as (s1 & s2 & f1 & u1 & v1 & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N).
-    apply listed_in in Hs, Ht. destruct (De s1 Hs) as (o & r2 & Ci & E).
-    apply (E v1); [|exact (N o r2 Ci)]. apply in_concat. eauto.
-Qed.
-End Refutes.
 
 (** ** Points on segments are found to be on them *)
 
@@ -146,8 +82,7 @@ Qed.
 Section Shown.
 Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
 Hypothesis M : forall r, 0 < r -> measured orient pr r.
-Variable c : domain_refutation.
-Notation m := (mesh_refuted c).
+Variables (m : refutation) (c : domain_refutation).
 Notation r := (refuted_unit m).
 Variable P : domain d.
 Hypothesis vertices_described : forall v, In v (domain_vertices P) <-> In v (map (@place_of d r) (vertices_given c)).
@@ -156,24 +91,25 @@ Hypothesis segments_described : forall j k a b, In (j, k) (segments_given c) ->
   option_map (@place_of d r) (numbered (vertices_given c) k) = Some b -> In (a, b) (domain_segments P).
 Notation L := (@caller_rows d r (sites m) (rows m)).
 
-Theorem shown_rule : refute_domain_in pr c = true -> broken_of_domain P L (domain_rule_of c) /\
-  forall e, domain_because c = OfMesh -> because m = e -> of_mesh e (domain_refuted c) = true.
+Theorem shown_rule : shows_domain pr m c = true ->
+  match domain_because c with
+  | VertexMissing _ => vertex_missing P L
+  | SteinerForbidden _ _ => steiner_forbidden P L
+  | SegmentMissing _ _ _ => segment_missing P L
+  | VertexInEdge _ _ _ _ _ _ => vertex_in_edge P L
+  | OfMesh => False
+  end.
 Proof.
-  intros H. unfold refute_domain_in in H. cbv zeta in H. unfold domain_rule_of.
-  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be.
-  5: { apply andb_true_iff in H. destruct H as [O H]. split; [|now intros e _ <-].
-    destruct (refuted m) eqn:R; try discriminate.
-    pose proof (accepted_breach M m H (fun _ => 0)) as [_ B]; [rewrite R; discriminate|].
-    rewrite R in B. cbn [broken_of_domain]. cbn [lifted] in B.
-    destruct (because m); try discriminate; exact B. }
-  all: (split; [|discriminate]); rewrite !andb_true_iff in H; destruct H as [[[[[Ov Pn] Pd] Sh] Sv] H];
+  intros H. unfold shows_domain in H.
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; [..|rewrite andb_false_r in H; discriminate].
+  all: rewrite !andb_true_iff in H; destruct H as [[[[Pn Pd] Sh] Sv] H];
     apply Z.ltb_lt, IZR_lt in Pn, Pd;
     assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat);
     assert (ShV : forall v, In v (vertices_given c) -> well_shaped d v) by
       (intros v Iv; rewrite forallb_forall in Sv; specialize (Sv v Iv); unfold shaped in Sv;
        apply Nat.eqb_eq in Sv; now rewrite (dimension_d (M r Pr)) in Sv);
     pose proof (sites_shaped M m Pr Sh) as ShS; pose proof (sites_found m) as Fs;
-    cbn [holds_of_domain broken_of_domain] in *.
+    cbn [holds_of_domain] in *.
   - rewrite table_find in H. destruct (numbered (vertices_given c) k) as [v|] eqn:Ev; [|discriminate].
     cbn [option_map] in H. unfold Datatypes.id in H. apply numbered_in in Ev. apply negb_true_iff in H.
     exists (place_of r v). split; [apply vertices_described; now apply in_map|].
@@ -275,27 +211,112 @@ Proof.
       split; [|apply conv_two; eexists; split; [exact Ht|exact Eq]].
       apply (segments_described m0 n0); [now apply numbered_in with s| |]; [now rewrite Ea|now rewrite Eb].
 Qed.
+
+(** A vertex of the mesh: one of its rows lists it. *)
+Lemma listed_entry p : refuted m = Delaunay -> lists_in_mesh m p = true -> 0 < r -> forallb (shaped pr) (sites m) = true ->
+  exists y, numbered (sites m) p = Some y /\ In (place_of r y) (entries L).
+Proof.
+  intros R Li Pr Sh. unfold lists_in_mesh, point_at in Li. cbv zeta in Li. rewrite <- R in Li.
+  pose proof (sites_shaped M m Pr Sh) as ShS. pose proof (sites_found m) as Fs. rewrite Fs in Li.
+  unfold numbered in Li. rewrite nth_error_map in Li. destruct (nth_error (sites m) _) as [y|] eqn:Ey; [|discriminate].
+  cbn [option_map] in Li. exists y. split; [exact Ey|].
+  apply existsb_exists in Li. destruct Li as (x & Ix & Li). unfold lists in Li. apply existsb_exists in Li.
+  destruct Li as (n & In_ & Hn). destruct (named _ n) as [z|] eqn:En; [|discriminate].
+  assert (Iz := named_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m) n z En).
+  assert (Iy : In (site_for (refuted m) y) (map (site_for (refuted m)) (sites m))) by (apply in_map; now apply nth_error_In in Ey).
+  pose proof (proj1 (Forall_forall _ _) ShS) as All.
+  apply (same_place_place (M r Pr)) in Hn; [|now apply All..]. rewrite (place_site_for (d := d) m) in Hn.
+  unfold entries. apply in_flat_map. exists (map (@caller_entry d r (sites m)) x).
+  split; [now apply (in_map (map (@caller_entry d r (sites m))))|].
+  apply in_flat_map. exists (Some (place_of r y)). split; [|now left]. apply in_map_iff. exists n. split; [|assumption].
+  rewrite <- (entry_site_for m (sites m)), <- R.
+  rewrite (caller_named (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)), En. cbn [option_map]. now rewrite Hn.
+Qed.
 End Shown.
+
+Section Accepted.
+Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
+Hypothesis M : forall r, 0 < r -> measured orient pr r.
+Variable c : domain_refutation.
+Notation m := (mesh_refuted c).
+Notation x := (dangling_refuted c).
+Notation r := (refuted_unit m).
+Variable P : domain d.
+Hypothesis vertices_described : forall v, In v (domain_vertices P) <-> In v (map (@place_of d r) (vertices_given c)).
+Hypothesis segments_described : forall j k a b, In (j, k) (segments_given c) ->
+  option_map (@place_of d r) (numbered (vertices_given c) j) = Some a ->
+  option_map (@place_of d r) (numbered (vertices_given c) k) = Some b -> In (a, b) (domain_segments P).
+Notation L := (@caller_rows d r (sites m) (rows m)).
+Notation U := (@caller_rows d r (sites m) (map fst (dangling x))).
+
+Theorem accepted_rule : refute_domain_in pr c = true -> broken_of_domain P L U (domain_rule_of c).
+Proof.
+  intros H. unfold refute_domain_in in H. cbv zeta in H. unfold domain_rule_of. apply andb_prop in H. destruct H as [R H].
+  assert (Rd : refuted m = Delaunay) by (destruct (refuted m); try discriminate; reflexivity). clear R.
+  pose proof (listed_rows (d := d) m x) as Rows.
+  assert (Listed : shows_domain pr (as_listed m x) c = true -> match domain_because c with
+    | VertexMissing _ => vertex_missing P (L ++ U) | SteinerForbidden _ _ => steiner_forbidden P (L ++ U)
+    | SegmentMissing _ _ _ => segment_missing P (L ++ U) | VertexInEdge _ _ _ _ _ _ => vertex_in_edge P (L ++ U)
+    | OfMesh => False end).
+  { intros K. pose proof (shown_rule M (as_listed m x) c P vertices_described segments_described K) as B.
+    change (refuted_unit (as_listed m x)) with r in B. now rewrite Rows in B. }
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; cbn [broken_of_domain].
+  - now apply Listed.
+  - apply andb_prop in H. now apply Listed.
+  - apply andb_prop in H. destruct H as [K H].
+    pose proof (shown_rule M (padded m x) c P vertices_described segments_described H) as B. rewrite Be in B.
+    exact (segment_missing_of_fuller _ _ (fuller m x K) P B).
+  - now apply Listed.
+  - apply andb_prop in H. destruct H as [O H].
+    assert (G : refute_in pr m = true -> broken Delaunay norm2 (@caller_points d r (sites m)) L (rule_of (because m))).
+    { intros A. pose proof (accepted_breach M m A (fun _ => 0)) as [_ B]; [rewrite Rd; discriminate|]. now rewrite Rd in B. }
+    destruct (because m) eqn:Bm; try discriminate; cbn [rule_of broken broken_of_domain] in *; try exact (G H).
+    + rewrite !andb_true_iff in H. destruct H as [[[Pn Pd] Sh] H]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
+      assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
+      exact (overlap_found M m x Pr Rd Sh t u q w H).
+    + apply andb_prop in H. destruct H as [A Li]. pose proof A as A'. unfold refute_in in A'. rewrite !andb_true_iff, Bm in A'.
+      destruct A' as [[[[[_ Pn] Pd] Sh] _] Ho]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
+      assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
+      destruct (listed_entry M (as_listed m x) p Rd Li Pr Sh) as (y & Ey & Iy).
+      change (refuted_unit (as_listed m x)) with r in Iy. rewrite Rows in Iy.
+      cbn [holds] in Ho.
+      pose proof (sites_shaped M m Pr Sh) as ShS. pose proof (sites_found m) as Fs.
+      apply (proper_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in Ho. destruct Ho as (X & g & FX & IX & LX & Ho).
+      unfold point_at in Ho. rewrite Fs in Ho. unfold numbered in Ho, Ey. rewrite nth_error_map in Ho.
+      cbn [as_listed with_rows sites] in Ey. rewrite Ey in Ho. cbn [option_map] in Ho.
+      assert (Sy : In (site_for (refuted m) y) (map (site_for (refuted m)) (sites m))) by (apply in_map; now apply nth_error_In in Ey).
+      pose proof (proj1 (Forall_forall _ _) ShS) as All.
+      exists (map (place_of r) X), (place_of r y). split; [|split; [exact Iy|]].
+      * rewrite <- (rows_site_for (d := d) m). split; [assumption|]. rewrite <- (framed_vertices X g FX). split; [apply vertices_length|apply vertices_independent].
+      * rewrite <- (framed_vertices X g FX), <- (place_site_for (d := d) m y).
+        apply below_in_balls, below_all_planes. apply (below_witness (M r Pr) X g FX); [|now apply All|assumption].
+        intros z Iz. unfold height_of. rewrite Rd in *. unfold site_for in *.
+        assert (Wz : weight z = 0%Z).
+        { destruct Iz as [<-|Iz]; [reflexivity|]. specialize (IX z Iz). apply in_map_iff in IX. now destruct IX as (z' & <- & _). }
+        rewrite Wz. ring.
+Qed.
+End Accepted.
 
 (** ** The theorem *)
 
 Theorem refute_domain_rule D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
-  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (domain_rule_of c).
+  broken_of_domain P (refuted_simplices D (mesh_refuted c)) (dangling_simplices D (mesh_refuted c) (dangling_refuted c))
+    (domain_rule_of c).
 Proof.
-  intros A (V & S). unfold refuted_simplices. destruct D; cbn [dimension_of] in *.
-  - now apply (shown_rule measured_plane c P V S).
-  - now apply (shown_rule measured_space c P V S).
+  intros A (V & S). unfold refuted_simplices, dangling_simplices. destruct D; cbn [dimension_of] in *.
+  - now apply (accepted_rule measured_plane c P V S).
+  - now apply (accepted_rule measured_space c P V S).
 Qed.
 Theorem refute_domain_sound D c (P : domain (dimension_of D)) : refute_domain D c = true -> described D c P ->
-  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c)).
+  ~ claims_of_domain (domain_refuted c) P (refuted_simplices D (mesh_refuted c))
+      (dangling_simplices D (mesh_refuted c) (dangling_refuted c)).
 Proof.
   intros A De. pose proof (refute_domain_rule D c P A De) as B. unfold domain_rule_of in B.
+  unfold refute_domain, refute_domain_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
   destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; cbn [broken_of_domain] in B.
   - now apply vertex_missing_refutes.
-  - apply steiner_forbidden_refutes; [|assumption]. unfold refute_domain, refute_domain_in in A. rewrite Be in A.
-    rewrite !andb_true_iff in A. apply A.
+  - apply steiner_forbidden_refutes; [|assumption]. now apply andb_prop in A.
   - now apply segment_missing_refutes.
   - now apply vertex_in_edge_refutes.
-  - apply (mesh_rule_refutes _ _ _ (because (mesh_refuted c))); [|assumption].
-    unfold refute_domain, refute_domain_in in A. rewrite Be in A. now apply andb_true_iff in A.
+  - apply (mesh_rule_refutes _ _ _ _ (because (mesh_refuted c))); [|assumption]. now apply andb_prop in A.
 Qed.

@@ -68,13 +68,12 @@ Proof.
   - apply (G _ _ y x Y X Hy Hx); auto. now split.
 Qed.
 
-Lemma overlap_breach X Y a b q w : framed X a -> framed Y b -> listed caller_rows (places X) ->
-  listed caller_rows (places Y) -> overlapping pr X Y q w = true -> overlap caller_rows.
+(** Where the carriers differ, the point is in no common face. *)
+Lemma meets_beyond X Y a b q w : framed X a -> framed Y b -> overlapping pr X Y q w = true ->
+  forall f, incl f (places X) -> incl f (places Y) -> ~ conv f (place_over r q w).
 Proof.
-  intros FX FY LX LY O. unfold overlapping in O. rewrite !andb_true_iff, negb_true_iff in O.
+  intros FX FY O. unfold overlapping in O. rewrite !andb_true_iff, negb_true_iff in O.
   destruct O as [[[W IX] IY] N]. apply (written M) in W. destruct W as [Hq Hw].
-  exists (places X), (places Y), (place_over r q w). split; [assumption|]. split; [assumption|].
-  split; [now apply (in_simplex_conv M X a FX)|]. split; [now apply (in_simplex_conv M Y b FY)|].
   rewrite <- (framed_vertices X a FX), <- (framed_vertices Y b FY).
   apply carriers_overlap. intros E.
   assert (T : same_places (carrier_of pr X q w) (carrier_of pr Y q w) = true); [|congruence].
@@ -85,6 +84,15 @@ Proof.
   - destruct (carrier_of_carrier M X a FX q w Hq Hw) as [X1 X2].
     destruct (carrier_of_carrier M Y b FY q w Hq Hw) as [Y1 Y2]. destruct E as [E1 E2].
     split; eauto using incl_tran.
+Qed.
+Lemma overlap_breach X Y a b q w : framed X a -> framed Y b -> listed caller_rows (places X) ->
+  listed caller_rows (places Y) -> overlapping pr X Y q w = true -> overlap caller_rows.
+Proof.
+  intros FX FY LX LY O. pose proof O as O'. unfold overlapping in O'. rewrite !andb_true_iff in O'.
+  destruct O' as [[[W IX] IY] _]. apply (written M) in W. destruct W as [Hq Hw].
+  exists (places X), (places Y), (place_over r q w). split; [assumption|]. split; [assumption|].
+  split; [now apply (in_simplex_conv M X a FX)|]. split; [now apply (in_simplex_conv M Y b FY)|].
+  now apply (meets_beyond X Y a b).
 Qed.
 
 Lemma framed_simplex X a : framed X a -> listed caller_rows (places X) ->

@@ -9,9 +9,8 @@ Open Scope Z_scope.
 Section Whole.
 Variable pr : predicates.
 Variable D : domain_certificate.
-Variable S : Table.t site.                      (* the caller's points *)
-Variable rows_of : Table.t row.
-Variable l : list row.
+Variable m : refutation.                        (* the caller's mesh, and what may dangle *)
+Variable x : dangling_part.
 Notation c := (whole_mesh D).
 Definition given_vertices : Table.t site := Table.of_list bare (points c).
 Definition given_polygons : list polygon_in_tables := map in_tables (polygons D).
@@ -19,14 +18,22 @@ Definition given_point : domain_point -> option cell_point :=
   cell_point_of pr given_vertices (Table.of_list id (segments (domain_part D))) (Table.of_list id given_polygons).
 
 (** The simplex does not contain the point; or it does, and of the least face that does a vertex is off the cell. *)
-Definition misses (q : site) (w : Z) (x : row) : bool :=
+Definition misses (S : Table.t site) (q : site) (w : Z) (x : row) : bool :=
   match proper_simplex_of pr S x with Some X => negb (in_simplex pr X q w) | None => false end.
-Definition leaves (y : cell_point) (x : row) : bool :=
+Definition leaves (S : Table.t site) (y : cell_point) (x : row) : bool :=
   match proper_simplex_of pr S x with
   | Some X => negb (in_simplex pr X (cell_site y) (cell_w y)) ||
       existsb (beside y) (carrier_of pr X (cell_site y) (cell_w y))
   | None => false
   end.
+
+(** Of all that is listed: what is true of the full simplices is true of their faces. *)
+Definition site_table (m : refutation) : Table.t site := Table.of_list (site_for Delaunay) (sites m).
+Definition all_of (f : Table.t site -> row -> bool) : bool :=
+  pads_known m x && forallb (f (site_table (padded m x))) (rows (padded m x)).
+Definition in_simplex_of_all (t : positive) (q : site) (w : Z) : bool :=
+  own_simplex_at m x pr t (fun X n => in_own pr X n q w).
+Definition nothing_dangles : bool := match dangling x with [] => true | _ => false end.
 
 (** Where the legs lead, if nothing is in their way. *)
 Fixpoint at_the_end (q : site) (w : Z) (legs : list leg) : option (site * Z) :=
@@ -55,24 +62,26 @@ Definition is_outside (q : site) (w : Z) (legs : list leg) (out : way_off) : boo
 Definition whole_holds (e : whole_evidence) : bool :=
   match e with
   | FacetInNoWall t i u j q w =>
-      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && point_written pr q w &&
-      proper_at pr S rows_of t (fun X => Nat.ltb i (Datatypes.S (dimension pr)) && inside_facet pr X i q w &&
-        proper_at pr S rows_of u (fun Y => not_local pr X i Y j)) &&
+      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && point_written pr q w && nothing_dangles &&
+      proper_at pr (site_table m) (Table.of_list id (rows m)) t (fun X =>
+        Nat.ltb i (Datatypes.S (dimension pr)) && inside_facet pr X i q w &&
+        proper_at pr (site_table m) (Table.of_list id (rows m)) u (fun Y => not_local pr X i Y j)) &&
       off_walls pr D given_vertices given_polygons q w
   | BallSeen t v q w planes =>
-      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && point_written pr q w &&
-      proper_at pr S rows_of t (fun X => strictly_in_simplex pr X q w &&
-        point_at S v (fun p => (0 <? below_sign pr X p) && existsb (lists S p) l && sees pr D given_vertices p q w planes))
+      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && point_written pr q w && nothing_dangles &&
+      proper_at pr (site_table m) (Table.of_list id (rows m)) t (fun X => strictly_in_simplex pr X q w &&
+        point_at (site_table m) v (fun p => (0 <? below_sign pr X p) && existsb (lists (site_table m) p) (rows m) &&
+          sees pr D given_vertices p q w planes))
   | NotTiled k u q w =>
-      match given_point (InPiece k u q w) with Some y => forallb (leaves y) l | None => false end
+      match given_point (InPiece k u q w) with Some y => all_of (fun S => leaves S y) | None => false end
   | NotCovered z =>
-      match given_point z with Some y => forallb (misses (cell_site y) (cell_w y)) l | None => false end
+      match given_point z with Some y => all_of (fun S => misses S (cell_site y) (cell_w y)) | None => false end
   | Strays t q w legs out =>
-      point_written pr q w && proper_at pr S rows_of t (fun X => in_simplex pr X q w) && is_outside q w legs out
+      point_written pr q w && in_simplex_of_all t q w && is_outside q w legs out
   | Gap t q w a =>
       match kind D with Enclosed => true | Hull => false end && point_written pr q w &&
-      proper_at pr S rows_of t (fun X => in_simplex pr X q w) &&
-      clear_leg pr D given_vertices q w (leg_end a) (leg_w a) (leg_planes a) && forallb (misses (leg_end a) (leg_w a)) l
+      in_simplex_of_all t q w && clear_leg pr D given_vertices q w (leg_end a) (leg_w a) (leg_planes a) &&
+      all_of (fun S => misses S (leg_end a) (leg_w a))
   end.
 End Whole.
 
@@ -83,6 +92,5 @@ Definition refute_whole_in (pr : predicates) (x : whole_refutation) : bool :=
   match refuted m with Delaunay => true | _ => false end &&
   (unit_numerator m =? numerator (whole_mesh D)) && (unit_denominator m =? denominator (whole_mesh D)) &&
   match check_about pr D with Accepted => true | Rejected _ _ => false end &&
-  forallb (shaped pr) (sites m) &&
-  whole_holds pr D (Table.of_list (site_for Delaunay) (sites m)) (Table.of_list id (rows m)) (rows m) (shown_by x).
+  forallb (shaped pr) (sites (padded m (dangling_against x))) && whole_holds pr D m (dangling_against x) (shown_by x).
 Definition refute_whole (D : plane_or_space) (x : whole_refutation) : bool := refute_whole_in (predicates_of D) x.

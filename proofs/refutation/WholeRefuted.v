@@ -3,77 +3,10 @@ From Coq Require Import Reals Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import WholeRefutation Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound RefutationSound.
-From Circumspect Require Import Combinations Lists Accepted KeptMesh Necessary Visible ConstrainedLemma DomainRefuted PolygonPoints GivenSound.
+From Circumspect Require Import Combinations Lists Accepted KeptMesh Necessary ConstrainedLemma DomainBroken Dangling DomainRefuted PolygonPoints GivenSound.
 From Circumspect Require Import Definitions Domains DomainRules.
 Import ListNotations.
 Open Scope R_scope.
-
-(** ** A broken rule refutes the claim *)
-
-Section Refutes.
-Context {d : nat}.
-Implicit Types (P : domain d) (L : list (list (option (point d)))).
-
-Lemma polygon_not_tiled_refutes c P L : polygon_not_tiled P L -> ~ claims_of_domain c P L.
-Proof.
-  intros (f & q & If & Fq & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & _ & U & _).
-  destruct (U (polygon_points f)) as (F & HF & E).
-  { apply low_or_region. left. unfold low_cells. apply in_or_app. right. apply in_or_app. right. now apply in_map. }
-  apply E in Fq. destruct Fq as (s & Is & Cs). destruct (HF s Is) as (_ & _ & t & It & J).
-  apply (N t s); try assumption; [unfold listed; now apply in_map|]. intros x X. apply E. eauto.
-Qed.
-Lemma uncovered_refutes c P L : uncovered P L -> ~ claims_of_domain c P L.
-Proof.
-  intros (q & U & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & _ & _ & E).
-  apply E in U. destruct U as (t & It & C). apply (N t); [unfold listed; now apply in_map|assumption].
-Qed.
-Lemma outside_refutes c P L : outside P L -> ~ claims_of_domain c P L.
-Proof.
-  intros (s & q & Ls & C & N) H. destruct (claims_steiner c P L H) as (T & -> & _ & _ & _ & _ & _ & E).
-  apply N, E. exists s. split; [now apply listed_in|assumption].
-Qed.
-
-Definition about_cdt (c : domain_claim) : bool := match c with Cdt | SteinerCdt => true | _ => false end.
-Lemma claims_cdt c P L : about_cdt c = true -> claims_of_domain c P L -> exists T V, L = map (map Some) T /\
-  steiner_triangulation P T /\ mesh_vertices T V /\ forall t, In t T -> constrained_delaunay V P t.
-Proof.
-  intros A (T & E & H). destruct c; try discriminate.
-  - destruct H as [[St Given] Cd]. exists T, (domain_vertices P). split; [assumption|]. split; [assumption|].
-    split; [|assumption]. intros v. split; [apply St|]. intros (t & It & Iv). now apply (Given t v).
-  - destruct H as [St Cd]. exists T, (concat T). split; [assumption|]. split; [assumption|].
-    split; [|assumption]. intros v. apply in_concat.
-Qed.
-Lemma constrained_facet_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
-  constrained_facet_not_local P L -> ~ claims_of_domain c P L.
-Proof.
-  intros D Pr A (s & t & f & p & v & [Ls _] & Lt & Nf & Lf & Fs & Ft & Ip & Iv & O & B & NW) H.
-  destruct (claims_cdt c P L A H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls, Lt.
-  destruct (Cd s Ls) as (_ & _ & o & r2 & Ci & Em). destruct O as (a & b & Z & Pp & Nv).
-  assert (Nvf : ~ In v f) by (intros I; specialize (Z v I); lra).
-  assert (Npf : ~ In p f) by (intros I; specialize (Z p I); lra).
-  assert (NS : ~ same s t).
-  { intros [_ TS]. destruct (proj1 St s Ls) as [_ Len].
-    assert (K : (length (p :: v :: f) <= length s)%nat).
-    { apply NoDup_incl_length.
-      - constructor; [|now constructor]. intros [E|I]; [subst v; lra|contradiction].
-      - intros y [<-|[<-|I]]; auto. }
-    cbn [length] in K. lia. }
-  destruct (apex_of_neighbour D P T V Pr St Ve f s t v Nf Lf NW Ls Lt Fs Ft NS Iv Nvf) as (x & Xi & Vis).
-  apply (Em v x); [apply Ve; eauto|assumption|assumption|]. now apply B.
-Qed.
-Lemma visible_vertex_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
-  visible_vertex_in_ball P L -> ~ claims_of_domain c P L.
-Proof.
-  intros D Pr A (s & v & x & [Ls _] & (r & Ir & Iv) & Xi & Off & B) H.
-  destruct (claims_cdt c P L A H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls. apply in_listed in Ir.
-  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (y & E & Iy). injection E as ->.
-  destruct (Cd s Ls) as (_ & _ & o & r2 & Ci & Em). assert (IV : In v V) by (apply Ve; eauto).
-  apply (Em v x IV Xi); [|now apply B]. destruct (all_framed P T St) as (ts & are).
-  apply (Visible.seen P T St s x v Ls (proj1 Xi)).
-  - now apply (vertex_in_hull D P T V Pr St Ve ts are).
-  - intros X IX e He. now apply Off.
-Qed.
-End Refutes.
 
 Lemma connected_first {d} (W : point d -> Prop) x y z : clear W x y -> connected (fun _ => True) W y z ->
   connected (fun _ => True) W x z.
@@ -228,44 +161,113 @@ Proof.
 Qed.
 End Outside.
 
+(** ** Of all that is listed *)
+
+Section Listed.
+Variable m : refutation.
+Notation r := (refuted_unit m).
+Hypothesis unit_positive : 0 < r.
+Hypothesis delaunay : refuted m = Delaunay.
+Hypothesis shaped_sites : forallb (shaped pr) (sites m) = true.
+Notation PS := (map (site_for Delaunay) (sites m)).
+Notation S := (site_table m).
+Let M := measured_all r unit_positive.
+Lemma own_shaped : Forall (well_shaped d) PS.
+Proof. pose proof (RefutationSound.sites_shaped measured_all m unit_positive shaped_sites) as H. now rewrite delaunay in H. Qed.
+Lemma own_sites k : Table.find k S = numbered PS k.
+Proof. pose proof (RefutationSound.sites_found m k) as H. now rewrite delaunay in H. Qed.
+Lemma listed_frame y s X : map (@caller_entry d r (sites m)) y = map Some s -> proper_simplex_of pr S y = Some X ->
+  s = map (place_of r) X /\ exists g, RefutationSigns.framed orient pr r X g.
+Proof.
+  intros E Px. apply (proper_simplex_of_frame M PS (rows m) S _ own_shaped own_sites (rows_found m)) in Px.
+  destruct Px as (Vx & g & G). pose proof (vertices_rows _ y X Vx) as Er.
+  rewrite (map_ext _ _ (entry_site_for m (sites m))), E in Er. apply map_some_inj in Er. split; [assumption|now exists g].
+Qed.
+
+Lemma missed q w : forallb (misses pr S q w) (rows m) = true -> well_shaped d q -> (0 < w)%Z ->
+  forall s, listed (@caller_rows d r (sites m) (rows m)) s -> ~ conv s (place_over r q w).
+Proof.
+  intros Al Sq Pw s Ls C. apply in_map_iff in Ls. destruct Ls as (y & E & Iy).
+  rewrite forallb_forall in Al. specialize (Al y Iy). unfold misses in Al.
+  destruct (proper_simplex_of pr S y) as [X|] eqn:Px; [|discriminate].
+  destruct (listed_frame y s X E Px) as (-> & g & G).
+  rewrite <- (framed_vertices X g G) in C. rewrite (conv_in_simplex M X g G q w Sq Pw C) in Al. discriminate.
+Qed.
+Lemma left_by_all y X : forallb (leaves pr S y) (rows m) = true -> well_shaped d (cell_site y) -> (0 < cell_w y)%Z ->
+  (forall v, well_shaped d v -> beside y v = true -> ~ X (place_of r v)) ->
+  forall s g, listed (@caller_rows d r (sites m) (rows m)) s -> incl g s -> conv g (place_over r (cell_site y) (cell_w y)) ->
+  ~ within (conv g) X.
+Proof.
+  intros H Sq Pw Off s g Ls Ig Cg Wi. apply in_map_iff in Ls. destruct Ls as (z & E & Iz).
+  rewrite forallb_forall in H. specialize (H z Iz). unfold leaves in H.
+  destruct (proper_simplex_of pr S z) as [Y|] eqn:Px; [|discriminate].
+  destruct (listed_frame z s Y E Px) as (-> & a & FX).
+  rewrite <- (framed_vertices Y a FX) in Ig. pose proof Cg as Ca. apply (conv_face a g _ Ig) in Ca. destruct Ca as [Ia Car].
+  apply orb_true_iff in H. destruct H as [N|H].
+  - rewrite (conv_in_simplex M Y a FX _ _ Sq Pw) in N; [discriminate|]. now apply conv_vertices.
+  - apply existsb_exists in H. destruct H as (v & Iv & B).
+    assert (Sv : well_shaped d v).
+    { apply carrier_of_incl in Iv. pose proof (framed_shaped Y a FX) as Sx. rewrite Forall_forall in Sx. now apply Sx. }
+    apply (Off v Sv B), Wi, conv_point.
+    assert (Cv : In (place_of r v) (Faces.carrier a (place_over r (cell_site y) (cell_w y)))).
+    { apply (carrier_of_carrier M Y a FX _ _ Sq Pw). now apply in_map. }
+    apply in_carrier in Cv. destruct Cv as (n & Hn & Pn & Ev). pose proof (Car n Hn Pn) as Ic. rewrite <- Ev in Ic. exact Ic.
+Qed.
+End Listed.
+
 (** ** The evidence shows the rule *)
 
 Variable x : whole_refutation.
 Notation m := (mesh_against x).
+Notation dangles := (dangling_against x).
 Notation D := (about_domain x).
 Notation c := (whole_mesh D).
 Notation P := (domain_of_certificate d D).
 Hypothesis polygons_of_space : check_about pr D = Accepted -> polygons_known d D.
 
 Theorem shown_whole_rule : refute_whole_in pr x = true ->
-  broken_of_domain P (@caller_rows d (refuted_unit m) (sites m) (rows m)) (whole_rule_of x) /\ proper_domain P.
+  broken_of_domain P (@caller_rows d (refuted_unit m) (sites m) (rows m))
+    (@caller_rows d (refuted_unit m) (sites m) (map fst (dangling dangles))) (whole_rule_of x) /\ proper_domain P.
 Proof.
-  intros H. unfold refute_whole_in in H. cbv zeta in H. rewrite !andb_true_iff in H. destruct H as [[[[[Rf Un] Ud] Ab] Sh] H].
+  intros H. unfold refute_whole_in in H. cbv zeta in H. rewrite !andb_true_iff in H. destruct H as [[[[[Rf Un] Ud] Ab] Shp] H].
   assert (R : refuted m = Delaunay) by (destruct (refuted m); try discriminate; reflexivity).
   assert (A : check_about pr D = Accepted) by (destruct (check_about pr D); [reflexivity|discriminate]). clear Ab Rf.
   pose proof (polygons_of_space A) as known. split; [|exact (given_proper measured_all D A known)].
   apply Z.eqb_eq in Un, Ud. assert (Eu : refuted_unit m = unit_of c) by (unfold refuted_unit, unit_of; now rewrite Un, Ud).
   pose proof (GivenSound.unit_positive D A) as Pr. pose proof (measured_all _ Pr) as M.
+  assert (Prm : 0 < refuted_unit m) by (now rewrite Eu).
+  assert (Sh : forallb (shaped pr) (sites m) = true).
+  { cbn [padded with_rows sites] in Shp. rewrite forallb_app in Shp. now apply andb_prop in Shp. }
+  assert (MissedBy : forall q w, all_of m dangles (fun S => misses pr S q w) = true -> well_shaped d q -> (0 < w)%Z ->
+    forall s, listed (@caller_rows d (refuted_unit m) (sites m) (rows m) ++
+      @caller_rows d (refuted_unit m) (sites m) (map fst (dangling dangles))) s -> ~ conv s (place_over (unit_of c) q w)).
+  { intros q w Al Sq Pw. unfold all_of in Al. apply andb_prop in Al. destruct Al as [K Al]. rewrite <- Eu.
+    apply (in_none_of_fuller _ _ (fuller m dangles K)). now apply (missed (padded m dangles)). }
+  assert (InOwn : forall t q w, in_simplex_of_all pr m dangles t q w = true -> well_shaped d q -> (0 < w)%Z ->
+    exists s, listed (@caller_rows d (refuted_unit m) (sites m) (rows m) ++
+      @caller_rows d (refuted_unit m) (sites m) (map fst (dangling dangles))) s /\ conv s (place_over (unit_of c) q w)).
+  { intros t q w I Sq Pw. unfold in_simplex_of_all in I. apply (own_found measured_all m dangles Prm R Shp) in I.
+    destruct I as (X & g & n & G & LX & I). exists (map (place_of (refuted_unit m)) (firstn n X)). split; [assumption|].
+    rewrite <- Eu. now apply (in_own_conv measured_all m Prm X g). }
+  assert (Tiled : forall y X, all_of m dangles (fun S => leaves pr S y) = true -> well_shaped d (cell_site y) -> (0 < cell_w y)%Z ->
+    (forall v, well_shaped d v -> beside y v = true -> ~ X (place_of (unit_of c) v)) ->
+    forall s g, listed (@caller_rows d (refuted_unit m) (sites m) (rows m) ++
+      @caller_rows d (refuted_unit m) (sites m) (map fst (dangling dangles))) s -> incl g s ->
+    conv g (place_over (unit_of c) (cell_site y) (cell_w y)) -> ~ within (conv g) X).
+  { intros y X Al Sq Pw Off s g Ls Ig. unfold all_of in Al. apply andb_prop in Al. destruct Al as [K Al].
+    destruct (fuller m dangles K s Ls) as (t & Lt & St). rewrite <- Eu in *.
+    apply (left_by_all (padded m dangles) Prm R Shp y X Al Sq Pw Off t g Lt). now apply incl_tran with s. }
   pose proof (rows_site_for (d := d) m) as Rows. pose proof (RefutationSound.sites_shaped measured_all m) as ShS.
-  pose proof (RefutationSound.sites_found m) as Fs. rewrite Eu in *. specialize (ShS Pr Sh). rewrite R in Rows, ShS, Fs. rewrite <- Rows. clear Rows.
+  pose proof (RefutationSound.sites_found m) as Fs. rewrite Eu in *. specialize (ShS Pr Sh). rewrite R in Rows, ShS, Fs.
   pose proof (RefutationSound.rows_found m) as Fr. set (S := Table.of_list (site_for Delaunay) (sites m)) in *.
   set (PS := map (site_for Delaunay) (sites m)) in *. set (r := unit_of c) in *.
-  set (L := @caller_rows d r PS (rows m)).
   assert (He : heights_of r (norm2 (d := d)) PS).
   { intros p Ip. unfold PS in Ip. apply in_map_iff in Ip. destruct Ip as (y & <- & _). unfold height_of, site_for.
     cbn [weights_of weight]. ring. }
-  assert (Shp : forall p, In p PS -> well_shaped d p) by (apply Forall_forall; assumption).
-  assert (Missed : forall q w, forallb (misses pr S q w) (rows m) = true -> well_shaped d q -> (0 < w)%Z ->
-    forall s, listed L s -> ~ conv s (place_over r q w)).
-  { intros q w Al Sq Pw s Ls C. unfold listed, L, caller_rows in Ls. apply in_map_iff in Ls. destruct Ls as (y & E & Iy).
-    rewrite forallb_forall in Al. specialize (Al y Iy). unfold misses in Al.
-    destruct (proper_simplex_of pr S y) as [X|] eqn:Px; [|discriminate].
-    apply (proper_simplex_of_frame M PS (rows m) S _ ShS Fs Fr) in Px. destruct Px as (Vx & g & G).
-    pose proof (vertices_rows _ y X Vx) as Er. rewrite Er in E. apply map_some_inj in E. subst s.
-    rewrite <- (framed_vertices X g G) in C. rewrite (conv_in_simplex M X g G q w Sq Pw C) in Al. discriminate. }
+  assert (Shaped : forall p, In p PS -> well_shaped d p) by (apply Forall_forall; assumption).
   unfold whole_rule_of. destruct (shown_by x) as [t i u j q w|t v q w planes|k u q w|z|t q w legs out|t q w a] eqn:Be;
     cbn [broken_of_domain]; cbn [whole_holds] in H.
-  - rewrite !andb_true_iff in H. destruct H as [[[_ Wr] H] Off]. apply (written M) in Wr. destruct Wr as [Sq Pw].
+  - rewrite <- Rows. unfold site_table in H. fold S in H. rewrite !andb_true_iff in H. destruct H as [[[[_ Wr] _] H] Off]. apply (written M) in Wr. destruct Wr as [Sq Pw].
     apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & a & FX & IX & LX & H).
     rewrite !andb_true_iff in H. destruct H as [[Hi In_] H].
     apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (Y & b & FY & IY & LY & H).
@@ -282,7 +284,7 @@ Proof.
       * destruct (framed_vertex X a FX k p Ep) as [_ ->]. apply in_map, Lists.in_remove. eauto.
       * apply nth_error_None in Ep. rewrite (framed_length X a FX) in Ep. lia.
     + apply conv_facet; [assumption|apply Fq|now apply in_facet_closed with i].
-  - rewrite !andb_true_iff in H. destruct H as [[_ Wr] H]. apply (written M) in Wr. destruct Wr as [Sq Pw].
+  - rewrite <- Rows. unfold site_table in H. fold S in H. rewrite !andb_true_iff in H. destruct H as [[[_ Wr] _] H]. apply (written M) in Wr. destruct Wr as [Sq Pw].
     apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & a & FX & IX & LX & H).
     apply andb_prop in H. destruct H as [In_ H].
     apply (point_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (p & Ip & H).
@@ -292,43 +294,27 @@ Proof.
     + apply existsb_exists in Li. destruct Li as (y & Iy & Li). exists (map (@caller_entry d r PS) y). split; [now apply in_map|].
       apply existsb_exists in Li. destruct Li as (n & In_n & Hn). destruct (named S n) as [p'|] eqn:Ep; [|discriminate].
       assert (Ip' : In p' PS) by now apply (named_in M PS (rows m) S _ ShS Fs Fr n).
-      apply (same_place_place M) in Hn; [|now apply Shp..]. apply in_map_iff. exists n. split; [|assumption].
+      apply (same_place_place M) in Hn; [|now apply Shaped..]. apply in_map_iff. exists n. split; [|assumption].
       rewrite (caller_named M PS (rows m) S _ ShS Fs Fr), Ep. cbn [option_map]. now f_equal.
     + now apply (strictly_in_simplex_inside M X a FX).
-    + intros X0 e IX0 Hs. now apply (way_free measured_all D A known q w Sq Pw p planes X0 e (Shp p Ip) Se).
-    + rewrite <- (framed_vertices X a FX). apply below_in_balls, below_all_planes. apply (below_witness M X a FX); [|now apply Shp|assumption].
+    + intros X0 e IX0 Hs. now apply (way_free measured_all D A known q w Sq Pw p planes X0 e (Shaped p Ip) Se).
+    + rewrite <- (framed_vertices X a FX). apply below_in_balls, below_all_planes. apply (below_witness M X a FX); [|now apply Shaped|assumption].
       intros y [<-|Iy]; apply He; auto.
   - destruct (given_point pr D (InPiece k u q w)) as [y|] eqn:Ey; [|discriminate].
     destruct (cell_point_spec measured_all D A known _ y Ey) as (Sq & Pw & X & [_ IX] & Xq & Off).
     apply in_map_iff in IX. destruct IX as (f & <- & If). exists f, (place_over r (cell_site y) (cell_w y)).
-    split; [assumption|]. split; [assumption|]. intros s g Ls Ig Cg Wi.
-    apply in_map_iff in Ls. destruct Ls as (z & E & Iz). rewrite forallb_forall in H. specialize (H z Iz). unfold leaves in H.
-    destruct (proper_simplex_of pr S z) as [X|] eqn:Px; [|discriminate].
-    apply (proper_simplex_of_frame M PS (rows m) S _ ShS Fs Fr) in Px. destruct Px as (Vx & a & FX).
-    pose proof (vertices_rows _ z X Vx) as Er. rewrite Er in E. apply map_some_inj in E. subst s.
-    rewrite <- (framed_vertices X a FX) in Ig. pose proof Cg as Ca. apply (conv_face a g _ Ig) in Ca. destruct Ca as [Ia Car].
-    apply orb_true_iff in H. destruct H as [N|H].
-    + rewrite (conv_in_simplex M X a FX _ _ Sq Pw) in N; [discriminate|]. now apply conv_vertices.
-    + apply existsb_exists in H. destruct H as (v & Iv & B).
-      assert (Sv : well_shaped d v).
-      { apply carrier_of_incl in Iv. pose proof (framed_shaped X a FX) as Sx. rewrite Forall_forall in Sx. now apply Sx. }
-      apply (Off v Sv B), Wi, conv_point.
-      assert (Cv : In (place_of r v) (Faces.carrier a (place_over r (cell_site y) (cell_w y)))).
-      { apply (carrier_of_carrier M X a FX _ _ Sq Pw). now apply in_map. }
-      apply in_carrier in Cv. destruct Cv as (n & Hn & Pn & Ev). pose proof (Car n Hn Pn) as Ic. rewrite <- Ev in Ic. exact Ic.
+    split; [assumption|]. split; [assumption|]. now apply Tiled.
   - destruct (given_point pr D z) as [y|] eqn:Ey; [|discriminate].
     destruct (cell_point_spec measured_all D A known _ y Ey) as (Sq & Pw & X & [IX _] & Xq & _).
-    exists (place_over r (cell_site y) (cell_w y)). split; [exists X; auto|]. now apply Missed.
+    exists (place_over r (cell_site y) (cell_w y)). split; [exists X; auto|]. now apply MissedBy.
   - rewrite !andb_true_iff in H. destruct H as [[Wr H] Out]. apply (written M) in Wr. destruct Wr as [Sq Pw].
-    apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & a & FX & IX & LX & H).
-    exists (map (place_of r) X), (place_over r q w). split; [assumption|]. split; [now apply (in_simplex_conv M X a FX)|].
+    destruct (InOwn t q w H Sq Pw) as (s & Ls & Cs). exists s, (place_over r q w). split; [assumption|]. split; [assumption|].
     now apply (is_outside_sound D A known q w legs out).
   - rewrite !andb_true_iff in H. destruct H as [[[[K Wr] H] Cl] Al]. apply (written M) in Wr. destruct Wr as [Sq Pw].
-    apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & b & FX & IX & LX & H).
     destruct (kind D) eqn:Kd; [|discriminate]. destruct (leg_free D A known q w a Sq Pw Cl) as (Se & Pe & _).
-    intros [NU NO]. apply NO. exists (map (place_of r) X), (place_over r q w). split; [assumption|].
-    split; [now apply (in_simplex_conv M X b FX)|]. intros U. apply NU.
-    exists (place_over r (leg_end a) (leg_w a)). split; [|now apply Missed].
+    destruct (InOwn t q w H Sq Pw) as (s & Ls & Cs).
+    intros [NU NO]. apply NO. exists s, (place_over r q w). split; [assumption|]. split; [assumption|]. intros U. apply NU.
+    exists (place_over r (leg_end a) (leg_w a)). split; [|now apply MissedBy].
     now apply (underlying_along D A known q w a Kd).
 Qed.
 End Shown.
@@ -336,15 +322,16 @@ End Shown.
 (** ** The theorems *)
 
 Theorem refute_whole_rule D x : refute_whole D x = true ->
-  broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x)) (refuted_simplices D (mesh_against x)) (whole_rule_of x).
+  broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x)) (refuted_simplices D (mesh_against x))
+    (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
 Proof.
-  intros A. unfold refuted_simplices. destruct D; cbn [dimension_of] in *.
+  intros A. unfold refuted_simplices, dangling_simplices. destruct D; cbn [dimension_of] in *.
   - now apply (shown_whole_rule measured_plane x (known_in_the_plane (about_domain x))).
   - now apply (shown_whole_rule measured_space x (known_in_space (about_domain x))).
 Qed.
 Theorem refute_whole_sound D x : refute_whole D x = true ->
   ~ claims_of_domain (domain_claimed (about_domain x)) (domain_of_certificate (dimension_of D) (about_domain x))
-      (refuted_simplices D (mesh_against x)).
+      (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)).
 Proof.
   intros A. pose proof (refute_whole_rule D x A) as B.
   assert (Pr : proper_domain (domain_of_certificate (dimension_of D) (about_domain x))).
@@ -352,12 +339,14 @@ Proof.
     - now apply (shown_whole_rule measured_plane x (known_in_the_plane (about_domain x))).
     - now apply (shown_whole_rule measured_space x (known_in_space (about_domain x))). }
   assert (Two : (2 <= dimension_of D)%nat) by (destruct D; cbn; lia).
+  assert (Alone : nothing_dangles (dangling_against x) = true -> dangling_simplices D (mesh_against x) (dangling_against x) = [])
+    by (unfold nothing_dangles, dangling_simplices; now destruct (dangling _)).
   unfold refute_whole, refute_whole_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
   unfold whole_rule_of in B. destruct (shown_by x); cbn [broken_of_domain] in B; cbn [whole_holds] in A.
-  - rewrite !andb_true_iff in A. apply constrained_facet_refutes; try assumption. apply A.
-  - rewrite !andb_true_iff in A. apply visible_vertex_refutes; try assumption. apply A.
+  - rewrite !andb_true_iff in A. rewrite Alone by apply A. apply constrained_facet_refutes; try assumption. apply A.
+  - rewrite !andb_true_iff in A. rewrite Alone by apply A. apply visible_vertex_refutes; try assumption. apply A.
   - now apply polygon_not_tiled_refutes.
   - now apply uncovered_refutes.
   - now apply outside_refutes.
-  - intros C. apply B. split; [intros U; exact (uncovered_refutes _ _ _ U C)|intros U; exact (outside_refutes _ _ _ U C)].
+  - intros C. apply B. split; [intros U; exact (uncovered_refutes _ _ _ _ U C)|intros U; exact (outside_refutes _ _ _ _ U C)].
 Qed.

@@ -1,0 +1,206 @@
+"""Refutations of claims about domains for make.py: for each rule evidence that shows it, and evidence that does not."""
+
+from domains import polygon_text, space_domain
+
+
+def refutations_of_domains():
+    """Meshes of a square with a diagonal, and what is wrong with them, right or not."""
+    square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1), (2, 2), (1, 3)]
+    fan = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]]
+    crossed = [[1, 2, 3], [1, 2, 4]]
+    pair = [[1, 2, 3], [1, 3, 7]]
+    corners = square[:4]
+    sides = [(1, 2), (2, 3), (3, 4), (1, 4), (1, 3)]
+    cases = [
+        ("domain.segment-missing", "cdt", fan, "5 4 4 2", True, ""),
+        ("domain.segment-missing", "cdt", fan, "1 4 0 2", False, "--an-edge"),
+        ("domain.segment-missing", "cdt", fan, "5 1 0 1", False, "--off-the-segment"),
+        ("domain.segment-missing", "cdt", fan, "5 0 0 1", False, "--its-end"),
+        ("domain.segment-missing", "cdt", fan, "5 0 0 0", False, "--no-point"),
+        ("domain.segment-missing", "cdt", fan, "6 4 4 2", False, "--no-segment"),
+        ("domain.segment-missing", "cdt", fan + [[1, 2]], "5 4 4 2", False, "--not-all-triangles"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 1 0 2 5", True, ""),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 1 0 2 1", False, "--another-segment"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 1 0 1 5", False, "--another-edge"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 0 1 0 2 5", False, "--its-end"),
+        ("domain.vertex-in-edge", "steiner-cdt", [[1, 2, 3], [1, 4, 6]], "2 2 2 0 2 5", False, "--an-end-of-the-edge"),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "4", True, ""),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "3", False, ""),
+        ("domain.vertex-missing", "steiner-cdt", [[1, 2, 3]], "5", False, "--no-vertex"),
+        ("domain.steiner-forbidden", "plc-triangulation", fan, "1 2", True, ""),
+        ("domain.steiner-forbidden", "plc-triangulation", fan, "1 1", False, ""),
+        ("domain.steiner-forbidden", "steiner-triangulation", fan, "1 2", False, "--allowed"),
+        ("complex.overlap", "steiner-cdt", crossed, "1 2 4 1 2", True, "--of-a-domain"),
+        ("complex.overlap", "steiner-cdt", crossed, "1 2 0 0 1", False, "--of-a-domain"),
+        ("delaunay.facet-not-local", "conforming-delaunay", pair, "1 1 2 2", True, "--of-a-domain"),
+        ("delaunay.facet-not-local", "steiner-cdt", pair, "1 1 2 2", False, "--of-a-domain"),
+        ("triangulation.hull-not-convex", "steiner-cdt", fan[:3], "1 1 4", False, "--of-a-domain"),
+    ]
+    for rule, claim, simplices, because, is_shown, why in cases:
+        lines = ["circumspect-refutation 2 %s 2 %s" % (claim, rule), "scale 1 2", "points %d" % len(square)]
+        lines += ["%d %d %d" % (*p, v) for v, p in enumerate(square)]
+        lines += ["simplices %d" % len(simplices)]
+        lines += [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        lines += ["spans 1 2 3", "vertices %d" % len(corners)] + ["%d %d" % p for p in corners]
+        lines += ["segments %d" % len(sides)] + ["%d %d" % s for s in sides]
+        yield "%s--%s%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            "\n".join(lines + ["because " + because, "end"]) + "\n", \
+            "verified: not %s, %s; domain: 4 vertices, 5 segments" % (claim, rule) if is_shown else \
+            "rejected: the evidence does not show " + rule
+
+
+def dangling_text(pads, dangling):
+    """Triangles and edges, each with the numbers of the pads that make it a simplex."""
+    return ["pads %d" % len(pads)] + [" ".join(map(str, pad)) for pad in pads] + ["dangling %d" % len(dangling)] + \
+        [" ".join(map(str, [len(own), *own, *added])) for own, added in dangling]
+
+
+def refutations_where_something_dangles():
+    """The square again, of which some edges are listed beside the triangles; the pads are counted on from 8."""
+    shown, beside = True, False
+    square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1), (2, 2), (1, 3)]
+    fan, half, both = [[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]], [[1, 2, 3]], [[1, 2, 3], [1, 3, 4]]
+    left, down = [(-1, 0)], [(1, 2)]
+    cases = [
+        ("domain.vertex-missing", "cdt", half, left, [3, 5], "4", shown, ""),
+        ("domain.vertex-missing", "cdt", half, left, [1, 4], "4", beside, ""),
+        ("domain.segment-missing", "cdt", fan, left, [1, 7], "5 4 4 2", shown, ""),
+        ("domain.segment-missing", "cdt", fan, left, [1, 3], "5 4 4 2", beside, ""),
+        ("domain.segment-missing", "cdt", fan, [], [1, 7], "5 4 4 2", beside, "--no-pad"),
+        ("domain.steiner-forbidden", "cdt", both, left, [1, 5], "3 1", shown, ""),
+        ("domain.steiner-forbidden", "cdt", both, left, [1, 5], "3 0", beside, ""),
+        ("domain.steiner-forbidden", "cdt", both, left, [1, 5], "3 2", beside, "--a-pad"),
+        ("complex.overlap", "steiner-cdt", half, down, [7, 2], "1 2 5 3 2", shown, ""),
+        ("complex.overlap", "steiner-cdt", half, down, [7, 2], "1 2 4 3 2", beside, "--off-the-edge"),
+        ("complex.overlap", "steiner-cdt", half, down, [1, 3], "1 2 1 1 1", beside, "--a-common-face"),
+        ("complex.overlap", "steiner-cdt", half, [(5, -1)], [7, 2], "1 2 5 3 2", beside, "--in-a-line"),
+        ("delaunay.vertex-in-ball", "conforming-delaunay", half, left, [3, 7], "1 7", shown, ""),
+        ("delaunay.vertex-in-ball", "conforming-delaunay", half, left, [3, 4], "1 7", beside, "--no-vertex"),
+        ("delaunay.vertex-in-ball", "conforming-delaunay", half, left, [3, 4], "1 4", beside, "--on-it"),
+        ("delaunay.vertex-in-ball", "steiner-cdt", half, left, [3, 7], "1 7", beside, "--not-claimed"),
+    ]
+    for rule, claim, simplices, pads, edge, because, is_shown, why in cases:
+        lines = ["circumspect-refutation 2 %s 2 %s" % (claim, rule), "scale 1 2", "points 7"]
+        lines += ["%d %d %d" % (*p, v) for v, p in enumerate(square)]
+        lines += ["simplices %d" % len(simplices)] + [" ".join(map(str, [len(row)] + row)) for row in simplices]
+        lines += ["spans 1 2 3"] + dangling_text(pads, [(edge, [8])])
+        lines += ["vertices 4"] + ["%d %d" % p for p in square[:4]]
+        lines += ["segments 5", "1 2", "2 3", "3 4", "1 4", "1 3"]
+        yield "%s--%s--dangling%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            "\n".join(lines + ["because " + because, "end"]) + "\n", \
+            "verified: not %s, %s; 1 dangling face; domain: 4 vertices, 5 segments" % (claim, rule) if is_shown else \
+            "rejected: the evidence does not show " + rule
+    points = [(-4, 0), (4, 0), (0, 1), (0, -1), (0, 4)]
+    rhombus = (points[:4], [(1, 3), (2, 3), (2, 4), (1, 4)], [], [])
+    long, half = [[1, 2, 3], [2, 1, 4]], [[1, 2, 3]]
+    cases = [
+        ("domain.uncovered", half, (-5, 0), [1, 4], "segment 3 4 -1 2", shown, ""),
+        ("domain.uncovered", half, (5, 0), [2, 4], "segment 3 4 -1 2", beside, "--covered"),
+        ("domain.uncovered", half, (9, 0), [1, 4], "segment 3 4 -1 2", beside, "--beneath-a-pad"),
+        ("domain.outside", long, (4, 1), [2, 5], "3 2 2 1 0 beyond 1 4 4", shown, ""),
+        ("domain.outside", long, (4, 1), [2, 5], "3 6 3 2 0 beyond 1 4 4", beside, "--off-the-edge"),
+        ("cdt.facet-not-local", long, (-5, 0), [3, 5], "1 2 2 2 0 0 1", beside, ""),
+    ]
+    for rule, simplices, pad, edge, because, is_shown, why in cases:
+        yield "%s--%s--dangling%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            whole_text("steiner-cdt", 2, rule, "enclosed", points, simplices, rhombus, because,
+                       dangling_text([pad], [(edge, [6])])), \
+            "verified: not steiner-cdt, %s; 1 dangling face; domain: enclosed, 4 vertices" % rule if is_shown else \
+            "rejected: the evidence does not show " + rule
+    solid = [(0, 0, 0), (0, 0, 9), (0, 9, 0), (9, 0, 0)]
+    floor = space_domain("steiner-triangulation", "enclosed", solid, [(0, 1, 2, 3)], 1, [(0, 2, 3)], [])["polygons"]
+    for triangle, is_shown in [([1, 3, 2], True), ([1, 3, 4], False)]:
+        yield "domain.polygon-not-tiled--%s--dangling" % ("shown" if is_shown else "not-shown"), \
+            whole_text("cdt", 3, "domain.polygon-not-tiled", "enclosed", solid + [(1, 1, 0)], [[1, 4, 5, 2]],
+                       (solid, [(1, 3), (3, 4), (1, 4)], [], floor), "1 1 3 3 0 1",
+                       dangling_text([(-1, 0, -1)], [(triangle, [6])])), \
+            "verified: not cdt, domain.polygon-not-tiled; 1 dangling face; domain: enclosed, 4 vertices" if is_shown else \
+            "rejected: the evidence does not show domain.polygon-not-tiled"
+    for why, edge in [("too-large", [1, 3, 4]), ("of-a-pad", [1, 6])]:
+        yield "malformed--dangling--" + why, \
+            whole_text("cdt", 2, "domain.uncovered", "enclosed", points, half, rhombus, "segment 3 4 -1 2",
+                       dangling_text([(-5, 0)], [(edge, [6] if len(edge) < 3 else [])])), "malformed: "
+
+
+def whole_text(claim, d, rule, kind, points, simplices, domain, because, dangling=()):
+    """A refutation that speaks of the whole domain: vertices, segments, hole points, polygons."""
+    lines = ["circumspect-refutation 2 %s %d %s %s" % (claim, d, rule, kind), "scale 1 1", "points %d" % len(points)]
+    lines += [" ".join(map(str, [*p, v])) for v, p in enumerate(points)]
+    lines += ["simplices %d" % len(simplices)] + [" ".join(map(str, [len(row)] + row)) for row in simplices]
+    lines += ["spans " + " ".join(map(str, range(1, d + 2))), *dangling]
+    for name, rows in zip(["vertices", "segments", "holes"], domain):
+        lines += ["%s %d" % (name, len(rows))] + [" ".join(map(str, row)) for row in rows]
+    lines += ["polygons %d" % len(domain[3])]
+    for f in domain[3]:
+        lines += polygon_text(f)
+    return "\n".join(lines + ["because " + because, "end"]) + "\n"
+
+
+def refutations_by_the_whole_domain():
+    """Meshes of a rhombus and of a tetrahedron, and what is wrong with them, right or not."""
+    points = [(-4, 0), (4, 0), (0, 1), (0, -1), (0, 4)]
+    corners, sides = points[:4], [(1, 3), (2, 3), (2, 4), (1, 4)]
+    rhombus = (corners, sides, [], [])
+    walled = (corners, sides + [(1, 2)], [], [])
+    hollow = (corners, sides, [(0, 0, 1)], [])
+    long, short, half, astray = [[1, 2, 3], [2, 1, 4]], [[1, 3, 4], [2, 3, 4]], [[1, 2, 3]], [[1, 2, 3], [3, 5, 2]]
+    planes = "-1 -1 -1 1 -1 -1 -1 4 -4 1 4 -4"
+    few = "-1 -1 -1 1 -1 -1 -1 4 -4"
+    cases = [
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 2 2 2 0 0 1", True, ""),
+        ("cdt.facet-not-local", "steiner-cdt", long, rhombus, "2 2 1 2 1 0 3", True, "--from-the-other"),
+        ("cdt.facet-not-local", "cdt", long, walled, "1 2 2 2 0 0 1", False, "--in-a-wall"),
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 2 2 2 0 1 3", False, "--off-the-facet"),
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 2 2 2 4 0 1", False, "--its-end"),
+        ("cdt.facet-not-local", "cdt", short, rhombus, "1 0 2 0 0 0 1", False, "--it-is"),
+        ("cdt.facet-not-local", "plc-triangulation", long, rhombus, "1 2 2 2 0 0 1", False, "--not-claimed"),
+        ("cdt.facet-not-local", "cdt", long, rhombus, "1 3 2 2 0 0 1", False, "--no-facet"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 4 0 1 3 " + planes, True, ""),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 4 0 1 3 " + few, False, "--a-segment-in-the-way"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, walled, "1 4 0 1 3 " + planes, False, "--behind-a-wall"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 4 0 0 1 " + planes, False, "--from-the-facet"),
+        ("cdt.visible-vertex-in-ball", "cdt", long, rhombus, "1 3 0 1 3 " + planes, False, "--its-own-vertex"),
+        ("cdt.visible-vertex-in-ball", "plc-triangulation", long, rhombus, "1 4 0 1 3 " + planes, False, "--not-claimed"),
+        ("cdt.visible-vertex-in-ball", "cdt", half, rhombus, "1 4 0 1 3 " + planes, False, "--no-vertex-of-the-mesh"),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "segment 3 4 -1 2", True, ""),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "vertex 4", True, "--a-vertex"),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "segment 1 -4 1 2", False, "--covered"),
+        ("domain.uncovered", "plc-triangulation", half, rhombus, "segment 3 4 1 2", False, "--off-the-segment"),
+        ("domain.uncovered", "plc-triangulation", half + [[1, 2]], rhombus, "segment 3 4 -1 2", False, "--not-all-triangles"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, rhombus, "1 0 1 3 0 -1 3 4 " + planes, True, ""),
+        ("domain.uncovered-or-outside", "plc-triangulation", long, rhombus, "1 0 1 3 0 -1 3 4 " + planes, False, "--covered"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, walled, "1 0 1 3 0 -1 3 4 " + planes, False, "--a-wall-between"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, rhombus, "1 0 1 3 0 -1 3 3 " + few, False, "--a-plane-less"),
+        ("domain.uncovered-or-outside", "plc-triangulation", half, rhombus, "1 0 -1 3 0 -1 3 4 " + planes, False, "--not-in-it"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 0 beyond 1 4 4", True, ""),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 1 8 8 1 1 1 4 4 beyond 1 0 4", True, "--by-a-leg"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 0 1 4 " + planes + " hole 1", True, "--in-a-hole"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "1 0 1 3 0 beyond 1 4 4", False, "--inside"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 0 beyond 1 4 3", False, "--vertices-beyond"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 0 beyond 0 0 -1", False, "--no-plane"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "1 4 5 3 0 beyond 1 4 4", False, "--not-in-it"),
+        ("domain.outside", "steiner-triangulation", astray, rhombus, "2 4 5 3 1 8 8 1 0 beyond 1 0 4", False, "--by-a-leg"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 0 1 4 " + planes + " hole 2", False, "--no-hole"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 1 2 4 " + planes + " hole 1", False, "--beside-the-hole"),
+        ("domain.outside", "steiner-triangulation", half, hollow, "1 0 1 3 1 0 0 1 3 " + few + " hole 1", False, "--a-plane-less"),
+    ]
+    for rule, claim, simplices, domain, because, is_shown, why in cases:
+        word = "domain.uncovered or domain.outside" if rule.endswith("or-outside") else rule
+        yield "%s--%s%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            whole_text(claim, 2, rule, "enclosed", points, simplices, domain, because), \
+            "verified: not %s, %s; domain: enclosed, 4 vertices" % (claim, word) if is_shown else \
+            "rejected: the evidence does not show " + word
+    solid = [(0, 0, 0), (0, 0, 9), (0, 9, 0), (9, 0, 0)]
+    floor = space_domain("steiner-triangulation", "enclosed", solid, [(0, 1, 2, 3)], 1, [(0, 2, 3)], [])["polygons"]
+    given = (solid, [(1, 3), (3, 4), (1, 4)], [], floor)
+    more = [(1, 1, 0), (1, 1, -5)]
+    for name, simplices, because, is_shown in [
+            ("shown", [[1, 4, 5, 2]], "1 1 3 3 0 1", True), ("shown--cut", [[2, 6, 3, 4]], "1 1 3 3 0 1", True),
+            ("not-shown", [[1, 3, 4, 2]], "1 1 3 3 0 1", False), ("not-shown--off-the-plane", [[1, 4, 5, 2]], "1 1 3 3 1 1", False),
+            ("not-shown--off-the-polygon", [[1, 4, 5, 2]], "1 1 9 9 0 1", False),
+            ("not-shown--no-polygon", [[1, 4, 5, 2]], "2 1 3 3 0 1", False),
+            ("not-shown--no-piece", [[1, 4, 5, 2]], "1 2 3 3 0 1", False)]:
+        yield "domain.polygon-not-tiled--" + name, \
+            whole_text("steiner-triangulation", 3, "domain.polygon-not-tiled", "enclosed", solid + more, simplices, given, because), \
+            "verified: not steiner-triangulation, domain.polygon-not-tiled; domain: enclosed, 4 vertices" if is_shown else \
+            "rejected: the evidence does not show domain.polygon-not-tiled"

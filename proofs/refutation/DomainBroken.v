@@ -1,0 +1,192 @@
+(** * A broken rule refutes the claim about a domain *)
+From Coq Require Import Reals Lra Lia List Arith.
+From Circumspect Require Import WholeRefutation.
+From Circumspect Require Import Vectors Affine Frame Faces LiftingMap Breach.
+From Circumspect Require Import Combinations Necessary Visible ConstrainedLemma.
+From Circumspect Require Import Definitions Domains DomainRules.
+Import ListNotations.
+Open Scope R_scope.
+
+Section Refutes.
+Context {d : nat}.
+Implicit Types (P : domain d) (L M : list (list (option (point d)))).
+
+(** ** What all claims have in common *)
+
+Lemma claims_all c P L M : claims_of_domain c P L M -> exists A, (L ++ M)%list = map (map Some) A /\
+  (forall t, In t A -> NoDup t /\ t <> []) /\ simplicial_complex (faces_of A) /\
+  (forall v, In v (domain_vertices P) -> exists t, In t A /\ In v t) /\
+  (forall X, In X (cells P) -> union_of_simplices A X) /\
+  (forall q, underlying P q <-> exists t, In t A /\ conv t q).
+Proof.
+  intros (T & U & -> & -> & (Dt & Du & _ & Cx & V & Ce & Un) & _). exists (T ++ U)%list.
+  split; [now rewrite map_app|]. split; [|auto]. intros t I. apply in_app_or in I. destruct I as [I|I].
+  - destruct (Dt t I) as [N Len]. split; [assumption|]. now intros ->.
+  - destruct (Du t I) as (N & E & _). now split.
+Qed.
+Lemma claims_a_complex c P L M : claims_of_domain c P L M -> claims_complex L.
+Proof.
+  intros (T & U & -> & _ & (Dt & _ & Di & (Ai & Fa & Me) & _) & _). exists T. split; [reflexivity|]. split; [assumption|].
+  split; [|assumption].
+  assert (K : forall s, faces_of T s -> faces_of (T ++ U) s).
+  { intros s (N & E & t & I & J). split; [assumption|]. split; [assumption|]. exists t. split; [apply in_or_app; now left|assumption]. }
+  split; [intros s H; now apply Ai, K|]. split; [|intros s t Hs Ht; apply Me; now apply K].
+  intros s f (_ & _ & t & I & J) Hf N E. split; [assumption|]. split; [assumption|]. exists t. split; [assumption|].
+  now apply incl_tran with s.
+Qed.
+(** Nothing dangles. *)
+Lemma claims_alone c P L : claims_of_domain c P L [] -> exists T, L = map (map Some) T /\ steiner_triangulation P T /\
+  match c with
+  | PlcTriangulation => only_given P T
+  | SteinerTriangulation => True
+  | ConformingDelaunay => forall t, In t T -> delaunay (concat T) t
+  | Cdt => only_given P T /\ forall t, In t T -> constrained_delaunay (domain_vertices P) P t
+  | SteinerCdt => forall t, In t T -> constrained_delaunay (concat T) P t
+  end.
+Proof.
+  intros (T & U & E & EU & (Dt & _ & H) & C). destruct U; [|discriminate]. rewrite app_nil_r in *. exists T.
+  split; [assumption|]. split; [now split|]. unfold constrained_with in C.
+  destruct c; [assumption|exact I|assumption|split; [apply C|]; intros t I; apply C; now left|intros t I; apply C; now left].
+Qed.
+(** And so the claims are those of the certificates. *)
+Lemma with_nothing P T : steiner_triangulation_with P T [] <-> steiner_triangulation P T.
+Proof.
+  unfold steiner_triangulation_with, steiner_triangulation. rewrite app_nil_r. split.
+  - intros (D & _ & H). now split.
+  - intros (D & H). split; [assumption|]. split; [now intros u []|assumption].
+Qed.
+
+Section All.
+Variables (c : domain_claim) (P : domain d) (L M : list (list (option (point d)))).
+
+Lemma vertex_missing_refutes : vertex_missing P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (v & Iv & N) H. destruct (claims_all c P L M H) as (A & E & _ & _ & V & _). rewrite E in N.
+  destruct (V v Iv) as (t & It & I). apply (N (map Some t)); now apply in_map.
+Qed.
+Lemma steiner_forbidden_refutes : only_vertices c = true -> steiner_forbidden P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros O (r & v & Ir & Iv & N) (T & U & -> & -> & _ & H). rewrite <- map_app in Ir. apply in_listed in Ir.
+  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (x & E & Ix). injection E as ->. apply N.
+  destruct c; try discriminate; [now apply (H t v)|now apply (proj1 H t v)].
+Qed.
+Lemma union_refutes X q : In X (cells P) -> X q ->
+  (forall s f, listed (L ++ M) s -> incl f s -> conv f q -> ~ within (conv f) X) -> ~ claims_of_domain c P L M.
+Proof.
+  intros IX C N H. destruct (claims_all c P L M H) as (A & E & _ & _ & _ & U & _). rewrite E in N.
+  destruct (U X IX) as (F & HF & EF). apply EF in C. destruct C as (s & Is & Cs). destruct (HF s Is) as (_ & _ & t & It & J).
+  apply (N t s); try assumption; [unfold listed; now apply in_map|]. intros x Xx. apply EF. eauto.
+Qed.
+Lemma segment_missing_refutes : segment_missing P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (a & b & q & I & C & N). apply (union_refutes (conv [a; b]) q); [|assumption|assumption].
+  unfold cells. apply in_or_app. right. apply in_or_app. left.
+  apply (in_map (fun ab q => conv [fst ab; snd ab] q) _ (a, b) I).
+Qed.
+Lemma polygon_not_tiled_refutes : polygon_not_tiled P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (f & q & If & Fq & N). apply (union_refutes (polygon_points f) q); [|assumption|assumption].
+  unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. left. now apply in_map.
+Qed.
+Lemma uncovered_refutes : uncovered P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (q & U & N) H. destruct (claims_all c P L M H) as (A & E & _ & _ & _ & _ & Un). rewrite E in N.
+  apply Un in U. destruct U as (t & It & C). apply (N t); [unfold listed; now apply in_map|assumption].
+Qed.
+Lemma outside_refutes : outside P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (s & q & Ls & C & N) H. destruct (claims_all c P L M H) as (A & E & _ & _ & _ & _ & Un). rewrite E in Ls.
+  apply N, Un. exists s. split; [now apply listed_in|assumption].
+Qed.
+Lemma vertex_in_edge_refutes : vertex_in_edge P (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (r & s & v & a & b & e & f & Ir & Iv & Ls & Ie & If & Ne & Nf & Cv & _) H.
+  destruct (claims_all c P L M H) as (A & E & _ & (_ & _ & Me) & _). rewrite E in Ir, Ls. apply listed_in in Ls. apply in_listed in Ir.
+  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (x & Ex & Ix). injection Ex as ->.
+  assert (Nef : e <> f) by (intros ->; apply Ne, (conv_singleton f), (conv_incl [f; f]); [intros y [<-|[<-|[]]]; now left|assumption]).
+  destruct (Me [v] [e; f]) as (g & Gv & Ge & C).
+  - split; [repeat constructor; now intros []|]. split; [discriminate|]. exists t. split; [assumption|]. now intros y [<-|[]].
+  - split; [constructor; [intros [X|[]]; now apply Nef|repeat constructor; now intros []]|]. split; [discriminate|].
+    exists s. split; [assumption|]. now intros y [<-|[<-|[]]].
+  - specialize (C v (conv_point [v] v (or_introl eq_refl)) Cv). destruct g as [|y g]; [now apply (conv_empty v)|].
+    destruct (Gv y (or_introl eq_refl)) as [<-|[]]. destruct (Ge v (or_introl eq_refl)) as [X|[X|[]]]; congruence.
+Qed.
+Lemma overlap_of_all_refutes : overlap (L ++ M) -> ~ claims_of_domain c P L M.
+Proof.
+  intros (s & t & q & Ls & Lt & Cs & Ct & N) H. destruct (claims_all c P L M H) as (A & E & D & (_ & _ & Me) & _).
+  rewrite E in Ls, Lt. apply listed_in in Ls, Lt.
+  assert (F : forall s, In s A -> faces_of A s).
+  { intros r Ir. destruct (D r Ir) as [ND NE]. split; [assumption|]. split; [assumption|]. exists r. split; [assumption|apply incl_refl]. }
+  destruct (Me s t (F s Ls) (F t Lt)) as (f & Fs & Ft & I). exact (N f Fs Ft (I q Cs Ct)).
+Qed.
+
+(** Of the mesh's own rules those about balls are of conforming Delaunay meshes. *)
+Lemma mesh_rule_refutes e : of_mesh e c = true -> broken_of_domain P L M (mesh_rule (rule_of e)) ->
+  ~ claims_of_domain c P L M.
+Proof.
+  intros O B H. pose proof (claims_a_complex c P L M H) as Cx. destruct e; try discriminate; cbn in B.
+  - now apply (wrong_dimension_refutes L).
+  - now apply (unknown_vertex_refutes L).
+  - now apply (repeated_vertex_refutes L).
+  - now apply (degenerate_refutes L).
+  - now apply (duplicate_simplex_refutes L).
+  - now apply overlap_of_all_refutes.
+  - now apply (covered_twice_refutes L).
+  - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
+    destruct B as (s & v & [Ls _] & Iv & N). rewrite ET in Ls. apply listed_in in Ls.
+    destruct (De s) as (o & r2 & Ci & Em); [apply in_or_app; now left|].
+    apply (Em v); [|exact (N o r2 Ci)]. rewrite ET, EU, <- map_app in Iv. unfold entries in Iv.
+    apply in_flat_map in Iv. destruct Iv as (r & Ir & Iv). apply in_map_iff in Ir. destruct Ir as (t1 & <- & It).
+    apply in_flat_map in Iv. destruct Iv as (x & Ix & Iv). apply in_map_iff in Ix. destruct Ix as (y & <- & Iy).
+    destruct Iv as [<-|[]]. apply in_concat. eauto.
+  - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
+    destruct B as (s1 & s2 & f1 & u1 & v1 & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N).
+    rewrite ET in Hs, Ht. apply listed_in in Hs, Ht.
+    destruct (De s1) as (o & r2 & Ci & Em); [apply in_or_app; now left|].
+    apply (Em v1); [|exact (N o r2 Ci)]. apply in_concat. exists s2. split; [apply in_or_app; now left|assumption].
+Qed.
+End All.
+
+(** ** Constrained Delaunay *)
+
+Definition about_cdt (c : domain_claim) : bool := match c with Cdt | SteinerCdt => true | _ => false end.
+Lemma claims_cdt c P L : about_cdt c = true -> claims_of_domain c P L [] -> exists T V, L = map (map Some) T /\
+  steiner_triangulation P T /\ mesh_vertices T V /\ forall t, In t T -> constrained_delaunay V P t.
+Proof.
+  intros A H. destruct (claims_alone c P L H) as (T & E & St & C). destruct c; try discriminate.
+  - destruct C as [Given Cd]. exists T, (domain_vertices P). split; [assumption|]. split; [assumption|].
+    split; [|assumption]. intros v. split; [apply St|]. intros (t & It & Iv). now apply (Given t v).
+  - exists T, (concat T). split; [assumption|]. split; [assumption|].
+    split; [|assumption]. intros v. apply in_concat.
+Qed.
+Lemma constrained_facet_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
+  constrained_facet_not_local P L -> ~ claims_of_domain c P L [].
+Proof.
+  intros D Pr A (s & t & f & p & v & [Ls _] & Lt & Nf & Lf & Fs & Ft & Ip & Iv & O & B & NW) H.
+  destruct (claims_cdt c P L A H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls, Lt.
+  destruct (Cd s Ls) as (_ & _ & o & r2 & Ci & Em). destruct O as (a & b & Z & Pp & Nv).
+  assert (Nvf : ~ In v f) by (intros I; specialize (Z v I); lra).
+  assert (Npf : ~ In p f) by (intros I; specialize (Z p I); lra).
+  assert (NS : ~ same s t).
+  { intros [_ TS]. destruct (proj1 St s Ls) as [_ Len].
+    assert (K : (length (p :: v :: f) <= length s)%nat).
+    { apply NoDup_incl_length.
+      - constructor; [|now constructor]. intros [E|I]; [subst v; lra|contradiction].
+      - intros y [<-|[<-|I]]; auto. }
+    cbn [length] in K. lia. }
+  destruct (apex_of_neighbour D P T V Pr St Ve f s t v Nf Lf NW Ls Lt Fs Ft NS Iv Nvf) as (x & Xi & Vis).
+  apply (Em v x); [apply Ve; eauto|assumption|assumption|]. now apply B.
+Qed.
+Lemma visible_vertex_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
+  visible_vertex_in_ball P L -> ~ claims_of_domain c P L [].
+Proof.
+  intros D Pr A (s & v & x & [Ls _] & (r & Ir & Iv) & Xi & Off & B) H.
+  destruct (claims_cdt c P L A H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls. apply in_listed in Ir.
+  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (y & E & Iy). injection E as ->.
+  destruct (Cd s Ls) as (_ & _ & o & r2 & Ci & Em). assert (IV : In v V) by (apply Ve; eauto).
+  apply (Em v x IV Xi); [|now apply B]. destruct (all_framed P T St) as (ts & are).
+  apply (Visible.seen P T St s x v Ls (proj1 Xi)).
+  - now apply (vertex_in_hull D P T V Pr St Ve ts are).
+  - intros X IX e He. now apply Off.
+Qed.
+End Refutes.
