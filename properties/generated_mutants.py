@@ -367,12 +367,12 @@ def faults(table):
             yield f"{where}: expected the reason why it changes no answer"
 
 
-def all_of(work):
-    """The mutants of all files. Parsing takes minutes, so they are kept in the folder, each file's by its content."""
+def all_of(work, names):
+    """The mutants of these files. Parsing takes minutes, so they are kept in the folder, each file's by its content."""
     cache = work / "build/generated_mutants"
     cache.mkdir(parents=True, exist_ok=True)
     own = (inspect.getsource(generated) + inspect.getsource(Mutant)).encode()
-    kept = {file: cache / hashlib.sha256(own + file.encode() + (ROOT / file).read_bytes()).hexdigest() for file in files()}
+    kept = {file: cache / hashlib.sha256(own + file.encode() + (ROOT / file).read_bytes()).hexdigest() for file in names}
     missing = [file for file in kept if not kept[file].is_file()]
     # What libclang has parsed is freed when its process ends, and seldom before.
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count(), max_tasks_per_child=1) as pool:
@@ -381,13 +381,13 @@ def all_of(work):
     return [mutant for file in kept for mutant in pickle.loads(kept[file].read_bytes())]
 
 
-def print_table(tried, killed, table):
+def print_table(killed, table):
     print("| the code | mutants | killed | change no answer | survive | killed of the others |")
     print("| --- | --: | --: | --: | --: | --: |")
-    rows = [(group, [m for m in tried if group_of(m.file) == group]) for group in GROUPS] + [("all", tried)]
+    rows = [(group, [key for key in killed if group_of(key[0]) == group]) for group in GROUPS] + [("all", list(killed))]
     for name, of_it in rows:
-        dead = sum(killed[m.key()] is not None for m in of_it)
-        same = sum(killed[m.key()] is None and m.key() in table for m in of_it)
+        dead = sum(killed[key] is not None for key in of_it)
+        same = sum(killed[key] is None and key in table for key in of_it)
         share = f"{100 * dead / (len(of_it) - same):.1f} %" if len(of_it) > same else "-"
         print(f"| {name} | {len(of_it)} | {dead} | {same} | {len(of_it) - dead - same} | {share} |")
 
@@ -412,16 +412,19 @@ def main():
     if options.work is None:
         parser.error("expected a folder to compile them in, such as build/mutants")
     work = options.work.resolve()
-    tried = chosen(all_of(work), options.seed, options.count)
+    results = work / "build/generated_mutants.json"
+    killed = {tuple(key): name for key, name in json.loads(results.read_text())} if options.again else {}
+    if options.again:  # what was killed, and what did not compile, is neither looked for nor compiled again
+        open_ones = {key for key, name in killed.items() if name is None and options.only in "\t".join(key)}
+        tried = [m for m in all_of(work, sorted({key[0] for key in open_ones})) if m.key() in open_ones]
+    else:
+        tried = chosen(all_of(work, files()), options.seed, options.count)
     if options.sources:
         for number, mutant in enumerate(tried, 1):
             mutant.number = number
         write_sources(work, tried)
         return 0
-    tried = build(work, tried, options.targets)
-    results = work / "build/generated_mutants.json"
-    killed = {tuple(key): name for key, name in json.loads(results.read_text())} if options.again else {}
-    to_try = [m for m in tried if options.only in "\t".join(m.key()) and killed.get(m.key()) is None]
+    to_try = build(work, [m for m in tried if options.only in "\t".join(m.key())], options.targets)
     tests = record(work, tests_of(work, options.targets, options.tests))
     print(f"{len(to_try)} mutants, {len(tests)} tests that come across one", flush=True)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -429,13 +432,12 @@ def main():
             killed[mutant.key()] = name
             state = f"killed by {name}" if name else "changes no answer" if mutant.key() in table else "SURVIVES"
             print("\t".join([state, f"{mutant.file}:{mutant.line_number}", mutant.line, mutant.other]), flush=True)
-    tried = [m for m in tried if m.key() in killed]
-    results.write_text(json.dumps([[m.key(), killed[m.key()]] for m in tried]))
-    print_table(tried, killed, table)
-    alive = [m for m in tried if killed[m.key()] is None and m.key() not in table]
-    wrong = [m for m in tried if killed[m.key()] is not None and m.key() in table]
-    for mutant in wrong:
-        print(f"{TABLE}: expected a mutant that survives, but {killed[mutant.key()]} notices it: {mutant.line}")
+    results.write_text(json.dumps(list(killed.items())))
+    print_table(killed, table)
+    alive = [key for key, name in killed.items() if name is None and key not in table]
+    wrong = [key for key, name in killed.items() if name is not None and key in table]
+    for key in wrong:
+        print(f"{TABLE}: expected a mutant that survives, but {killed[key]} notices it: {key[1]}")
     return 1 if alive or wrong else 0
 
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -21,6 +20,7 @@
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
 #include "fuzz/campaign/finding_folder.hpp"
+#include "oracle/formats/source.hpp"
 #include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
@@ -191,7 +191,9 @@ std::string overwriting_fault_of(const CampaignOptions& options, const campaign:
 
 // The first words of the lines of a file; what stands behind #, and empty lines, are left out.
 tl::expected<std::vector<std::string>, std::string> known_signatures(const std::string& path) {
-  std::ifstream file(path);
+  const formats::Result<formats::Source> source = formats::load(path);
+  if (!source) return tl::unexpected(source.error().to_string());
+  std::istringstream file(source->text);
   std::vector<std::string> known;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <signal.h>
 
 #include "command/output/output.hpp"
+#include "oracle/formats/source.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
 
@@ -51,18 +51,20 @@ bool are_details(const report::Json& details) {
          is_count("points") && is_count("minimal_points");
 }
 
-// What stands in the folder of a finding: the first result of verdict.json; nothing if that is not as it was written.
+// What stands in the folder of a finding: the first result of verdict.json; nothing if that cannot be read, or is not as
+// it was written.
 report::Json details_of(const Finding& finding) {
   constexpr int kDeepest = 64;
   const std::string path = finding.folder + "/verdict.json";
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path))) {
     return report::Json::object();
   }
-  std::ifstream file(path);
+  const formats::Result<formats::Source> source = formats::load(path);
+  if (!source) return report::Json::object();
   const auto is_shallow = [](int depth, report::Json::parse_event_t, report::Json&) {
     return depth < kDeepest;
   };
-  const report::Json document = report::Json::parse(file, is_shallow, false);
+  const report::Json document = report::Json::parse(source->text, is_shallow, false);
   if (!document.is_object() || !document.contains("results")) return report::Json::object();
   const report::Json& results = document["results"];
   const bool is_whole = results.is_array() && !results.empty() && are_details(results.front());

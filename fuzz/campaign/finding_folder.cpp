@@ -3,9 +3,7 @@
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -18,6 +16,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/source.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/wording.hpp"
@@ -69,10 +68,10 @@ void write_input_as(const std::string& stem, const Subject& subject, const Input
 constexpr std::uintmax_t kLargestCopy = 1 << 20;
 constexpr std::size_t kMostCopies = 100;
 
+// What cannot be read whole is left out, too.
 void copy_file(const std::string& from, const std::string& to, const Runner& runner) {
-  std::ostringstream text;
-  text << std::ifstream(from, std::ios::binary).rdbuf();
-  write_durably(to, runner.without_places(text.str()));
+  const formats::Result<formats::Source> source = formats::load(from);
+  if (source) write_durably(to, runner.without_places(source->text));
 }
 
 // What the program wrote, without its input.

@@ -6,15 +6,15 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "oracle/formats/source.hpp"
 
 namespace circumspect::campaign {
 namespace {
@@ -103,10 +103,11 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
   if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0) {
     return tl::unexpected(path + ": another campaign writes to it just now");
   }
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
+  // All of it or nothing: what stands behind the last whole line that was read is cut off below.
+  const formats::Result<formats::Source> source = formats::load(path);
+  if (!source) return tl::unexpected(source.error().to_string());
   std::size_t complete = 0;
-  const std::string fault = journal.parse(text.str(), settings, complete);
+  const std::string fault = journal.parse(source->text, settings, complete);
   if (!fault.empty()) return tl::unexpected(path + ": " + fault);
   if (ftruncate(journal.file_, static_cast<off_t>(complete)) != 0) {
     return tl::unexpected(path + ": " + std::strerror(errno));

@@ -55,6 +55,8 @@ class Run:
 
 CAMPAIGN = ["campaign", "--cases", "0", "--corpus", "OUT/corpus", "--jobs", "1", "--minimize-runs", "3", "--output",
             "OUT/campaign", "--"]
+WORKER = ("while read n rest; do while [ $n -gt 0 ]; do read point; n=$((n-1)); done; "
+          "printf '4\\n0 1 2 4\\n0 1 3 4\\n0 2 3 4\\n1 2 3 4\\n'; done")
 RUNS = [
     Run("check", ["check", "CORPUS/peers/tetgen/cube-3d.1.ele"]),
     Run("check-wrong", ["check", "CORPUS/peers/tetgen/hunted-tetgen-covered-twice-3d.1.ele", "--format", "json"],
@@ -73,6 +75,10 @@ RUNS = [
         ["drawn/sphere+ulp-7.node", "drawn/sphere+ulp-8.node"]),
     Run("campaign", CAMPAIGN + ["/bin/sh", "-c", 'cp "$2" "$1"', "{points}", "{mesh}", "OUT/five.ele"],
         in_slice={("read", "EIO", False)}),
+    # It goes on with the journal of a campaign that has ended, whose lines it must not lose.
+    Run("campaign-again", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"],
+        in_slice={("read", "EIO", False)}),
+    Run("campaign-worker", CAMPAIGN[:1] + ["--worker"] + CAMPAIGN[1:] + ["/bin/sh", "-c", WORKER]),
     Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"],
         in_slice={("pipe", "EMFILE", False)})]
 BEFORE = b"what was there before\n"
@@ -84,7 +90,7 @@ class Torture:
     def __init__(self, command, corpus, folder):
         self.command, self.corpus, self.folder = command, corpus, folder
         self.out, self.scratch, self.count = folder / "out", folder / "scratch", folder / "count"
-        self.library = folder / "failing_calls.so"
+        self.library, self.journal = folder / "failing_calls.so", b""
         source = pathlib.Path(__file__).with_suffix(".c")
         subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-Wall", "-o", self.library, source], check=True)
 
@@ -107,6 +113,10 @@ class Torture:
             (self.out / "corpus").mkdir()
             (self.out / "corpus" / "five.node").write_text(
                 "5 3 0 0\n0 0 0 0\n1 4 0 0\n2 0 4 0\n3 0 0 4\n4 1 1 1\n", encoding="utf-8")
+            if run.name == "campaign-again":
+                subprocess.run(self.arguments(run), capture_output=True, check=False, timeout=TIME_LIMIT,
+                               env={**os.environ, "TMPDIR": str(self.scratch)})
+                self.journal = (self.out / "campaign" / "journal.tsv").read_bytes()
             (self.out / "five.ele").write_text("4 4 0\n0 0 1 2 4\n1 0 1 3 4\n2 0 2 3 4\n3 1 2 3 4\n", encoding="utf-8")
 
     def run(self, run, failure, first, before=False):
@@ -126,6 +136,9 @@ class Torture:
         if run.name.startswith("campaign"):
             found = self.out / "campaign" / "findings"
             outputs["findings"] = sorted(path.name for path in found.iterdir()) if found.is_dir() else []
+            if run.name == "campaign-again":
+                journal = self.out / "campaign" / "journal.tsv"
+                outputs["journal"] = b"" if journal.read_bytes().startswith(self.journal) else journal.read_bytes()
             # How long it took differs, and a campaign may say that it had to do without a namespace.
             done.stdout = re.sub(rb"in [0-9.]+ (s|min)|note: a supervisor contained[^\n]*\n", b"", done.stdout)
             done.stderr = re.sub(rb"^campaign: .*\n", b"", done.stderr, flags=re.MULTILINE)  # progress
@@ -153,7 +166,7 @@ class Torture:
             if code != undisturbed[0]:
                 faults.append(f"exit code {code} is not {undisturbed[0]}")
             # A finding that could not be run or read again is told with its larger input.
-            last = -1 if run.name == "campaign-finding" else None
+            last = -1 if run.name in ("campaign-finding", "campaign-again") else None
             if out.splitlines()[last:] != undisturbed[1].splitlines()[last:]:
                 faults.append("answered, and printed something else: " + out[-300:].decode(errors="replace"))
             if outputs != undisturbed[3]:
@@ -164,9 +177,11 @@ class Torture:
         if not lines or told != lines or len(lines) > 2:  # compare has two inputs, and an output and stdout may fail
             faults.append(f"exit code {code}, and not one line for each file that says why: {lines}")
         for name, output in outputs.items():
-            if name == "findings" and not set(output) <= set(undisturbed[3][name]):
+            if name == "journal" and output:
+                faults.append("the journal lost what was in it")
+            elif name == "findings" and not set(output) <= set(undisturbed[3][name]):
                 faults.append(f"found {output}")
-            elif name != "findings" and output not in (None, BEFORE, undisturbed[3][name]):
+            elif name not in ("findings", "journal") and output not in (None, BEFORE, undisturbed[3][name]):
                 faults.append(f"{name} has {len(output)} bytes, and is not the whole output")
         return faults
 
