@@ -45,13 +45,13 @@ def is_of_floats(points):
 
 
 def column(row, arguments):
-    """What the target makes of each input."""
+    """What the target makes of each input, each in a process of its own."""
     made = {}
     command = command_of(row, arguments.builds)
     for dimension in row["dimensions"].split(","):
         with tempfile.TemporaryDirectory() as folder:
             words = [arguments.circumspect, "campaign", "--worker", "--claim", row["claim"], "--dimension", dimension, "--cases", "0",
-                     "--corpus", str(CORPUS), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
+                     "--worker-cases", "1", "--corpus", str(CORPUS), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
             words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []
             subprocess.run([*words, "--", *command], cwd=HERE.parents[1], check=False)
             lines = [line.split("\t") for line in (Path(folder) / "journal.tsv").read_text().splitlines()]

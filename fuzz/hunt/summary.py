@@ -138,6 +138,12 @@ def faults_of_tables():
             yield f"{name}: expected the signature {rows[name]['signature']}, found {entry['signature']} in docs/findings/README.md"
         if f"## {name}\n" not in (PAGES / f"{entry['page']}.md").read_text():
             yield f"{name}: expected an entry in docs/findings/{entry['page']}.md, found none"
+    lines = [line.split("\t") for line in (HERE / "everywhere.tsv").read_text().splitlines()]
+    cells = {line[0]: dict(zip(lines[0], line)) for line in lines}
+    for name, row in rows.items():
+        cell = cells.get(row["input"], {}).get(target_of(row), row["signature"])
+        if not cell.startswith(row["signature"]):
+            yield f"everywhere.tsv: {name}: expected {row['signature']}, found {cell}"
     for run in table(RUNS, RUN_COLUMNS):
         if run["target"] not in known:
             yield f"runs.tsv: expected a target of targets.tsv, found {run['target']}"
