@@ -45,13 +45,13 @@ def is_of_floats(points):
 
 
 def column(row, arguments):
-    """What the target makes of each input."""
+    """What the target makes of each input, each in a process of its own."""
     made = {}
     command = command_of(row, arguments.builds)
     for dimension in row["dimensions"].split(","):
         with tempfile.TemporaryDirectory() as folder:
             words = [arguments.circumspect, "campaign", "--worker", "--claim", row["claim"], "--dimension", dimension, "--cases", "0",
-                     "--corpus", str(CORPUS), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
+                     "--worker-cases", "1", "--corpus", str(CORPUS), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
             words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []
             subprocess.run([*words, "--", *command], cwd=HERE.parents[1], check=False)
             lines = [line.split("\t") for line in (Path(folder) / "journal.tsv").read_text().splitlines()]
@@ -81,8 +81,15 @@ def write_table(cells):
     TABLE.write_text("".join("\t".join(line) + "\n" for line in lines))
 
 
-def is_wrong(cell):
-    return cell not in ("holds", "refused", "skipped", "flaky", "-") and not cell.endswith("-rounding")
+def outcome(cell):
+    """right, rounding, refused, extreme or otherwise; empty where nothing is asked: a flat set has no mesh to be right."""
+    if cell in ("-", "skipped", "flaky") or cell.endswith("-flat"):
+        return ""
+    if cell in ("holds", "refused"):
+        return {"holds": "right", "refused": "refused"}[cell]
+    if "-rounding" in cell:
+        return "rounding"
+    return "extreme" if cell.endswith("-extreme") else "otherwise"
 
 
 def page():
@@ -95,14 +102,15 @@ def page():
            "Here each was given to each library that was hunted. `fuzz/hunt/everywhere.tsv` has the outcome of each, and",
            "`fuzz/hunt/propagate.py` writes it and this page.", "",
            "These are outcomes, and not all of them are faults: [the pages of the libraries](README.md) say what each promises. Many of the inputs are nearly",
-           "degenerate, or lie far from the origin. *Rounding* is a facet that is not locally Delaunay by less than 10⁻⁹ of the ball.", "",
-           "| library | version | inputs | right | rounding | refused | otherwise |", "| --- | --- | --- | --- | --- | --- | --- |"]
+           "degenerate, or lie far from the origin. *Rounding* is a facet that is not locally Delaunay by less than 10⁻⁹ of the ball.",
+           "*Far* are inputs with numbers beyond 2¹⁰⁰ or below 2⁻¹⁰⁰, which came out otherwise than right; sets that lie in a hyperplane are not counted.", "",
+           "| library | version | inputs | right | rounding | refused | far | otherwise |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     tally = []
     for name in names:
-        column_ = [cells[one][name] for one in cells if cells[one][name] not in ("-", "skipped")]
-        counts = [len(column_), column_.count("holds"), sum(c.endswith("-rounding") for c in column_), column_.count("refused"),
-                  sum(map(is_wrong, column_))]
-        tally.append((counts[4] / max(1, counts[0]), name, counts))
+        made = [outcome(row.get(name, "-")) for row in cells.values()]
+        counts = [made.count(one) for one in ("right", "rounding", "refused", "extreme", "otherwise")]
+        counts.insert(0, sum(counts))
+        tally.append((counts[-1] / max(1, counts[0]), name, counts))
     for _, name, counts in sorted(tally):
         row = of[name]
         link = f"[{row['library']}]({row['page']}.md)" if (PAGE.parent / f"{row['page']}.md").exists() else row["library"]
@@ -110,8 +118,9 @@ def page():
     out += ["", "## By input", "", "| input | points | wrong in | which |", "| --- | --- | --- | --- |"]
     rows = []
     for one, points in given.items():
-        asked = [name for name in names if cells.get(one, {}).get(name, "-") not in ("-", "skipped")]
-        wrong = [name for name in asked if is_wrong(cells[one][name])]
+        made = {name: outcome(cells.get(one, {}).get(name, "-")) for name in names}
+        asked = [name for name in names if made[name]]
+        wrong = [name for name in asked if made[name] in ("extreme", "otherwise")]
         if asked:
             rows.append((-len(wrong), one, f"| `{one}` | {len(points)} in dimension {len(points[0])} | {len(wrong)} of {len(asked)} | {', '.join(wrong)} |"))
     out += [line for _, _, line in sorted(rows)]

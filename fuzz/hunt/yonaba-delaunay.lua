@@ -7,7 +7,7 @@ for header in io.lines() do
   local count = tonumber(header:match("^%d+"))
   for i = 1, count do
     local x, y = io.read("l"):match("(%S+) (%S+)")
-    points[i] = Delaunay.Point(tonumber(x), tonumber(y))
+    points[i] = Delaunay.Point(tonumber(x) + 0.0, tonumber(y) + 0.0) -- floats, as integers of Lua wrap
     points[i].own = i - 1
   end
   local made = Delaunay.triangulate(table.unpack(points))
