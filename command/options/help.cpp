@@ -25,14 +25,16 @@ struct Group {
 const std::vector<Group>& groups() {
   static const std::vector<Group> all = {
       {"Claim",
-       {"claim", "weighted", "oriented", "neighbors", "by", "refusal-exit-code", "refusal-text"}},
+       {"claim", "weighted", "oriented", "neighbors", "by", "against", "refusal-exit-code",
+        "refusal-text"}},
       {"Domain", {"domain", "fill", "hole", "region", "merge-coplanar", "within"}},
       {"Input",
        {"points", "mesh", "stdin", "stdout", "worker", "worker-cases", "first-index", "coordinates",
         "duplicates", "keep-label", "allow-empty"}},
       {"Drawn inputs",
        {"seed", "families", "exclude", "exponents", "extreme", "integers", "known", "max-points",
-        "cases", "corpus", "dimension", "full-dimension", "list", "count", "fewer"}},
+        "cases", "corpus", "dimension", "full-dimension", "metamorphic", "updates", "list", "count",
+        "fewer"}},
       {"Construction",
        {"algorithm", "order", "location", "statistics", "some-points", "steiner-points"}},
       {"Facts",
