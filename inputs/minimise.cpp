@@ -240,8 +240,10 @@ UpdatesCase minimised(UpdatesCase whole, const StillFails<UpdatesCase>& still_fa
 ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
                       const MinimiseLimits& limits) {
   Budget budget(limits);
+  const bool is_valid = validated(whole.input, 1).has_value();
   const AcceptsInput accepts = [&](const PiecewiseLinearInput& candidate) {
-    if (candidate.points.empty() || budget.is_spent() || !validated(candidate, 1)) return false;
+    if (candidate.points.empty() || budget.is_spent()) return false;
+    if (is_valid && !validated(candidate, 1)) return false;
     return budget.take() && still_fails({whole.family, candidate});
   };
   for (bool again = true; again;) {

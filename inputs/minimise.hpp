@@ -33,7 +33,7 @@ PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
                      const MinimiseLimits& limits = {});
 
 // The same for domains: polygons, segments and hole seeds are dropped, then vertices that no cell uses,
-// then coordinates are moved. `still_fails` is asked about valid inputs only.
+// then coordinates are moved. `still_fails` is asked about valid inputs only, if it is one.
 ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
                       const MinimiseLimits& limits = {});
 

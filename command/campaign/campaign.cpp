@@ -60,6 +60,9 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
   for (const int code : subject.refusal_codes) refusals.push_back(std::to_string(code));
   std::vector<std::string_view> updates;
   for (const generators::UpdateKind kind : subject.updates) updates.push_back(name(kind));
+  std::vector<std::string_view> untidiness;
+  for (const generators::Untidiness kind : options.subject.untidiness)
+    untidiness.push_back(name(kind));
   std::vector<std::string_view> relations;
   for (const generators::Relation relation : subject.relations) relations.push_back(name(relation));
   return {{"command", campaign::command_line(subject)},
@@ -80,6 +83,7 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
           {"--worker", subject.talk ? fmt::format("{} cases", subject.talk->cases) : "no"},
           {"--updates", fmt::format("{}", fmt::join(updates, ","))},
           {"--metamorphic", fmt::format("{}", fmt::join(relations, ","))},
+          {"--untidy", fmt::format("{}", fmt::join(untidiness, ","))},
           {"--against", join(subject.against)},
           {"--first-index", std::to_string(subject.first_index)},
           {"--full-dimension", subject.full_dimension ? "yes" : "no"},
@@ -235,7 +239,9 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   }
   campaign::Plan plan;
   plan.subject = std::move(*subject);
-  auto sources = campaign_sources(plan.subject, options.families, options.excluded, options.sizes);
+  Sizes sizes = options.sizes;
+  sizes.untidiness.insert(options.subject.untidiness.begin(), options.subject.untidiness.end());
+  auto sources = campaign_sources(plan.subject, options.families, options.excluded, sizes);
   if (!sources) return fault(sources.error(), ExitCode::kUsage);
   plan.sources = std::move(*sources);
   if (!options.corpus.empty()) {

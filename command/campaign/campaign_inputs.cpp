@@ -55,8 +55,12 @@ Source source_of(const Family& family, const campaign::Subject& subject, const S
 
 Source source_of(const ComplexFamily& family, const campaign::Subject&, const Sizes& sizes) {
   const std::size_t max_points = sizes.max_points.value_or(generators::kFewPoints);
-  return {family.name, [&family, max_points](std::uint64_t seed) -> campaign::Input {
-            return generators::in_doubles(generators::drawn(family, max_points, seed));
+  return {family.name,
+          [&family, max_points, kinds = sizes.untidiness](std::uint64_t seed) -> campaign::Input {
+            auto whole = generators::in_doubles(generators::drawn(family, max_points, seed));
+            if (kinds.empty()) return whole;
+            generators::Dice dice(generators::mixed(seed));
+            return generators::untidied(dice, std::move(whole), kinds);
           }};
 }
 
@@ -100,6 +104,14 @@ tl::expected<Sources, std::string> named(const std::vector<std::string>& names, 
 // The domain of a file, if it is one of Definition 4.3 when its numbers are doubles.
 tl::expected<campaign::Input, std::string> domain_input(const campaign::Subject& subject,
                                                         const std::string& path) {
+  if (subject.is_untidy) {
+    auto raw = formats::read_domain(path, NumberReading::kDouble);
+    if (!raw) return tl::unexpected(raw.error().to_string());
+    if (raw->dimension == 2) {
+      generators::ComplexCase whole{path, std::move(raw->input)};
+      return campaign::Input(generators::in_doubles(std::move(whole)));
+    }
+  }
   // Polygons are joined for the judge, not for the program.
   auto loaded = load_domain(path, {}, DomainOptions{.fill = subject.fill});
   if (!loaded) return tl::unexpected(loaded.error().message);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,15 +10,17 @@
 
 #include "fuzz/campaign/campaign.hpp"
 #include "inputs/modifiers.hpp"
+#include "inputs/untidy.hpp"
 
 namespace circumspect::cli {
 
-// How many points the inputs have, and how large and how long their numbers are.
+// How many points the inputs have, how large and how long their numbers are, and how untidy they are.
 struct Sizes {
   std::optional<std::size_t> max_points;  // without it generators::count_of_a_campaign
   generators::Exponents exponents = {-100, 100};
   bool extreme = false;  // as the families have them
   std::optional<int> integers;
+  std::set<generators::Untidiness> untidiness = {};  // of domains of the plane; none: they are tidy
 };
 
 // "exponents -100 to 100", and "integers of 20 bits" where they are.

@@ -102,6 +102,18 @@ void add_comparisons(CLI::App& command, SubjectOptions& options) {
       ->delimiter(',')
       ->transform(one_of(relations))
       ->option_text("order,translation,reflection,scaling,repetition");
+  using generators::Untidiness;
+  const std::map<std::string, Untidiness> kinds = {{"touching", Untidiness::kTouching},
+                                                   {"crossing", Untidiness::kCrossing},
+                                                   {"overlapping", Untidiness::kOverlapping},
+                                                   {"repetition", Untidiness::kRepetition}};
+  command
+      .add_option("--untidy", options.untidiness,
+                  "Of domains in the plane: segments touch, cross and overlap inside, and vertices "
+                  "come twice. Their meshes are held against the exact arrangement of the segments")
+      ->delimiter(',')
+      ->transform(one_of(kinds))
+      ->option_text("touching,crossing,overlapping,repetition");
   command
       .add_option(
           "--against", options.against,
@@ -215,6 +227,9 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
   }
   if (domains && options.dimension != 2 && options.dimension != 3) {
     return "expected --dimension 2 or 3 for domains";
+  }
+  if (subject.is_untidy && (!domains || options.dimension != 2)) {
+    return "expected --untidy with {domain} or --domain and --dimension 2, found another input";
   }
   if (!options.said.holes.empty() || !options.said.regions.empty()) {
     return "expected no --hole and no --region, which are points of one domain, found one: domains "
@@ -345,6 +360,7 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   }
   subject.updates.insert(options.updates.begin(), options.updates.end());
   subject.relations.insert(options.relations.begin(), options.relations.end());
+  subject.is_untidy = !options.untidiness.empty();
   subject.dimension = options.dimension;
   const bool counts_from_zero = formats::extension(subject.mesh_name) == ".qhull-i";
   subject.first_index = counts_from_zero ? 0 : options.first_index;

@@ -10,6 +10,7 @@
 #include "command/options/domain_options.hpp"
 #include "fuzz/campaign/outcome.hpp"
 #include "inputs/minimise.hpp"
+#include "inputs/untidy.hpp"
 
 namespace CLI {
 class App;
@@ -29,6 +30,7 @@ struct SubjectOptions {
   std::vector<generators::UpdateKind> updates;
   std::vector<generators::Relation> relations;
   std::string against;
+  std::vector<generators::Untidiness> untidiness;
   std::optional<Claim> claim;
   DomainOptions said;  // of every domain
   std::size_t dimension = 3;

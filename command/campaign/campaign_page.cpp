@@ -7,6 +7,7 @@
 #include "command/check/judge_loaded.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/output/output.hpp"
+#include "fuzz/campaign/judge_mesh.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
 
@@ -72,12 +73,14 @@ picture::Page campaign_page(const campaign::Result& result, const campaign::Plan
                             {"text", details.value("text", "not made small yet")},
                             {"minimal", small_input(folder + own)},
                             {"reproduce", on_one_line(folder + "/reproduce.sh")}};
-    const std::string image =
-        folder + (plan.subject.is_about_domains() ? "/image.poly" : "/image.node");
     const bool is_of_image =
         details["signature"].get<std::string>().find("-after-") != std::string::npos;
-    if (has_rule && add_judged(finding, folder + "/output/" + plan.subject.mesh_name,
-                               is_of_image ? image : folder + own, plan.subject, page)) {
+    const std::string stem = plan.subject.is_untidy ? "/arranged"
+                             : is_of_image          ? "/image"
+                                                    : "/minimal";
+    const std::string judged = folder + stem + formats::extension(own);
+    if (has_rule && add_judged(finding, folder + "/output/" + plan.subject.mesh_name, judged,
+                               plan.subject, page)) {
       continue;
     }
     page.add_finding(std::move(finding));
@@ -91,9 +94,13 @@ picture::Page minimal_page(report::Json finding, const campaign::Input& input,
   const std::string extension = subject.is_about_domains() ? ".poly" : ".node";
   // Beside the program's own folder, so that nothing of the program is in its place.
   const std::string file = runner.work_folder() + "-minimal" + extension;
-  const auto text =
-      campaign::file_text(input, extension, subject.first_index, subject.dimension).value_or("");
-  finding["minimal"] = text.size() > kLongestInput ? "" : on_lines(text);
+  const auto text_of = [&](const campaign::Input& one) {
+    return campaign::file_text(one, extension, subject.first_index, subject.dimension).value_or("");
+  };
+  const std::string shown = text_of(input);
+  const auto* const domain = std::get_if<campaign::ComplexCase>(&input);
+  const std::string text = domain == nullptr ? shown : text_of(campaign::tidy(subject, *domain));
+  finding["minimal"] = shown.size() > kLongestInput ? "" : on_lines(shown);
   const std::string mesh = runner.mesh_file();
   const bool is_written = write_file(file, [&](std::ostream& out) { out << text; }).empty();
   if (mesh.empty() || !is_written || !add_judged(finding, mesh, file, subject, page)) {

@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "fuzz/campaign/judge_mesh.hpp"
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/lines.hpp"
@@ -126,10 +127,11 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n"
       "issue.md       for the authors of the program; its version is to be added\n\n"
-      "{}{}",
+      "{}{}{}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
       origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
       outcome.image ? "image" + own + "     the small one changed, with which it fails\n\n" : "",
+      subject.is_untidy ? "arranged.poly  what has to be meshed: cut where segments meet\n\n" : "",
       outcome.explanation);
 }
 
@@ -210,8 +212,9 @@ std::string check_line(const Subject& subject, const Input& minimal, const std::
                      quoted_for_shell(in_folder(subject.mesh_name)) + " --claim " +
                      std::string(name(subject.claim));
   if (subject.is_about_domains()) {
-    return line + " --domain \"$here/" + stem + ".poly\" --domain-kind " +
-           std::string(name(subject.fill)) + (subject.merges_coplanar ? " --merge-coplanar" : "");
+    return line + " --domain \"$here/" + (subject.is_untidy ? "arranged" : stem) +
+           ".poly\" --domain-kind " + std::string(name(subject.fill)) +
+           (subject.merges_coplanar ? " --merge-coplanar" : "");
   }
   const std::string extension = formats::extension(subject.mesh_name);
   if (extension == ".ele" || extension == ".qhull-i")
@@ -250,6 +253,11 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
                    const Runner& runner) {
   write_input_as(folder + "/minimal", subject, minimal);
   if (outcome.image) write_input_as(folder + "/image", subject, *outcome.image);
+  if (subject.is_untidy) {
+    const auto& whole = std::get<ComplexCase>(outcome.image ? *outcome.image : minimal);
+    write_durably(folder + "/arranged.poly",
+                  file_text(tidy(subject, whole), ".poly", subject.first_index, 2).value_or(""));
+  }
   copy_output(folder, subject, runner);
   write_durably(folder + "/said.txt", on_lines(runner.said()));
   const report::Json document = verdict_document(subject, origin, found, minimal, outcome);

@@ -10,6 +10,7 @@
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/kernel/exact/point.hpp"
+#include "reference/kernel/piecewise_linear/arrangement.hpp"
 #include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
@@ -119,7 +120,8 @@ Outcome judged_set(const Subject& subject, const PointsCase& set, const std::str
 // What of the domain is filled, and which of its polygons are one, is as the subject says. Nothing if its walls
 // are not turned one way. Requires: a valid domain.
 std::optional<PiecewiseLinearComplex> held_against(const Subject& subject,
-                                                   const ComplexCase& whole) {
+                                                   const ComplexCase& given) {
+  const ComplexCase whole = tidy(subject, given);
   PiecewiseLinearComplex complex = whole.complex();
   complex.kind = kind_of(subject.fill);
   if (subject.fill == Fill::kEvenOdd || subject.fill == Fill::kWinding) {
@@ -187,7 +189,8 @@ std::string reason_to_skip_updates(const Subject& subject, const UpdatesCase& wh
 std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& whole) {
   if (whole.input.points.empty()) return "the domain is empty";
   if (whole.input.points.front().size() != subject.dimension) return "another dimension";
-  PiecewiseLinearInput input = whole.input;
+  PiecewiseLinearInput input = tidy(subject, whole).input;
+  if (!is_of_doubles(ComplexCase{whole.family, input})) return "segments cross in no double";
   input.kind = kind_of(subject.fill);
   const auto complex = validated(input, 1);
   if (!complex) return "the domain is not valid";
@@ -199,6 +202,10 @@ std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& who
 }
 
 }  // namespace
+
+ComplexCase tidy(const Subject& subject, const ComplexCase& whole) {
+  return subject.is_untidy ? ComplexCase{whole.family, arranged(whole.input)} : whole;
+}
 
 Outcome judged(const Subject& subject, const Input& input, const std::string& path) {
   if (const auto set = judged_points(input)) return judged_set(subject, *set, path);

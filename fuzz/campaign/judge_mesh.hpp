@@ -15,6 +15,9 @@ namespace circumspect::campaign {
 // Requires: the file is a regular one.
 Outcome judged(const Subject& subject, const Input& input, const std::string& path);
 
+// The domain that meshes are held against: the one of the input or, where that may be untidy, its arrangement.
+ComplexCase tidy(const Subject& subject, const ComplexCase& whole);
+
 // Are these two meshes of the input, both right, different ones where there is only one right one? Of points: where the
 // Delaunay triangulation is unique and one of them is that; of a domain: where the CDT certainly is. Where they
 // differ otherwise, false.

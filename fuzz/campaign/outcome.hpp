@@ -101,6 +101,8 @@ struct Subject {
   Fill fill = Fill::kEnclosed;  // of a domain: which part of it is to be meshed
   bool merges_coplanar =
       false;  // the mesh is held against the domain with polygons of one plane joined
+  // Domains of the plane that are not tidy; their meshes are held against their arrangements (arrangement.hpp).
+  bool is_untidy = false;
   bool full_dimension = false;                  // skip points that lie in a hyperplane
   std::set<int> refusal_codes = {};             // exit codes that say: not an input for me
   std::vector<std::string> refusal_texts = {};  // what it prints when it says so

@@ -236,6 +236,33 @@ TEST_CASE("a program is held against another one that gets it right") {
   CHECK(runner.said_of_other(kite) == "sh: exit-code-3");
 }
 
+TEST_CASE("the mesh of an untidy domain is held against the arrangement") {
+  // A square whose diagonals cross in (1, 1).
+  ComplexCase whole;
+  whole.input.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  whole.input.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}};
+  const std::string four =
+      "printf 'nOFF 2\\n5 4 0\\n0 0\\n2 0\\n2 2\\n0 2\\n1 1\\n"
+      "3 0 1 4\\n3 1 2 4\\n3 2 3 4\\n3 3 0 4\\n' > x.off";
+  const std::string two =
+      "printf 'nOFF 2\\n4 2 0\\n0 0\\n2 0\\n2 2\\n0 2\\n3 0 1 2\\n3 0 2 3\\n' > x.off";
+  Subject subject = shell(four);
+  subject.input_name = "x.poly";
+  subject.mesh_name = "x.off";
+  subject.dimension = 2;
+  subject.claim = Claim::kCdt;
+  CHECK(Runner(subject).run(whole).kind == OutcomeKind::kSkipped);
+  subject.is_untidy = true;
+  CHECK(Runner(subject).run(whole).text == "");
+  subject.command[2] = two;
+  const Outcome lacks = Runner(subject).run(whole);
+  CHECK(lacks.kind == OutcomeKind::kFails);
+  CHECK(lacks.signature == "domain.vertex-missing");
+  // Segments that cross in (2/3, 2/3), which no program can write.
+  whole.input.points = {{0, 0}, {2, 0}, {2, 2}, {0, 1}};
+  CHECK(Runner(subject).run(whole).text == "segments cross in no double");
+}
+
 TEST_CASE("no case finds what the one before it left") {
   const Subject subject =
       shell("ls -A . | grep -v x.node && exit 9; mkdir -p a/b; touch a/b/c d; chmod 0 a; exit 0");
