@@ -175,7 +175,7 @@ mutants-generated: deps-test
 soak-fuzz: deps-test
 	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON -DCIRCUMSPECT_VALUES_FROM=
 	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/targets/%.cpp,%,$(FUZZ_TARGETS))
-	@SEED=$$RANDOM fuzz/targets/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
+	@SEED=$$RANDOM TOTALS=fuzz/targets/totals.tsv CORPUS=build/fuzz-corpus fuzz/targets/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
 
 # Hunts every library of fuzz/hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
 # (5m). A signature that fuzz/hunt/runs.tsv does not have of a library is a failure.

@@ -56,7 +56,8 @@ bool are_details(const report::Json& details) {
 report::Json details_of(const Finding& finding) {
   constexpr int kDeepest = 64;
   const std::string path = finding.folder + "/verdict.json";
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path))) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) {
     return report::Json::object();
   }
   const formats::Result<formats::Source> source = formats::load(path);

@@ -4,6 +4,8 @@
 #   fuzz/targets/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]
 # TARGET is a fuzzer, FOLDER one that has them all, such as build/sanitize/fuzz. Exits 1 at the first
 # finding, which stays in a folder that is named, and says how to repeat it. SEED=… draws other inputs.
+# TOTALS=FILE adds to a table, a line a target: inputs run so far in all, and the most edges and features that a run came across.
+# CORPUS=FOLDER begins with the inputs that former runs kept there, and leaves there a smallest set that covers as much.
 set -euo pipefail
 
 [ $# -ge 2 ] || { echo "usage: fuzz/targets/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]" >&2; exit 2; }
@@ -22,6 +24,8 @@ for target in "${targets[@]}"; do
   name=$(basename "$target")
   work=$(mktemp -d)
   mkdir "$work/corpus"
+  kept=${CORPUS:+$CORPUS/$name}
+  [ -z "$kept" ] || { mkdir -p "$kept" && cp -R "$kept/." "$work/corpus/"; }
   dictionary=()
   [ ! -f "$sources/$name.dict" ] || dictionary=("-dict=$sources/$name.dict")
   status=0
@@ -34,7 +38,23 @@ for target in "${targets[@]}"; do
     echo "fuzz/targets/run.sh: $name failed; its input is in $work. To repeat it: $target $work/crash-*" >&2
     exit 1
   fi
-  echo "$name: $(grep -o 'stat::number_of_executed_units: *[0-9]*' "$work/log" | grep -o '[0-9]*$')" \
-       "inputs, $(grep -c . < <(ls "$work/corpus")) new ones kept, nothing found"
+  inputs=$(grep -o 'stat::number_of_executed_units: *[0-9]*' "$work/log" | grep -o '[0-9]*$')
+  edges=$(grep -o 'cov: [0-9]*' "$work/log" | tail -n 1 | grep -o '[0-9]*$' || echo 0)
+  features=$(grep -o 'ft: [0-9]*' "$work/log" | tail -n 1 | grep -o '[0-9]*$' || echo 0)
+  if [ -n "${TOTALS:-}" ]; then
+    [ -f "$TOTALS" ] || printf '# What make soak-fuzz has run: target, inputs, edges, features\n' >"$TOTALS"
+    awk -F '\t' -v OFS='\t' -v CONVFMT='%.0f' -v OFMT='%.0f' -v name="$name" -v inputs="$inputs" -v edges="$edges" \
+        -v features="$features" '
+      $1 == name { $2 += inputs; if (edges + 0 > $3) $3 = edges; if (features + 0 > $4) $4 = features; found = 1 }
+      { print }
+      END { if (!found) print name, inputs, edges, features }' "$TOTALS" >"$work/totals"
+    cat "$work/totals" >"$TOTALS"
+  fi
+  if [ -n "$kept" ]; then
+    mkdir "$work/smallest"
+    "$target" -merge=1 -timeout=25 -rss_limit_mb=2048 "$work/smallest" "$work/corpus" >"$work/log" 2>&1
+    rm -rf "$kept" && cp -R "$work/smallest" "$kept"
+  fi
+  echo "$name: $inputs inputs, $edges edges, $(grep -c . < <(ls "$work/corpus")) inputs kept, nothing found"
   rm -rf "$work"
 done

@@ -91,12 +91,13 @@ def main():
             process.returncode = code = os.waitstatus_to_exitcode(status)
             seconds, megabytes = usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
             told = [line for line in err.read_text(encoding="utf-8").splitlines() if "may take" in line]
+            ended = b"by --limit" in out.read_bytes()[-400:] or code == 4
             word = told[0].split(" may take about ")[1].split(" (")[0] if told else "-"
-            print(f"| {what} | `{' '.join(arguments)}` | {seconds:.1f}{', ended by its limit' if code == 4 else ''} | {megabytes:.0f} | {word} |", flush=True)
+            print(f"| {what} | `{' '.join(arguments)}` | {seconds:.1f}{', ended by its limit' if ended else ''} | {megabytes:.0f} | {word} |", flush=True)
             if code not in (0, 1, 3, 4) or seconds > most or megabytes > MEGABYTES:
                 print(f"{what}: expected at most {most} s and {MEGABYTES} MB, found {seconds:.1f} s, {megabytes:.0f} MB, exit code {code}")
                 faults += 1
-            if code == 4 and not told and out.stat().st_size < 10000:
+            if ended and not told and out.stat().st_size < 10000:
                 print(f"{what}: ended by its limit, and had neither said how long it may take nor printed a part of its answer")
                 faults += 1
     return 1 if faults else 0
