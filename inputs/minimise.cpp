@@ -15,7 +15,8 @@ class Budget {
   explicit Budget(const MinimiseLimits& limits) : limits_(limits) {}
 
   bool is_spent() const {
-    return tries_ >= limits_.tries || std::chrono::steady_clock::now() - start_ >= limits_.time;
+    return (limits_.stop != nullptr && *limits_.stop) || tries_ >= limits_.tries ||
+           std::chrono::steady_clock::now() - start_ >= limits_.time;
   }
   // Counts a try; false if there is none left.
   bool take() {
@@ -30,17 +31,17 @@ class Budget {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// A sublist of `items` that `accepts` still takes, from which no single item can be left out (unless
-// the budget behind `accepts` is spent: then it answers no to everything). Chunks are halved until
+// A sublist of `items` that `accepts` still takes, from which no single item can be left out, unless
+// the budget is spent before. Chunks are halved until
 // they are single items; those at the end go first. Returns whether anything was dropped.
 template <class Item>
-bool drop_items(std::vector<Item>& items,
+bool drop_items(std::vector<Item>& items, const Budget& budget,
                 const std::function<bool(const std::vector<Item>&)>& accepts) {
   const std::size_t before = items.size();
   std::size_t chunk = std::max<std::size_t>(items.size() / 2, 1);
-  while (!items.empty()) {
+  while (!items.empty() && !budget.is_spent()) {
     bool dropped = false;
-    for (std::size_t end = items.size(); end > 0;) {
+    for (std::size_t end = items.size(); end > 0 && !budget.is_spent();) {
       const std::size_t begin = end > chunk ? end - chunk : 0;
       std::vector<Item> rest(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(begin));
       rest.insert(rest.end(), items.begin() + static_cast<std::ptrdiff_t>(end), items.end());
@@ -66,11 +67,13 @@ std::vector<std::size_t> places(std::size_t count) {
   return all;
 }
 
-bool leave_out_points(PointsCase& set, const StillFails<PointsCase>& accepts) {
+bool leave_out_points(PointsCase& set, const Budget& budget,
+                      const StillFails<PointsCase>& accepts) {
   std::vector<std::size_t> kept = places(set.points.size());
   const PointsCase whole = set;
   const bool dropped = drop_items<std::size_t>(
-      kept, [&](const std::vector<std::size_t>& part) { return accepts(chosen(whole, part)); });
+      kept, budget,
+      [&](const std::vector<std::size_t>& part) { return accepts(chosen(whole, part)); });
   if (dropped) set = chosen(whole, kept);
   return dropped;
 }
@@ -89,11 +92,13 @@ UpdatesCase chosen(const UpdatesCase& whole, const std::vector<std::size_t>& kep
   return part;
 }
 
-bool leave_out_points(UpdatesCase& whole, const StillFails<UpdatesCase>& accepts) {
+bool leave_out_points(UpdatesCase& whole, const Budget& budget,
+                      const StillFails<UpdatesCase>& accepts) {
   std::vector<std::size_t> kept = places(whole.set.points.size());
   const UpdatesCase all = whole;
   const bool dropped = drop_items<std::size_t>(
-      kept, [&](const std::vector<std::size_t>& part) { return accepts(chosen(all, part)); });
+      kept, budget,
+      [&](const std::vector<std::size_t>& part) { return accepts(chosen(all, part)); });
   if (dropped) whole = chosen(all, kept);
   return dropped;
 }
@@ -135,12 +140,13 @@ PiecewiseLinearInput with_cells(const PiecewiseLinearInput& input,
 
 using AcceptsInput = std::function<bool(const PiecewiseLinearInput&)>;
 
-bool drop_cells(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
+bool drop_cells(PiecewiseLinearInput& input, const Budget& budget, const AcceptsInput& accepts) {
   const std::size_t count = input.polygons.size() + input.segments.size() + input.hole_seeds.size();
   std::vector<std::size_t> kept = places(count);
   const PiecewiseLinearInput whole = input;
   const bool dropped = drop_items<std::size_t>(
-      kept, [&](const std::vector<std::size_t>& part) { return accepts(with_cells(whole, part)); });
+      kept, budget,
+      [&](const std::vector<std::size_t>& part) { return accepts(with_cells(whole, part)); });
   if (dropped) input = with_cells(whole, kept);
   return dropped;
 }
@@ -154,7 +160,8 @@ PiecewiseLinearInput without(PiecewiseLinearInput input, const std::vector<std::
   return input;
 }
 
-bool drop_unused_points(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
+bool drop_unused_points(PiecewiseLinearInput& input, const Budget& budget,
+                        const AcceptsInput& accepts) {
   const std::vector<bool> used = is_used(input);
   std::vector<std::size_t> unused;
   for (std::size_t v = 0; v < used.size(); ++v) {
@@ -162,9 +169,9 @@ bool drop_unused_points(PiecewiseLinearInput& input, const AcceptsInput& accepts
   }
   std::vector<std::size_t> kept = unused;
   const PiecewiseLinearInput whole = input;
-  const bool dropped = drop_items<std::size_t>(kept, [&](const std::vector<std::size_t>& part) {
-    return accepts(without(whole, unused, part));
-  });
+  const bool dropped = drop_items<std::size_t>(
+      kept, budget,
+      [&](const std::vector<std::size_t>& part) { return accepts(without(whole, unused, part)); });
   if (dropped) input = without(whole, unused, kept);
   return dropped;
 }
@@ -189,10 +196,11 @@ PiecewiseLinearInput with_points(PiecewiseLinearInput input, const PointsCase& s
   return input;
 }
 
-bool move_points(PiecewiseLinearInput& input, const AcceptsInput& accepts) {
+bool move_points(PiecewiseLinearInput& input, const Budget& budget, const AcceptsInput& accepts) {
   PointsCase set = all_points(input);
   const bool simpler = simplify_numbers(
-      set, [&](const PointsCase& moved) { return accepts(with_points(input, moved)); });
+      set, [&](const PointsCase& moved) { return accepts(with_points(input, moved)); },
+      [&] { return budget.is_spent(); });
   if (simpler) input = with_points(input, set);
   return simpler;
 }
@@ -204,11 +212,13 @@ PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
   Budget budget(limits);
   const bool may_repeat = distinct_points(set) < set.points.size();
   const StillFails<PointsCase> accepts = [&](const PointsCase& candidate) {
+    if (budget.is_spent()) return false;
     if (!may_repeat && distinct_points(candidate) < candidate.points.size()) return false;
     return budget.take() && still_fails(candidate);
   };
-  leave_out_points(set, accepts);
-  while (simplify_numbers(set, accepts) && leave_out_points(set, accepts)) {
+  const auto is_over = [&] { return budget.is_spent(); };
+  leave_out_points(set, budget, accepts);
+  while (simplify_numbers(set, accepts, is_over) && leave_out_points(set, budget, accepts)) {
   }
   return set;
 }
@@ -221,17 +231,19 @@ UpdatesCase minimised(UpdatesCase whole, const StillFails<UpdatesCase>& still_fa
     return budget.take() && still_fails(candidate);
   };
   for (bool again = true; again;) {
-    again = leave_out_points(whole, accepts);
+    again = leave_out_points(whole, budget, accepts);
     const UpdatesCase before = whole;
-    again = drop_items<Update>(whole.updates,
+    again = drop_items<Update>(whole.updates, budget,
                                [&](const std::vector<Update>& part) {
                                  return accepts({before.set, part});
                                }) ||
             again;
-    again = simplify_numbers(whole.set,
-                             [&](const PointsCase& moved) {
-                               return accepts({moved, whole.updates});
-                             }) ||
+    again = simplify_numbers(
+                whole.set,
+                [&](const PointsCase& moved) {
+                  return accepts({moved, whole.updates});
+                },
+                [&] { return budget.is_spent(); }) ||
             again;
   }
   return whole;
@@ -247,9 +259,9 @@ ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fa
     return budget.take() && still_fails({whole.family, candidate});
   };
   for (bool again = true; again;) {
-    again = drop_cells(whole.input, accepts);
-    again = drop_unused_points(whole.input, accepts) || again;
-    again = move_points(whole.input, accepts) || again;
+    again = drop_cells(whole.input, budget, accepts);
+    again = drop_unused_points(whole.input, budget, accepts) || again;
+    again = move_points(whole.input, budget, accepts) || again;
   }
   return whole;
 }

@@ -2,6 +2,7 @@
 // it fails in the same way.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -14,10 +15,11 @@
 namespace circumspect::generators {
 
 // When to stop, if nothing simpler is found before. The time is there for programs that are slow: the
-// result depends on it only if it runs out.
+// result depends on it only if it runs out. The smallest input so far is returned, also where `stop` became true.
 struct MinimiseLimits {
   std::size_t tries = 50'000;
   std::chrono::duration<double> time = std::chrono::seconds(120);
+  const std::atomic<bool>* stop = nullptr;
 };
 
 // Chunks of points are dropped, half of all at first (delta debugging: Zeller and Hildebrandt,
@@ -51,8 +53,9 @@ std::size_t length(const Rational& value);
 std::size_t length(const PointsCase& set);
 
 // Moves the coordinates and the weights of all points at once, then one by one, to numbers that are
-// shorter, as long as `accepts` takes them. Returns whether anything became shorter. Doubles
+// shorter, as long as `accepts` takes them, until `is_over`. Returns whether anything became shorter. Doubles
 // whose magnitude is not near the largest become doubles.
-bool simplify_numbers(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts);
+bool simplify_numbers(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts,
+                      const std::function<bool()>& is_over);
 
 }  // namespace circumspect::generators

@@ -137,12 +137,14 @@ std::vector<Rational> simpler_numbers(const Rational& value) {
   return found;
 }
 
-bool simplify_wholes(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts) {
+bool simplify_wholes(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts,
+                     const std::function<bool()>& is_over) {
   bool simpler = false;
-  for (bool again = true; again;) {
+  for (bool again = true; again && !is_over();) {
     again = false;
     const std::size_t now = length(set);
     for (PointsCase& candidate : simpler_wholes(set)) {
+      if (is_over()) break;
       if (length(candidate) >= now || !accepts(candidate)) continue;
       set = std::move(candidate);
       simpler = again = true;
@@ -153,9 +155,11 @@ bool simplify_wholes(PointsCase& set, const std::function<bool(const PointsCase&
 }
 
 bool simplify_one(PointsCase& set, std::size_t which,
-                  const std::function<bool(const PointsCase&)>& accepts) {
+                  const std::function<bool(const PointsCase&)>& accepts,
+                  const std::function<bool()>& is_over) {
   const Rational value = *numbers(set)[which];
   for (const Rational& candidate : simpler_numbers(value)) {
+    if (is_over()) return false;
     PointsCase changed = set;
     *numbers(changed)[which] = candidate;
     if (!accepts(changed)) continue;
@@ -181,12 +185,15 @@ std::size_t length(const PointsCase& set) {
   return total;
 }
 
-bool simplify_numbers(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts) {
-  bool simpler = simplify_wholes(set, accepts);
-  for (bool again = true; again;) {
+bool simplify_numbers(PointsCase& set, const std::function<bool(const PointsCase&)>& accepts,
+                      const std::function<bool()>& is_over) {
+  bool simpler = simplify_wholes(set, accepts, is_over);
+  for (bool again = true; again && !is_over();) {
     again = false;
     const std::size_t count = numbers(set).size();
-    for (std::size_t i = 0; i < count; ++i) again = simplify_one(set, i, accepts) || again;
+    for (std::size_t i = 0; i < count && !is_over(); ++i) {
+      again = simplify_one(set, i, accepts, is_over) || again;
+    }
     simpler = simpler || again;
   }
   return simpler;

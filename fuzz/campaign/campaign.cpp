@@ -315,6 +315,8 @@ std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) {
 
 Input minimised(const Input& input, const std::string& signature, Runner& runner,
                 const MinimiseLimits& limits, const std::atomic<bool>& stop) {
+  MinimiseLimits until_stopped = limits;
+  until_stopped.stop = &stop;
   const auto made_small = [&](bool anew) -> Input {
     const auto fails = [&](const Input& candidate) {
       return !stop &&
@@ -322,7 +324,7 @@ Input minimised(const Input& input, const std::string& signature, Runner& runner
     };
     return std::visit(
         [&]<class Case>(const Case& one) -> Input {
-          return minimised(one, generators::StillFails<Case>(fails), limits);
+          return minimised(one, generators::StillFails<Case>(fails), until_stopped);
         },
         input);
   };
