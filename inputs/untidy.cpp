@@ -30,7 +30,8 @@ Point on_line(const PiecewiseLinearInput& input, std::size_t segment, long quart
   const std::vector<Vertex>& ends = input.segments[segment];
   const Point& a = input.points[static_cast<std::size_t>(ends[0])];
   const Point& b = input.points[static_cast<std::size_t>(ends[1])];
-  return a + Rational(quarters, 4) * (b - a);
+  const Rational part = Rational(quarters) / 4;  // in lowest terms
+  return a + part * (b - a);
 }
 
 // Requires: there is a segment.

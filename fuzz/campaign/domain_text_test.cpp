@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "fuzz/campaign/input.hpp"
 #include "inputs/named_complexes.hpp"
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/domain_file.hpp"
@@ -80,6 +81,23 @@ TEST_CASE("surfaces are files of five kinds, of triangles in two of them") {
     CHECK(!surface_text(with_segment, extension));
     const bool of_triangles = extension == ".stl" || extension == ".msh";
     CHECK(surface_text(generators::box(0, 1), extension).has_value() != of_triangles);
+  }
+}
+
+TEST_CASE("a text that is no sequence of updates is none") {
+  const std::string head = "2 2 0 0 0 0 1\n0 0\n1 0\n";
+  CHECK(read_updates(head + "delete 1\n"));
+  for (const char* const wrong :
+       {"delete 2\n", "delete\n", "delete 1 1\n", "insert 1\n", "insert 1 0\n", "insert 1 2 3\n",
+        "insert 1 x\n", "move 1\n", "", "delete 1\nrestore\n"}) {
+    CAPTURE(wrong);
+    CHECK(!read_updates(head + wrong));
+  }
+  for (const char* const wrong :
+       {"", "1 2 0 0 0 0\n0 0\n", "0 0 0 0 0 0 0\n", "1 2 0 0 0 0 0 0\n1 1\n", "-1 2 0 0 0 0 0\n",
+        "99999999999 2 0 0 0 0 0\n1 1\n"}) {
+    CAPTURE(wrong);
+    CHECK(!read_updates(wrong));
   }
 }
 

@@ -161,23 +161,6 @@ TEST_CASE("the points that are there in the end are those whose mesh is judged")
   CHECK(Runner(late).run(whole).kind == OutcomeKind::kFails);
 }
 
-TEST_CASE("a text that is no sequence of updates is none") {
-  const std::string head = "2 2 0 0 0 0 1\n0 0\n1 0\n";
-  CHECK(read_updates(head + "delete 1\n"));
-  for (const char* const wrong :
-       {"delete 2\n", "delete\n", "delete 1 1\n", "insert 1\n", "insert 1 0\n", "insert 1 2 3\n",
-        "insert 1 x\n", "move 1\n", "", "delete 1\nrestore\n"}) {
-    CAPTURE(wrong);
-    CHECK(!read_updates(head + wrong));
-  }
-  for (const char* const wrong :
-       {"", "1 2 0 0 0 0\n0 0\n", "0 0 0 0 0 0 0\n", "1 2 0 0 0 0 0 0\n1 1\n", "-1 2 0 0 0 0 0\n",
-        "99999999999 2 0 0 0 0 0\n1 1\n"}) {
-    CAPTURE(wrong);
-    CHECK(!read_updates(wrong));
-  }
-}
-
 TEST_CASE("what a program does may not change with what does not count") {
   using generators::Relation;
   Subject subject = shell("grep -q -e ' -' $0 && exit 9; echo '1 4 0\n0 0 1 2 3' > $1");
