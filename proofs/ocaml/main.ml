@@ -188,7 +188,7 @@ let refutation (c : Reading.context) space claimed rule =
   { mesh = lazy mesh; compare_domain = None; verdict }
 
 (* The triangles and edges that may be faces of no simplex. *)
-let own_rows part = List.map fst part.dangling
+let own_rows part = List.rev (List.rev_map fst part.dangling)
 let how_many_dangle part = match List.length part.dangling with
   | 0 -> ""
   | n -> counted n "dangling face" "dangling faces" ^ "; "
@@ -329,6 +329,7 @@ let () =
       (match answer content with
        | answer -> answer
        | exception Sys_error _ -> close_out_noerr stdout; exit 5
+       | exception Stack_overflow -> malformed ": too large for the stack"
        | exception Division_by_zero -> malformed ": the scale is zero")
     | exception Reading.Repeated_label label -> ("rejected: labels-different, label " ^ label, 1)
     | exception Text.Malformed (line, message) -> malformed (Printf.sprintf ":%d: %s" line message)

@@ -35,6 +35,15 @@ End Fuller.
 Lemma incl_firstn {A} n (l : list A) : incl (firstn n l) l.
 Proof. intros a I. rewrite <- (firstn_skipn n l). apply in_or_app. now left. Qed.
 
+Lemma appended_app {A} (l l' : list A) : appended l l' = l ++ l'.
+Proof. unfold appended, rev'. now rewrite !rev_append_rev, app_nil_r, rev_involutive. Qed.
+Lemma mapped_map {A B} (f : A -> B) l : mapped f l = map f l.
+Proof.
+  assert (G : forall made, mapped_onto f l made = rev (map f l) ++ made).
+  { induction l as [|a l IH]; intros made; cbn [mapped_onto map rev]; [reflexivity|]. now rewrite IH, <- app_assoc. }
+  unfold mapped, rev'. now rewrite G, rev_append_rev, !app_nil_r, rev_involutive.
+Qed.
+
 (** ** Rows that are made full *)
 
 Section Rows.
@@ -51,7 +60,9 @@ Notation entry := (@caller_entry d r (sites m)).
 Notation entry' := (@caller_entry d r (sites m ++ pads x)).
 
 Lemma listed_rows : @caller_rows d r (sites (as_listed m x)) (rows (as_listed m x)) = L ++ U.
-Proof. unfold caller_rows. cbn [rows as_listed with_rows sites]. now rewrite map_app. Qed.
+Proof. unfold caller_rows. cbn [rows as_listed with_rows sites]. now rewrite appended_app, mapped_map, map_app. Qed.
+Lemma padded_sites : sites (padded m x) = sites m ++ pads x.
+Proof. apply appended_app. Qed.
 Lemma entry_padded n p : entry n = Some p -> entry' n = Some p.
 Proof.
   destruct n as [k|]; [|discriminate]. cbn. unfold numbered. intros E.
@@ -77,13 +88,14 @@ Qed.
 Lemma fuller : pads_known m x = true ->
   fuller_than (@caller_rows d r (sites (padded m x)) (rows (padded m x))) (L ++ U).
 Proof.
-  intros K s Ls. unfold listed in *. unfold caller_rows in *. cbn [padded with_rows sites rows]. rewrite map_app.
+  intros K s Ls. unfold listed in *. unfold caller_rows in *. rewrite padded_sites. cbn [padded with_rows rows].
+  rewrite appended_app, mapped_map, map_app.
   apply in_app_or in Ls. destruct Ls as [I|I]; apply in_map_iff in I; destruct I as (a & E & I).
   - exists s. split; [|apply incl_refl]. apply in_or_app. left. rewrite <- (entries_padded a s E). now apply in_map.
   - apply in_map_iff in I. destruct I as ((a' & b) & Ea & I). cbn in Ea. subst a'.
     unfold pads_known in K. cbv zeta in K. rewrite forallb_forall in K. specialize (K _ I). cbn [snd] in K.
     destruct (known_entries _ b K) as (t & Et). exists (s ++ t). split; [|now apply incl_appl, incl_refl].
-    apply in_or_app. right. rewrite map_app, <- (entries_padded a s E). cbn [padded with_rows sites] in Et.
+    apply in_or_app. right. rewrite map_app, <- (entries_padded a s E). rewrite padded_sites in Et.
     rewrite <- Et, <- map_app. apply (in_map (map entry')), (in_map (fun ab => fst ab ++ snd ab) _ (a, b)), I.
 Qed.
 
@@ -102,13 +114,13 @@ Proof. destruct n as [k|]; [|reflexivity]. cbn. unfold numbered. rewrite nth_err
 Lemma own_found t f : own_simplex_at m x pr t f = true -> exists X g n, framed X g /\
   listed (L ++ U) (places (firstn n X)) /\ f X n = true.
 Proof.
-  unfold own_simplex_at, own_at. rewrite table_find. intros H.
+  unfold own_simplex_at, own_at. rewrite table_find, appended_app, mapped_map. intros H.
   destruct (numbered _ t) as [(a, b)|] eqn:E; [|discriminate]. cbn [option_map Datatypes.id] in H. apply numbered_in in E.
   apply andb_prop in H. destruct H as [K H]. destruct (proper_simplex_of pr S' (a ++ b)) as [X|] eqn:Px; [|discriminate].
   apply (proper_simplex_of_frame (M r unit_positive) _ (rows m) _ _ padded_shaped padded_found (rows_found m)) in Px.
   destruct Px as (Vx & g & G). exists X, g, (length a). split; [assumption|]. split; [|assumption].
   pose proof (vertices_rows _ _ X Vx) as Er.
-  rewrite (map_ext _ _ (entry_site_for (sites (padded m x)))) in Er. cbn [padded with_rows sites] in Er.
+  rewrite (map_ext _ _ (entry_site_for (sites (padded m x)))), padded_sites in Er.
   destruct (known_entries _ a K) as (s & Es). pose proof (entries_padded a s Es) as Es'.
   assert (Ef : s = places (firstn (length a) X)).
   { apply map_some_inj. rewrite <- Es'. apply (f_equal (firstn (length a))) in Er.

@@ -73,13 +73,19 @@ End Evidence.
 
     Its rows come after the simplices: as the caller has listed them, or made d-simplices by points on which the claim
     does not depend.  A point that is in none of these is in none of their faces. *)
+(** Lists of millions, without recursion that is as deep. *)
+Definition appended {A} (l l' : list A) : list A := rev_append (rev' l) l'.
+Fixpoint mapped_onto {A B} (f : A -> B) (l : list A) (made : list B) : list B :=
+  match l with [] => made | a :: l' => mapped_onto f l' (f a :: made) end.
+Definition mapped {A B} (f : A -> B) (l : list A) : list B := rev' (mapped_onto f l []).
+
 Section Dangling.
 Variables (m : refutation) (x : dangling_part).
 Definition with_rows (S : list site) (l : list row) : refutation :=
   Refutation (refuted m) (unit_numerator m) (unit_denominator m) S l (basis m) (because m).
-Definition as_listed : refutation := with_rows (sites m) (rows m ++ map fst (dangling x)).
+Definition as_listed : refutation := with_rows (sites m) (appended (rows m) (mapped fst (dangling x))).
 Definition padded : refutation :=
-  with_rows (sites m ++ pads x) (rows m ++ map (fun ab => fst ab ++ snd ab) (dangling x)).
+  with_rows (appended (sites m) (pads x)) (appended (rows m) (mapped (fun ab => fst ab ++ snd ab) (dangling x))).
 Definition known_in (S : Table.t site) (n : option positive) : bool :=
   match named S n with Some _ => true | None => false end.
 Definition pads_known : bool :=
@@ -99,7 +105,7 @@ Definition in_own (pr : predicates) (X : list site) (n : nat) (q : site) (w : Z)
   in_simplex pr X q w && forallb (fun v => existsb (same_place v) (firstn n X)) (carrier_of pr X q w).
 Definition own_simplex_at (pr : predicates) (t : positive) (f : list site -> nat -> bool) : bool :=
   own_at pr (Table.of_list (site_for Delaunay) (sites padded)) (Table.of_list (site_for Delaunay) (sites m))
-    (Table.of_list id (map (fun r => (r, [])) (rows m) ++ dangling x)) t f.
+    (Table.of_list id (appended (mapped (fun r => (r, [])) (rows m)) (dangling x))) t f.
 Definition overlap_of_all (pr : predicates) (t u : positive) (q : site) (w : Z) : bool :=
   own_simplex_at pr t (fun X i => in_own pr X i q w &&
     own_simplex_at pr u (fun Y j => in_own pr Y j q w && overlapping pr X Y q w)).

@@ -237,7 +237,7 @@ Proof.
   pose proof (GivenSound.unit_positive D A) as Pr. pose proof (measured_all _ Pr) as M.
   assert (Prm : 0 < refuted_unit m) by (now rewrite Eu).
   assert (Sh : forallb (shaped pr) (sites m) = true).
-  { cbn [padded with_rows sites] in Shp. rewrite forallb_app in Shp. now apply andb_prop in Shp. }
+  { rewrite padded_sites, forallb_app in Shp. now apply andb_prop in Shp. }
   assert (MissedBy : forall q w, all_of m dangles (fun S => misses pr S q w) = true -> well_shaped d q -> (0 < w)%Z ->
     forall s, listed (@caller_rows d (refuted_unit m) (sites m) (rows m) ++
       @caller_rows d (refuted_unit m) (sites m) (map fst (dangling dangles))) s -> ~ conv s (place_over (unit_of c) q w)).
