@@ -1,6 +1,7 @@
 #include "inputs/minimise.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include <doctest/doctest.h>
 
@@ -31,6 +32,19 @@ TEST_CASE("three points that fail together are all that is left of a thousand") 
   });
   CHECK(small.points == needed);
   CHECK(asked < 1000);
+}
+
+TEST_CASE("it ends where it is stopped, with the smallest input so far") {
+  const PointsCase set = scattered(1000);
+  std::atomic<bool> stop = false;
+  std::size_t asked = 0;
+  const auto still_fails = [&](const PointsCase& candidate) {
+    stop = ++asked == 3;
+    return candidate.points.size() >= 100;
+  };
+  const PointsCase small = minimised(set, still_fails, {.stop = &stop});
+  CHECK(asked == 3);
+  CHECK(small.points.size() < set.points.size());
 }
 
 TEST_CASE("coordinates become small integers where they may") {
