@@ -117,7 +117,9 @@ OrReason<Verdict> judged_by_faults(Claim claim, const Mesh& mesh, const Options&
 OrReason<fast::SimplexFacts> known_facts(Claim claim, const Mesh& mesh, DomainKind kind,
                                          const Options& options) {
   if (options.by != By::kLemma) return because("judged by definition");
-  const fast::Wanted wanted{is_about_balls(claim), kind == DomainKind::kHull};
+  const fast::Wanted wanted{.balls = is_about_balls(claim),
+                            .hull = kind == DomainKind::kHull,
+                            .boundary_balls = claim == Claim::kConformingDelaunay};
   return asked_of_rows<fast::SimplexFacts>(
       mesh, false, [&](const auto& view) -> OrReason<fast::SimplexFacts> {
         auto facts = fast::simplex_facts(view, wanted, threads_of(options));

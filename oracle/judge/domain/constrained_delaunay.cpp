@@ -203,6 +203,7 @@ void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece
                              Verdict& verdict) {
   const VertexIndex index(in.mesh.points);
   const bool all_are_local = in.known != nullptr && in.known->not_local.empty();
+  const bool are_empty_at_boundary = in.known != nullptr && in.known->boundary_balls_are_empty;
   // A simplex with several facets on the boundary is judged at the first.
   std::vector<bool> judged(in.mesh.simplices.size(), false);
   for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
@@ -210,7 +211,7 @@ void judge_delaunay_by_lemma(const MeshedDomain& in, const std::vector<WallPiece
       if (!all_are_local) judge_shared_facet(in.mesh, group, verdict);
       return;
     }
-    if (judged[group.front().simplex]) return;
+    if (are_empty_at_boundary || judged[group.front().simplex]) return;
     judged[group.front().simplex] = true;
     judge_ball_at_boundary(in.mesh, index, group.front(), verdict);
   });

@@ -337,7 +337,10 @@ std::optional<Verdict> held_by_facets(Claim claim, const fast::MeshView<3, Index
   const PiecewiseLinearComplex& complex = domain.complex;
   if (complex.ambient_dimension() != 3 || complex.kind != DomainKind::kEnclosed)
     return std::nullopt;
-  if (claim == Claim::kConformingDelaunay) return std::nullopt;  // it asks for whole balls
+  if (claim == Claim::kConformingDelaunay &&
+      !(known.not_local.empty() && known.boundary_balls_are_empty)) {
+    return std::nullopt;
+  }
   const std::size_t steiner = mesh.points() - std::min(mesh.points(), complex.points.size());
   if (steiner > 0 && !allows_steiner_points(claim)) return std::nullopt;
   FacetsAtWalls<Index> facets(mesh, domain);
@@ -354,7 +357,7 @@ std::optional<Verdict> held_by_facets(Claim claim, const fast::MeshView<3, Index
     if (!facets.is_of_domain(v)) extra.first.push_back(static_cast<Vertex>(v));
   }
   verdict.extra_vertices = std::move(extra);
-  if (!is_about_balls(claim)) return verdict;
+  if (!is_about_balls(claim) || claim == Claim::kConformingDelaunay) return verdict;
   if (!facets.are_all_walls(known.not_local)) return std::nullopt;
   verdict.canonical = facets.are_all_walls(known.not_canonical);
   if (facets.are_all_walls(known.ties)) verdict.unique = true;

@@ -192,7 +192,7 @@ TEST_CASE("meshes that hold, by all claims") {
   CHECK(is_seen(Claim::kSteinerTriangulation, mesh, surface, 0));
   CHECK(is_seen(Claim::kSteinerCdt, mesh, surface));
   CHECK(!is_seen(Claim::kCdt, mesh, surface));  // Steiner points
-  CHECK(!is_seen(Claim::kConformingDelaunay, mesh, surface));
+  CHECK(is_seen(Claim::kConformingDelaunay, mesh, surface));
   const Domain every_facet = domain_of_facets(mesh, [](std::size_t) { return true; });
   for (const Claim claim :
        {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt, Claim::kSteinerCdt}) {
@@ -255,6 +255,16 @@ TEST_CASE("what is wrong is left to the exact checkers") {
   const ExactMesh moved{PointSet(points), mesh.simplices};
   CHECK(is_seen(claim, moved, surface(mesh)));
   CHECK(!is_seen(Claim::kSteinerCdt, moved, surface(mesh)));
+  CHECK(!is_seen(Claim::kConformingDelaunay, moved, surface(mesh)));
+  // Two tetrahedra that share an edge: a ball at the boundary reaches beyond it, to a vertex or not.
+  for (const int height : {2, 9}) {
+    PiecewiseLinearInput two;
+    two.points = {{0, 0, 0}, {0, 4, 0}, {4, 2, 1}, {4, 2, -1}, {-4, 2, height}, {-4, 2, -1}};
+    const ExactMesh wedge{PointSet(two.points), {{0, 1, 2, 3}, {0, 1, 4, 5}}};
+    CHECK(is_seen(Claim::kCdt, wedge, surface(wedge)));
+    CHECK(is_seen(Claim::kConformingDelaunay, wedge, surface(wedge)) ==
+          judge_domain(Claim::kConformingDelaunay, wedge, surface(wedge)).holds());
+  }
   // A dangling wall, and a segment within.
   PiecewiseLinearInput input;
   input.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {-1, -1, -1}};

@@ -27,6 +27,9 @@ struct SimplexFacts {
   // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2 and 3
   // of docs/theory/points.md.)
   bool fills_hull = false;
+  // Is it known that no point is strictly inside the ball of a simplex that has a facet of its own, if that was asked
+  // for, in space?
+  bool boundary_balls_are_empty = false;
   Stages stages = {};  // what decided the signs
 };
 
@@ -34,6 +37,7 @@ struct SimplexFacts {
 struct Wanted {
   bool balls = false;
   bool hull = false;
+  bool boundary_balls = false;
 };
 
 // Undecided if the simplices are not as above; then nothing is known. Given neighbours and weights are

@@ -1,6 +1,9 @@
 // The sweep of a mesh, and what is known of simplices whatever they cover.
 #include "oracle/judge/fast/sweep.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -12,6 +15,7 @@
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -174,6 +178,63 @@ TEST_CASE("whether they fill the hull of all points, if that is asked") {
   mesh.coordinates.resize(8);
   mesh.simplices.resize(3);
   CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);
+}
+
+// Tetrahedra here and there, some of them beside others: each with four points of its own.
+MeshInArrays<3> scattered(std::mt19937_64& random, double size, double offset, bool rounded) {
+  std::uniform_real_distribution<double> in_cube(0, 1);
+  MeshInArrays<3> mesh;
+  std::array<double, 3> centre = {};
+  for (std::int32_t v = 0; v < 40; ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (v % 4 == 0) centre[axis] = in_cube(random);
+      const double at = centre[axis] + size * in_cube(random);
+      mesh.coordinates.push_back(offset + (rounded ? std::floor(16 * at) : at));
+    }
+    mesh.simplices.push_back(v);
+  }
+  return mesh;
+}
+
+bool have_empty_balls(const MeshInArrays<3>& mesh) {
+  const auto view = mesh.view();
+  Stages stages;
+  for (std::size_t s = 0; s < mesh.size(); ++s) {
+    SiteRow<3> row;
+    for (std::size_t i = 0; i < 4; ++i) row[i] = view.site<false>(view.row(s)[i]);
+    const auto ball = ball_of<3, false>(row);
+    for (std::int32_t v = 0; view.names_point(v); ++v) {
+      if (ball.contains(view.site<false>(v), stages) * ball.orientation(stages) > 0) return false;
+    }
+  }
+  return true;
+}
+
+TEST_CASE("whether balls at the boundary are empty, if that is asked") {
+  std::mt19937_64 random(1);
+  std::array<int, 2> seen = {};
+  for (int i = 0; i < 2000; ++i) {
+    CAPTURE(i);
+    const auto mesh = scattered(random, i % 2 == 0 ? 0.1 : 0.4, i % 3 == 0 ? 1000 : 0, i % 5 == 0);
+    const auto found = simplex_facts(mesh.view(), {.balls = true, .boundary_balls = true}, 1);
+    if (!found) continue;  // one is flat
+    const bool are_empty = have_empty_balls(mesh);
+    CHECK(found->boundary_balls_are_empty == are_empty);
+    ++seen[are_empty ? 1 : 0];
+  }
+  CHECK(std::min(seen[0], seen[1]) > 100);
+  const auto grid = grid_mesh<3>(8);
+  for (const unsigned threads : {1U, 3U}) {
+    CHECK(simplex_facts(grid.view(), {.balls = true, .boundary_balls = true}, threads)
+              ->boundary_balls_are_empty);
+  }
+  CHECK_FALSE(simplex_facts(grid.view(), kBalls, 1)->boundary_balls_are_empty);
+  // Numbers that are far apart, and a tetrahedron that is nearly flat: nothing is known.
+  for (const double far : {1e200, 1e-200}) {
+    const MeshInArrays<3> one{{0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, far}, {0, 1, 2, 3}};
+    CHECK_FALSE(simplex_facts(one.view(), {.balls = true, .boundary_balls = true}, 1)
+                    ->boundary_balls_are_empty);
+  }
 }
 
 TEST_CASE("a facet is named in order of simplices, then of places") {

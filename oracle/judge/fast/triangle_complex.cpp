@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
+#include "oracle/judge/fast/box_tree.hpp"
 #include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/site.hpp"
@@ -207,131 +207,18 @@ bool meet_properly(const Points& points, const Corners& a, const Corners& b) {
 
 // ---- All pairs ----
 
-struct AxisBox {
-  std::array<double, 3> low, high;
-
-  void add(const AxisBox& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], other.low[axis]);
-      high[axis] = std::max(high[axis], other.high[axis]);
-    }
+std::vector<AxisBox> boxes_of(std::span<const double> coordinates,
+                              std::span<const Corners> triangles) {
+  std::vector<AxisBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const Corners& corners : triangles) {
+    AxisBox box = box_of_point(coordinates, static_cast<std::size_t>(corners[0]));
+    box.add(box_of_point(coordinates, static_cast<std::size_t>(corners[1])));
+    box.add(box_of_point(coordinates, static_cast<std::size_t>(corners[2])));
+    boxes.push_back(box);
   }
-  bool meets(const AxisBox& other) const {
-    bool apart = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      apart |= high[axis] < other.low[axis];
-      apart |= other.high[axis] < low[axis];
-    }
-    return !apart;
-  }
-};
-
-// A binary tree of boxes around triangles, and the pairs of those whose boxes meet.
-class BoxTree {
- public:
-  BoxTree(std::span<const double> coordinates, std::span<const Corners> triangles)
-      : order_(triangles.size()) {
-    boxes_.reserve(triangles.size());
-    for (const Corners& corners : triangles) {
-      AxisBox box = point_box(coordinates, corners[0]);
-      box.add(point_box(coordinates, corners[1]));
-      box.add(point_box(coordinates, corners[2]));
-      boxes_.push_back(box);
-    }
-    std::iota(order_.begin(), order_.end(), std::uint32_t{0});
-    nodes_.reserve(2 * triangles.size() / kLeaf + 2);
-    if (!order_.empty()) grow(0, order_.size());
-  }
-
-  // Does visit(a, b) say true of every two whose boxes meet? Says no too if it takes more than some steps.
-  template <class Visit>
-  bool all_pairs(std::size_t steps, const Visit& visit) const {
-    if (nodes_.empty()) return true;
-    std::vector<std::array<std::uint32_t, 2>> pending = {{0, 0}};
-    while (!pending.empty()) {
-      if (steps-- == 0) return false;
-      const auto [a, b] = pending.back();
-      pending.pop_back();
-      const Node &first = nodes_[a], &second = nodes_[b];
-      if (a != b && !first.box.meets(second.box)) continue;
-      if (first.is_leaf() && second.is_leaf()) {
-        if (!pairs_of(first, second, a == b, visit)) return false;
-      } else if (a == b) {
-        pending.push_back({a + 1, a + 1});
-        pending.push_back({first.right, first.right});
-        pending.push_back({a + 1, first.right});
-      } else if (second.is_leaf() || (!first.is_leaf() && first.count() >= second.count())) {
-        pending.push_back({a + 1, b});
-        pending.push_back({first.right, b});
-      } else {
-        pending.push_back({a, b + 1});
-        pending.push_back({a, second.right});
-      }
-    }
-    return true;
-  }
-
- private:
-  static constexpr std::size_t kLeaf = 4;
-
-  struct Node {
-    AxisBox box;
-    std::uint32_t begin, end;  // in the order
-    std::uint32_t right = 0;   // the second child; the first follows its parent
-
-    bool is_leaf() const { return right == 0; }
-    std::uint32_t count() const { return end - begin; }
-  };
-
-  static AxisBox point_box(std::span<const double> coordinates, std::int32_t v) {
-    const std::size_t at = 3 * static_cast<std::size_t>(v);
-    const std::array<double, 3> corner = {coordinates[at], coordinates[at + 1],
-                                          coordinates[at + 2]};
-    return {corner, corner};
-  }
-
-  // Half the middle of a box: a guess at how to part boxes well, which decides nothing.
-  double middle(std::uint32_t triangle, std::size_t axis) const {
-    return boxes_[triangle].low[axis] / 4 + boxes_[triangle].high[axis] / 4;
-  }
-
-  std::uint32_t grow(std::size_t begin, std::size_t end) {
-    const auto place = static_cast<std::uint32_t>(nodes_.size());
-    AxisBox box = boxes_[order_[begin]];
-    for (std::size_t i = begin; i < end; ++i) box.add(boxes_[order_[i]]);
-    nodes_.push_back({box, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
-    if (end - begin <= kLeaf) return place;
-    std::size_t widest = 0;
-    for (const std::size_t axis : {1, 2}) {
-      const double width = box.high[axis] / 4 - box.low[axis] / 4;
-      if (width > box.high[widest] / 4 - box.low[widest] / 4) widest = axis;
-    }
-    const auto at = [this](std::size_t i) { return order_.begin() + static_cast<long>(i); };
-    const std::size_t half = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(half), at(end), [&](std::uint32_t a, std::uint32_t b) {
-      return middle(a, widest) < middle(b, widest);
-    });
-    grow(begin, half);
-    const std::uint32_t right = grow(half, end);
-    nodes_[place].right = right;
-    return place;
-  }
-
-  template <class Visit>
-  bool pairs_of(const Node& first, const Node& second, bool same, const Visit& visit) const {
-    for (std::uint32_t i = first.begin; i < first.end; ++i) {
-      const AxisBox& box = boxes_[order_[i]];
-      for (std::uint32_t j = same ? i + 1 : second.begin; j < second.end; ++j) {
-        if (box.meets(boxes_[order_[j]]) && !visit(order_[i], order_[j])) return false;
-      }
-    }
-    return true;
-  }
-
-  std::vector<AxisBox> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
-};
+  return boxes;
+}
 
 }  // namespace
 
@@ -352,7 +239,8 @@ bool are_surely_a_complex(std::span<const double> coordinates, std::span<const C
   const auto meet = [&](std::uint32_t a, std::uint32_t b) {
     return meet_properly(points, triangles[a], triangles[b]);
   };
-  return BoxTree(coordinates, triangles).all_pairs(kSteps * triangles.size() + kSteps, meet);
+  return BoxTree(boxes_of(coordinates, triangles))
+      .all_pairs(kSteps * triangles.size() + kSteps, meet);
 }
 
 }  // namespace circumspect::fast
