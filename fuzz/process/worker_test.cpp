@@ -175,14 +175,15 @@ TEST_CASE("a worker is interrupted") {
 }
 
 TEST_CASE("time in which no processor is free is not a program's own") {
-  // Five that compute on one processor, of which the first is done after a fifth of a second of its own.
+  // Fifteen that compute on one processor, of which the first is done after an eighth of a second of its own.
   WorkerTrial trial;
-  trial.limits.seconds = 0.6;
+  trial.limits.seconds = 1;
   Request request;
   request.folder = trial.folder.path("work");
-  request.command = {"/bin/sh", "-c",
-                     "for i in 1 2 3 4; do (while :; do :; done) & done; i=0; "
-                     "while [ $i -lt 150000 ]; do i=$((i+1)); done"};
+  request.command = {
+      "/bin/sh", "-c",
+      "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14; do (while :; do :; done) & done; i=0; "
+      "while [ $i -lt 100000 ]; do i=$((i+1)); done"};
   const std::string pinned = "/usr/bin/taskset";
   if (find_program(pinned).empty()) return;
   request.command.insert(request.command.begin(), {pinned, "-c", "0"});
