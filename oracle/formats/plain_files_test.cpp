@@ -6,6 +6,7 @@
 
 #include "inputs/scratch_folder_test.hpp"
 #include "oracle/formats/same_values_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -217,7 +218,8 @@ TEST_CASE("a fault is seen in whatever block it is") {
   }
   const PlainReading reading{2, 256};
   REQUIRE(answer_to_node(text, reading) == Answer::kSame);
-  for (const std::size_t start : starts) {
+  for (std::size_t i = 0; i < starts.size(); i += properties::kOneInputIn) {
+    const std::size_t start = starts[i];
     CAPTURE(start);
     for (const std::string index : {"1400", "9999", "1000", "-100", "1/00"}) {
       const std::string wrong = std::string(text).replace(start, 4, index);

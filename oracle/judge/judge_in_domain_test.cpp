@@ -5,6 +5,7 @@
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/judge.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::check {
 namespace {
@@ -131,14 +132,16 @@ TEST_CASE("meshes that fill their domains, by all claims") {
 
 TEST_CASE("meshes with one fault, in every place") {
   Counted counted;
+  std::size_t seen = 0;
   for (const Filled& filled : filled_domains()) {
     for (const ExactMesh& mutant : mutants(filled.mesh)) {
+      if (seen++ % properties::kOneInputIn != 0) continue;
       compare(Claim::kSteinerCdt, mutant, filled.domain, {.max_violations = 0}, counted);
     }
   }
-  CHECK(counted.known > 20);
-  CHECK(counted.unknown > 500);
-  CHECK(counted.broken > 900);
+  CHECK(counted.known > 20 / properties::kOneInputIn);
+  CHECK(counted.unknown > 500 / properties::kOneInputIn);
+  CHECK(counted.broken > 900 / properties::kOneInputIn);
 }
 
 TEST_CASE("of simplices that are not sound, or not matched, nothing is known") {

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "properties/arguments/run.hpp"
+
 namespace circumspect::picture {
 namespace {
 
@@ -92,7 +94,8 @@ TEST_CASE("page: of very many violations the first have cards, which the page sa
   CHECK(page.size() < 5'000'000);
   Verdict many(Claim::kTriangulation, 0);
   for (Vertex v = 0; v < 600; ++v) {
-    for (int again = 0; again < 100; ++again) many.add(Rule::kUnusedPoint, {.vertices = {v}});
+    for (int again = 0; again < 100 / properties::kOneInputIn; ++again)
+      many.add(Rule::kUnusedPoint, {.vertices = {v}});
   }
   CHECK(page_of(mesh, many, "k.ele").size() < 2'000'000);
   const Verdict few = check::triangulation(mesh, {.max_violations = 2});

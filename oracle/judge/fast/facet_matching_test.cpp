@@ -11,6 +11,7 @@
 
 #include "oracle/judge/fast/facet_across.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {
 
@@ -71,7 +72,7 @@ void check_grid(std::size_t side, bool in_order = true) {
 }
 
 TEST_CASE("what is likely does not depend on the number of threads") {
-  const auto grid = grid_mesh<3>(32);
+  const auto grid = grid_mesh<3>(properties::points_a_side(32));
   MeshInArrays<3> mesh{grid.coordinates};
   for (std::size_t s = 0; s < grid.size(); ++s) {  // each twice, one after the other
     const auto row = grid.view().row(s);
@@ -89,7 +90,7 @@ TEST_CASE("what is likely does not depend on the number of threads") {
 
 TEST_CASE("likely links of simplices that are listed twice, far apart, are made complete") {
   for (const bool in_order : {true, false}) {
-    auto mesh = grid_mesh<3>(22);
+    auto mesh = grid_mesh<3>(properties::points_a_side(22));
     if (!in_order) shuffle<4>(mesh.simplices);
     const std::vector<std::int32_t> some(mesh.simplices.begin() + 4000,
                                          mesh.simplices.begin() + 6000);
@@ -115,12 +116,12 @@ TEST_CASE("facets of grids are matched, by one thread or several") {
     check_grid<3, std::int64_t>(side);
   }
   check_grid<2, std::int32_t>(150);  // several piles, several passes
-  check_grid<3, std::int32_t>(22);
+  check_grid<3, std::int32_t>(properties::points_a_side(22));
 }
 
 TEST_CASE("facets of grids are matched where those who share them stand far apart") {
-  check_grid<2, std::int32_t>(150, false);
-  check_grid<3, std::int32_t>(22, false);
+  check_grid<2, std::int32_t>(properties::points_a_side(150), false);
+  check_grid<3, std::int32_t>(properties::points_a_side(22), false);
   check_grid<3, std::int64_t>(12, false);
 }
 

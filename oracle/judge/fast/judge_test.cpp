@@ -339,7 +339,9 @@ TEST_CASE("what the judge found out leads to the faults that are found without i
   constexpr std::array kinds = {0, 1, 2, 3, 4, 5, 6, 9, 10};  // that make no points equal
   std::mt19937_64 random(5);
   std::size_t gone_on = 0;
-  for (int i = 0; i < 220; ++i) {
+  // Eleven has no divisor in common with what `i` chooses below.
+  constexpr int kStep = properties::kOneInputIn > 1 ? 11 : 1;
+  for (int i = 0; i < 220; i += kStep) {
     CAPTURE(i);
     MeshInArrays<3> mesh = grid_mesh<3>(12, i % 2 == 0);
     for (std::size_t k = 0; k <= static_cast<std::size_t>(i) / 9 % 3; ++k)
@@ -355,7 +357,7 @@ TEST_CASE("what the judge found out leads to the faults that are found without i
     REQUIRE(with.has_value() == without.has_value());
     if (with) CHECK(said_of(*with) == said_of(*without));
   }
-  CHECK(gone_on > 100);
+  CHECK(gone_on > 100 / kStep);
 }
 
 }  // namespace
