@@ -1,9 +1,12 @@
 # What a layer is to the build: a folder, a library made of it, and the tests that sit beside it.
 #
-#   circumspect_layer(NAME FOLDER [DEPENDS layer...] [LINKS library...] [TEST_DEPENDS layer...])
+#   circumspect_layer(NAME FOLDER [UNTIMED] [DEPENDS layer...] [LINKS library...] [TEST_DEPENDS layer...])
 #     library  circumspect_NAME   FOLDER/*.cpp without the tests (header-only if there are none)
 #     test     NAME_test          FOLDER/*_test.cpp
 #     test     NAME_cgal_test     FOLDER/*_cgal_test.cpp, the only tests that see CGAL
+#
+# UNTIMED: nobody waits for what it does. CIRCUMSPECT_QUICK_BUILD optimizes it less, which takes the compiler
+# three fifths of the time.
 #
 # The name of a test file says when it runs:
 #     *_slow_test.cpp, *_slow_property.cpp   label `slow`: not under the sanitizers
@@ -11,7 +14,7 @@
 # The sanitizers' build does not compile either.
 
 function(circumspect_layer name folder)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNTIMED" "" "DEPENDS;LINKS;TEST_DEPENDS" ${ARGN})
   set(directory "${PROJECT_SOURCE_DIR}/${folder}")
   file(GLOB sources CONFIGURE_DEPENDS "${directory}/*.cpp")
   file(GLOB tests CONFIGURE_DEPENDS "${directory}/*_test.cpp")
@@ -56,6 +59,8 @@ function(circumspect_layer name folder)
   if(sources AND ARG_DEPENDS AND NOT built_elsewhere)
     if(folder MATCHES "^properties/")
       circumspect_precompile(circumspect_${name} properties)
+    elseif(ARG_UNTIMED AND CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
+      circumspect_precompile(circumspect_${name} untimed_layers)
     else()
       circumspect_precompile(circumspect_${name} layers)
     endif()
@@ -68,7 +73,8 @@ function(circumspect_layer name folder)
 endfunction()
 
 # The headers of others take the compiler long. Under CIRCUMSPECT_QUICK_BUILD targets whose flags agree
-# share them precompiled: KIND is `layers`, `properties` (with RapidCheck), or `tests` (with doctest).
+# share them precompiled: KIND is `layers`, `untimed_layers`, `properties` (with RapidCheck), or `tests` (with
+# doctest). GCC takes the level of optimization from the precompiled header, whatever is asked of the file.
 # Nothing of the project is among them, so that a change in the project makes none anew. A file must
 # still include what it uses: without the option, as in a plain preset, each is compiled as it stands.
 function(circumspect_precompile target kind)
@@ -88,8 +94,11 @@ function(circumspect_precompile target kind)
                           circumspect::expected CGAL::CGAL Threads::Threads)
     if(kind STREQUAL "layers" AND CIRCUMSPECT_BUILD_FUZZERS)
       target_compile_options(${shared} PRIVATE -fsanitize=fuzzer-no-link)
+    elseif(kind STREQUAL "untimed_layers")
+      target_compile_options(${shared} PRIVATE -O1)
     elseif(kind STREQUAL "properties")
       circumspect_compile_quickly(${shared})
+      target_compile_options(${shared} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
       target_link_libraries(${shared} PRIVATE rapidcheck)
       list(APPEND headers <rapidcheck.h>)
     elseif(kind STREQUAL "tests")
@@ -104,6 +113,11 @@ function(circumspect_precompile target kind)
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
+  if(kind STREQUAL "untimed_layers")
+    target_compile_options(${target} PRIVATE -O1)
+  elseif(kind STREQUAL "properties")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  endif()
   # Flags have to agree: what is shared is position-independent as a library is, not as a program is.
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "EXECUTABLE" AND NOT kind STREQUAL "tests")
