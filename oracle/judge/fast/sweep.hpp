@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -166,8 +167,8 @@ template <std::size_t kDimension, typename Index, typename Link>
 Swept sweep(const SweepTask<kDimension, Index, Link>& task, std::size_t first, std::size_t last);
 
 // ---- Whole sweep ----
-// The sweep of all simplices of a mesh, by all threads; once more if not all of them are oriented
-// alike.
+// The sweep of all simplices of a mesh, by all threads; if not all of them are oriented alike, once more of those
+// to which that matters.
 
 // What a sweep is to look at (SweepTask says more of each).
 template <std::size_t kDimension>
@@ -203,13 +204,17 @@ class WholeSweep {
     orientations_ = Orientations(*first);
     lattice_ = lattice_of_all(mesh_.coordinates,
                               questions.weighted ? mesh_.weights : std::span<const double>());
-    Swept swept = swept_by_all(questions);
-    if (swept.mixed) {
-      auto each = orientation_of_each(questions.past_doubts);
-      if (!each) return {.undecided = each.error()};
-      orientations_ = Orientations(std::move(*each));
-      swept = swept_by_all(questions);
+    std::vector<Swept> parts(chunks_of(mesh_.size(), kChunk));
+    std::vector<std::size_t> chunks(parts.size());
+    std::iota(chunks.begin(), chunks.end(), std::size_t{0});
+    sweep_chunks(chunks, questions, parts);
+    if (std::any_of(parts.begin(), parts.end(), [](const Swept& part) { return part.mixed; })) {
+      const auto again = tell_orientations_apart(*first, questions.past_doubts, parts);
+      if (!again) return {.undecided = again.error()};
+      sweep_chunks(*again, questions, parts);
     }
+    Swept swept;
+    for (const Swept& part : parts) swept.append(part);
     // Signs are exact, so that no second pass finds one other than expected.
     if (!swept.undecided && (swept.mixed || (swept.up != swept.down && !swept.doubt))) {
       swept.undecided = Undecided::kUnmatchedNeighbor;
@@ -241,31 +246,52 @@ class WholeSweep {
     return sign;
   }
 
+  // Makes orientations one bit each, where the sweep `parts` expected `first` of all, and returns the chunks that it would
+  // sweep otherwise with them, ascending: those in which something is wrong, and those from which a link leads to a
+  // simplex that is not oriented as the first. In all others every simplex is.
   // Past doubts a flat simplex counts as positive: the second pass finds it.
-  tl::expected<std::vector<std::uint64_t>, Undecided> orientation_of_each(bool past_doubts) const {
+  tl::expected<std::vector<std::size_t>, Undecided> tell_orientations_apart(
+      int first, bool past_doubts, const std::vector<Swept>& parts) {
     constexpr std::size_t kBits = 64;
-    std::vector<std::uint64_t> negative(chunks_of(mesh_.size(), kBits), 0);
-    std::vector<std::optional<Undecided>> found(chunks_of(negative.size(), kChunk / kBits));
-    in_chunks(negative.size(), kChunk / kBits, threads_,
-              [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    static_assert(kChunk % kBits == 0);
+    std::vector<std::uint64_t> negative(chunks_of(mesh_.size(), kBits),
+                                        first < 0 ? ~std::uint64_t{0} : 0);
+    std::vector<std::optional<Undecided>> found(parts.size());
+    std::vector<std::atomic<bool>> again(parts.size());
+    in_chunks(mesh_.size(), kChunk, threads_,
+              [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                if (parts[chunk].goes_on() && parts[chunk].doubtful.empty()) return;
+                again[chunk].store(true, std::memory_order_relaxed);
                 Stages stages;  // every sign is asked for again
-                for (std::size_t s = first * kBits; s < std::min(last * kBits, mesh_.size()); ++s) {
+                for (std::size_t s = begin; s < end; ++s) {
                   auto sign = orientation_of(s, stages);
                   if (!sign && past_doubts && sign.error() == Undecided::kFlatSimplex) sign = 1;
                   if (!sign) {
                     found[chunk] = sign.error();
                     return;
                   }
-                  negative[s / kBits] |= std::uint64_t{*sign < 0} << (s % kBits);
+                  if (*sign == first) continue;
+                  negative[s / kBits] ^= std::uint64_t{1} << (s % kBits);
+                  for (const Link beyond : links_.subspan(s * kVertices, kVertices)) {
+                    const auto other = static_cast<std::size_t>(beyond);
+                    if (beyond < 0 || other >= mesh_.size()) continue;
+                    again[other / kChunk].store(true, std::memory_order_relaxed);
+                  }
                 }
               });
     for (const std::optional<Undecided>& reason : found) {
       if (reason) return tl::unexpected(*reason);
     }
-    return negative;
+    orientations_ = Orientations(std::move(negative));
+    std::vector<std::size_t> chunks;
+    for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
+      if (again[chunk].load(std::memory_order_relaxed)) chunks.push_back(chunk);
+    }
+    return chunks;
   }
 
-  Swept swept_by_all(const SweepQuestions<kDimension>& questions) {
+  void sweep_chunks(const std::vector<std::size_t>& chunks,
+                    const SweepQuestions<kDimension>& questions, std::vector<Swept>& parts) {
     const SweepTask<kDimension, Index, Link> task{.mesh = mesh_,
                                                   .links = links_,
                                                   .orientations = orientations_,
@@ -277,14 +303,10 @@ class WholeSweep {
                                                   .lattice = lattice_,
                                                   .used = used_,
                                                   .boundary = boundary_};
-    std::vector<Swept> parts(chunks_of(mesh_.size(), kChunk));
-    in_chunks(mesh_.size(), kChunk, threads_,
-              [&](std::size_t chunk, std::size_t first, std::size_t last) {
-                parts[chunk] = sweep(task, first, last);
-              });
-    Swept all;
-    for (const Swept& part : parts) all.append(part);
-    return all;
+    in_chunks(chunks.size(), 1, threads_, [&](std::size_t i, std::size_t, std::size_t) {
+      const std::size_t begin = chunks[i] * kChunk;
+      parts[chunks[i]] = sweep(task, begin, std::min(begin + kChunk, mesh_.size()));
+    });
   }
 
   const MeshView<kDimension, Index>& mesh_;

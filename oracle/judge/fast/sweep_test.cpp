@@ -125,6 +125,120 @@ TEST_CASE("facets that are not locally Delaunay are found, and ties, whatever de
   hold_grid<3>(7);
 }
 
+// ---- Whole sweep ----
+// Simplices that are oriented otherwise than most: what is swept again says what a sweep says that knows all orientations.
+
+// A sweep that knows all orientations; a flat simplex counts as positive.
+struct SeenByAll {
+  Swept swept;
+  std::vector<std::size_t> unused;
+  std::vector<FacetId> boundary;
+};
+
+template <std::size_t kDimension>
+SeenByAll with_every_orientation_known(const MeshView<kDimension, std::int32_t>& mesh,
+                                       bool past_doubts) {
+  Stages stages;
+  std::vector<std::uint64_t> negative(mesh.size() / 64 + 1, 0);
+  for (std::size_t s = 0; s < mesh.size(); ++s) {
+    const int sign = exact_orientation(row_of<kDimension>(mesh, s), stages);
+    negative[s / 64] |= std::uint64_t{sign < 0} << (s % 64);
+  }
+  const Orientations orientations(negative);
+  UsedPoints used(mesh.points());
+  BoundarySimplices boundary(mesh.size());
+  Swept swept = sweep<kDimension, std::int32_t, std::int32_t>(
+      {.mesh = mesh,
+       .links = mesh.neighbors,
+       .orientations = orientations,
+       .sample = nullptr,
+       .balls = true,
+       .weighted = false,
+       .ties = true,
+       .past_doubts = past_doubts,
+       .lattice = lattice_of_all(mesh.coordinates, {}),
+       .used = used,
+       .boundary = boundary},
+      0, mesh.size());
+  return {std::move(swept), used.missing(),
+          boundary.facets<kDimension + 1>(Links<std::int32_t>(mesh.neighbors), 0, mesh.size())};
+}
+
+// Returns whether orientations differ, and whether something is wrong besides.
+template <std::size_t kDimension>
+std::array<bool, 2> hold_whole_sweep(const MeshInArrays<kDimension>& mesh, bool past_doubts) {
+  const SeenByAll expected = with_every_orientation_known<kDimension>(mesh.view(), past_doubts);
+  bool is_mixed = false;
+  for (const unsigned threads : {1U, 3U}) {
+    CAPTURE(threads);
+    const auto view = mesh.view();
+    WholeSweep<kDimension, std::int32_t, std::int32_t> sweep(view, mesh.neighbors, threads);
+    const Swept found = sweep.run({.balls = true, .ties = true, .past_doubts = past_doubts});
+    CHECK(found.undecided.has_value() == expected.swept.undecided.has_value());
+    is_mixed = !sweep.orientations().are_equal();
+    if (found.undecided || !is_mixed) continue;
+    CHECK(found.doubtful == expected.swept.doubtful);
+    CHECK(found.doubt == expected.swept.doubt);
+    CHECK(found.not_local == expected.swept.not_local);
+    CHECK(found.ties == expected.swept.ties);
+    CHECK(found.not_canonical == expected.swept.not_canonical);
+    CHECK(found.canonical == expected.swept.canonical);
+    CHECK(found.up == expected.swept.up);
+    CHECK(found.down == expected.swept.down);
+    CHECK(found.stages == expected.swept.stages);
+    CHECK(sweep.unused() == expected.unused);
+    CHECK(sweep.boundary().template facets<kDimension + 1>(view.neighbors, 0, mesh.size()) ==
+          expected.boundary);
+  }
+  return {is_mixed, is_mixed && expected.swept.doubt};
+}
+
+// Turns over: rows, and the stars of points, which are moved through facets.
+template <std::size_t kDimension>
+void hold_turned(std::size_t side) {
+  constexpr std::size_t kVertices = kDimension + 1;
+  std::mt19937_64 random(kDimension);
+  auto grid = grid_mesh<kDimension>(side);
+  for (std::size_t s = grid.size() - 1; s > 0; --s) {
+    const auto row = grid.simplices.begin() + static_cast<std::ptrdiff_t>(s * kVertices);
+    const std::size_t other = random() % (s + 1);
+    std::swap_ranges(row, row + kVertices,
+                     grid.simplices.begin() + static_cast<std::ptrdiff_t>(other * kVertices));
+  }
+  REQUIRE(grid.size() > 4 * WholeSweep<kDimension, std::int32_t, std::int32_t>::kChunk);
+  std::array<int, 2> seen = {};  // of those that are mixed: sound ones, and others
+  for (int turn = 0; turn < 36; ++turn) {
+    CAPTURE(turn);
+    auto mesh = grid;
+    const bool all = turn % 8 == 7;  // negative, but for some
+    const auto turn_row = [&](std::size_t s) {
+      std::swap(mesh.simplices[s * kVertices], mesh.simplices[s * kVertices + 1]);
+    };
+    for (std::size_t s = 0; all && s < mesh.size(); ++s) turn_row(s);
+    const std::size_t turned = turn == 2 ? 0 : random() % mesh.size();
+    if (turn % 2 == 0) turn_row(turned);
+    if (turn % 3 > 0 && turn % 8 != 2) {
+      const std::size_t v = random() % mesh.view().points();
+      mesh.coordinates[v * kDimension] += turn % 4 == 1 ? 1 : 1.5;  // flat ones, or none
+    }
+    const auto links = matched_facets(mesh.view(), 1);
+    mesh.neighbors.assign(links->view().begin(), links->view().end());
+    if (turn % 8 == 2) {  // the sweep does not come to the block's orientations
+      mesh.neighbors[turned / kBlock * kBlock * kVertices] =
+          static_cast<std::int32_t>(mesh.size() - 1);
+    }
+    hold_whole_sweep<kDimension>(mesh, false);
+    const auto [is_mixed, is_wrong] = hold_whole_sweep<kDimension>(mesh, true);
+    if (is_mixed) ++seen[is_wrong ? 1 : 0];
+  }
+  CHECK(std::min(seen[0], seen[1]) >= 3);
+}
+
+TEST_CASE("simplices that are oriented otherwise than most") {
+  hold_turned<2>(100);
+  hold_turned<3>(16);
+}
+
 // ---- Simplex facts ----
 // What is said of the simplices of a mesh that need not cover anything in particular.
 
