@@ -52,6 +52,7 @@ void certify(const CertifyOptions& options, Output& output) {
   const unsigned threads = thread_count(options.threads);
   std::optional<LoadedDomain> domain;
   if (options.domain) {
+    output.begin("reading " + *options.domain);
     auto read = load_domain(*options.domain, options.input, options.said);
     if (!read) {
       output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
@@ -60,6 +61,7 @@ void certify(const CertifyOptions& options, Output& output) {
     domain = std::move(*read);
     for (const std::string& note : domain->file.notes) output.note(note);
   }
+  output.begin("reading " + options.mesh);
   auto loaded = domain ? load_mesh(options.mesh, options.input, threads,
                                    domain->domain.complex.ambient_dimension())
                        : load_mesh(options.mesh, options.input, threads);
@@ -68,14 +70,17 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   const Domain* about = domain ? &domain->domain : nullptr;
-  const auto verdict = judge_loaded(options.claim(), *loaded, options.input.duplicates,
-                                    {.by = options.by, .threads = threads}, about);
+  const check::Options judging = {.by = options.by, .threads = threads};
+  output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));
+  const auto verdict =
+      judge_loaded(options.claim(), *loaded, options.input.duplicates, judging, about);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
     return;
   }
   for (const std::string& note : loaded->notes) output.note(note);
   const ExactMesh mesh = exact(loaded->mesh);
+  output.end_watch();
   const bool written =
       about == nullptr
           ? write_certificate(options.certificate, options.mesh, mesh, *verdict, output)
@@ -115,6 +120,7 @@ ExitCode run(CertifyOptions& options) {
   options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
   Output output(spoken);
+  output.watch("certify");
   certify(options, output);
   return output.finish();
 }
@@ -133,7 +139,8 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
       "domains not every one has a refutation.\n"
       "proofs/CERTIFICATE.md describes both and says what follows from them.\n\n"
       "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span the\n"
-      "plane or space, 3 the input is at fault, 5 internal error.");
+      "plane or space, 3 the input is at fault, 4 interrupted or stopped by --limit, 5\n"
+      "internal error.");
   command->add_option("mesh", options->mesh, "A mesh, in any format that check reads")->required();
   command
       ->add_option("-o,--output", options->certificate,
@@ -161,6 +168,7 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
   add_threads_option(*command, options->threads);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
+  add_limit_option(*command, options->output);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

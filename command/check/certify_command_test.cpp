@@ -1,5 +1,6 @@
 // circumspect certify and check --certificate, as their users run them.
 #include <filesystem>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -53,6 +54,23 @@ TEST_CASE("certify: to standard output, which then holds nothing else") {
   CHECK(result.out == contents(meshes.cert));
   CHECK(run({"certify", meshes.bad, "-o", "-"}).exit_code == 1);
   CHECK(run({"certify", meshes.good, "-o", "-", "--format", "json"}).exit_code == 2);
+}
+
+TEST_CASE("certify: ends when its time is up, and writes nothing") {
+  CertifiedMeshes meshes;
+  std::string points = "2000 2\n";
+  for (int i = 0; i < 2000; ++i) {
+    points += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(i * i) + "\n";
+  }
+  const std::string parabola = meshes.folder.write("parabola.node", points);
+  const std::string mesh = meshes.folder.path("parabola.ele");
+  REQUIRE(run({"build", "delaunay", parabola, "-o", mesh}).exit_code == 0);
+  const Run ended =
+      run({"certify", mesh, "-o", meshes.cert, "--by", "definition", "--limit", "100ms"});
+  CHECK(ended.exit_code == 4);
+  CHECK(begins_with(ended.out, "undecided: certify stopped by --limit after "));
+  CHECK(has(ended.out, "while judging " + mesh));
+  CHECK(!meshes.has_cert());
 }
 
 // A square of two triangles, and one without its corner.

@@ -2,14 +2,17 @@
 #include "fuzz/process/process.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include "fuzz/process/apart.hpp"
@@ -219,6 +222,42 @@ TEST_CASE("a fork bomb in a process namespace ends with one kill") {
   CHECK(trial.left_behind() == 0);
   CHECK(Clock::now() - start < std::chrono::seconds(20));
   CHECK(trial.run("true").code == 0);
+}
+
+// Linux 5.14 counts the tasks of a user in a namespace by themselves, and 6.14 those of a superuser too.
+bool kernel_counts_tasks() {
+  utsname system = {};
+  int major = 0, minor = 0;
+  if (uname(&system) != 0 || std::sscanf(system.release, "%d.%d", &major, &minor) != 2)
+    return false;
+  return std::pair(major, minor) >= std::pair(geteuid() == 0 ? 6 : 5, 14);
+}
+
+TEST_CASE("in a process namespace the kernel refuses more tasks, however fast they come") {
+  if (ways().size() < 2 || !kernel_counts_tasks()) return;
+  Trial trial(Containment::kNamespaces);
+  trial.limits.processes = 40;
+  trial.limits.seconds = 20;
+  // Threads are no processes, so that nobody but the kernel ends this.
+  CHECK(
+      trial
+          .run("exec python3 -c 'import os, threading\n"
+               "threading.stack_size(65536)\n"
+               "until = threading.Event()\n"
+               "try:\n"
+               "  for _ in range(3000): threading.Thread(target=until.wait, daemon=True).start()\n"
+               "except RuntimeError: os._exit(7)\n"
+               "os._exit(8)'")
+          .code == 7);
+  // This one never ends, and each process of it has a session of its own.
+  CHECK(trial
+            .run("exec python3 -c 'import os\n"
+                 "while True:\n"
+                 "  try:\n"
+                 "    if os.fork() == 0: os.setsid()\n"
+                 "  except OSError: pass'")
+            .ending == Ending::kProcessLimit);
+  CHECK(trial.left_behind() == 0);
 }
 
 TEST_CASE("a program has no terminal, and signals mean to it what they mean to others") {

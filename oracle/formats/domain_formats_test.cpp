@@ -188,6 +188,13 @@ TEST_CASE("off: faces are polygons in space, their edges segments in the plane")
       folder.write("b", "nOFF 2\n4 2\n0 0\n1 0\n1 1\n0 1\n3 0 1 2\n3 0 2 3\n"), kDouble);
   REQUIRE_MESSAGE(flat, error_of(flat));
   CHECK(flat->input.segments == std::vector<Line>{{0, 1}, {1, 2}, {0, 2}, {2, 3}, {0, 3}});
+  // A face of one point many times has no edge.
+  const auto point =
+      read_domain(folder.write("d", "nOFF 2\n3 2\n0 0\n1 0\n0 1\n3 1 1 1\n3 0 1 2\n"), kDouble);
+  REQUIRE_MESSAGE(point, error_of(point));
+  CHECK(point->input.segments == std::vector<Line>{{0, 1}, {1, 2}, {0, 2}});
+  CHECK(error_of(read_domain(folder.write("e", "nOFF 4\n1 0\n0 0 0 0\n"), kDouble)) ==
+        folder.path("e") + ": expected points of dimension 2 or 3, found dimension 4");
   CHECK(error_of(read_domain(folder.write("c.off", "OFF\n1 1\n0 0 0\n3 0 0 1\n"), kDouble)) ==
         folder.path("c.off") + ":4: expected a vertex from 0 to 0, found 1");
 }

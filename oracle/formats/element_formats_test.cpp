@@ -1,10 +1,14 @@
 // Elements of all dimensions: what Medit, Gmsh and others write, and .tet.
 #include "oracle/formats/element_formats.hpp"
 
+#include <algorithm>
+#include <sstream>
+
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/written_elements_test.hpp"
 
 namespace circumspect::formats {
@@ -317,6 +321,27 @@ TEST_CASE("tet: what is refused") {
   CHECK(error_of(tet(header + zeros + std::string(3, '\0'))) ==
         "f: expected the end of the file after the last tetrahedron, found 2 more bytes at byte "
         "126");
+}
+
+TEST_CASE(
+    "the surface of tetrahedra is seen counterclockwise from outside, and each facet that two have "
+    "is within") {
+  ElementFile file;
+  file.points.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  file.tetrahedra.simplices = {{0, 2, 1, 3}, {0, 1, 2, 4}};  // both are positively oriented
+  std::vector<Simplex> surface = surface_of(file);
+  for (Simplex& facet : surface) {
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+  }
+  std::sort(surface.begin(), surface.end());
+  CHECK(surface ==
+        std::vector<Simplex>{{0, 1, 3}, {0, 2, 4}, {0, 3, 2}, {0, 4, 1}, {1, 2, 3}, {1, 4, 2}});
+  // A point of the plane has a third coordinate in OBJ.
+  ElementFile plane;
+  plane.points.points = {{1, 2}};
+  std::ostringstream out;
+  write_obj(out, plane);
+  CHECK(out.str() == "v 1 2 0\n");
 }
 
 }  // namespace circumspect::formats

@@ -164,6 +164,8 @@ TEST_CASE("labels: the first attribute of .ele, and the physical groups of .msh"
   CHECK(!labelled(halves, {6}));
   const std::string bare = folder.write("x.ele", "2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
   CHECK(!labelled(bare, {0}));
+  const std::string none = folder.write("x.ele", "0 4 1\n");
+  CHECK(!labelled(none, {0}));
   const std::string points = "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n";
   const std::string msh2 = folder.write(
       "two.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n" + points +

@@ -269,6 +269,10 @@ TEST_CASE("what cannot be found or judged") {
       ".npy, .npz, .qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
   const std::string unknown = folder.write("x.plt", "TITLE a mesh\n");
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"TITLE\"");
+  // A sign may stand before a number, with which lists of points begin.
+  const std::string negative = folder.write("y.plt", "-1 2\n");
+  CHECK(error_of(read_points(negative, NumberReading::kDouble)) ==
+        negative + ":1: expected the number of points, 0 or more, found \"-1\"");
   // What another program reads is answered with the command that converts it.
   const std::string step = folder.write("x.STEP", "ISO-10303-21;\n");
   CHECK(error_of(mesh_of(step)) ==

@@ -305,6 +305,11 @@ TEST_CASE("npz: damage is found, wherever it is") {
       }
     }
   }
+  // An entry without a name is one, and what does not begin as an entry is none.
+  CHECK(array_of_npz(named(npz({{"points.npy", points}, {"", ""}}, 0)), "points"));
+  std::string no_entry = npz({{"points.npy", points}}, 0);
+  no_entry[no_entry.rfind("PK\1\2")] = 'Q';
+  CHECK(!array_of_npz(named(no_entry), "points"));
   std::string encrypted = npz({{"points.npy", points}}, 0);
   encrypted[encrypted.rfind("PK\1\2") + 8] = 1;
   CHECK(error_of(array_of_npz(named(encrypted), "points")) ==

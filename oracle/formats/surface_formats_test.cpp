@@ -154,6 +154,8 @@ TEST_CASE("ply in binary, of either byte order") {
           "f: expected face 1 of 1, found the end of the file");
     CHECK(error_of(ply(text.substr(0, text.size() - 18))) ==
           "f: expected face 1 of 1, found the end of the file");
+    CHECK(error_of(ply(text.substr(0, text.find("end_header\n") + 12))) ==
+          "f: expected vertex 1 of 3, found the end of the file");
   }
 }
 

@@ -194,6 +194,8 @@ TEST_CASE("neigh: neighbours as written") {
         "f:1: expected at least 1 neighbour of each, found \"0\"");
   CHECK(error_of(read_neigh(named("1 2\n0 1 x\n"))) ==
         "f:2: expected a neighbour, an integer, found \"x\"");
+  CHECK(error_of(read_neigh(named("1\n"))) ==
+        "f:1: expected a header \"simplices neighbours-of-each\", found the end of the line");
   CHECK(error_of(read_neigh(named("1 2 3\n"))) ==
         "f:1: expected a header \"simplices neighbours-of-each\" and the end of the line, found "
         "\"3\"");
@@ -275,7 +277,7 @@ TEST_CASE("qhull: what is refused") {
         "f:2: expected the end of the line after the number of points, found \"1\"");
   CHECK(qhull_error("2\n1\n0 0 0\n") == "f:3: expected 2 coordinates, found 3");
   CHECK(qhull_error("2\n2\n0 0\n") == "f:3: expected point 2 of 2, found the end of the file");
-  CHECK(qhull_error("2\n1\n0 0\n1 1\n") ==
+  CHECK(qhull_error("2\n1\n0 0\n1 2\n") ==
         "f:4: expected the end of the file after the last point, found \"1\"");
   CHECK(error_of(read_qhull_simplices(named("1\n0 1 b\n"))) ==
         "f:2: expected a vertex, an integer, found \"b\"");

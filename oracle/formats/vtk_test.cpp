@@ -95,6 +95,9 @@ TEST_CASE("vtk: what is refused") {
         "f:9: expected a tetrahedron of 4 vertices, found type 10 of 3 vertices");
   CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n0\n"))) ==
         "f:9: expected a type of cells that VTK knows, found type 0 of 3 vertices");
+  CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n82\n"))) ==
+        "f:9: expected a type of cells that VTK knows, found type 82 of 3 vertices");
+  CHECK(vtk(grid(kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n81\n"))->first_curved);
   CHECK(error_of(vtk(grid(kPoints + "CELLS 1 4\n-3 0 1 2\n"))) ==
         "f:9: expected the number of vertices of cell 1 of 1, 0 or more, found -3");
   CHECK(error_of(vtk(grid(kPoints + "SCALARS a float\n"))) ==
@@ -115,6 +118,7 @@ TEST_CASE("vtk: what is refused") {
   CHECK(error_of(vtk(
             five + "POLYGONS 2 2\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1\n")) ==
         "f:8: expected a polygon of 3 vertices or more, found one of 2");
+  CHECK(vtk(five + "POLYGONS 0 0\n"));
 }
 
 TEST_CASE("vtu: points of several pieces follow one another") {
@@ -202,6 +206,7 @@ TEST_CASE("base 64: padding within, blanks, faults") {
   CHECK(decode_base64("QUJD", 3) == "ABC");
   CHECK(decode_base64("QQ==QkM=", 9) == "ABC");
   CHECK(decode_base64(" Q\nUJ D", 2) == "AB");
+  CHECK(decode_base64("QU\r\nJ\tD", 3) == "ABC");
   CHECK(decode_base64("", 5) == "");
   CHECK(!decode_base64("QUJ", 3));
   CHECK(!decode_base64("QU*D", 3));

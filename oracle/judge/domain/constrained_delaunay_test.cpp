@@ -61,6 +61,28 @@ TEST_CASE("cdt.dangling-not-delaunay: the wrong diagonal of a kite in space") {
   CHECK(broken(Claim::kConformingDelaunay, mesh, domain).empty());
 }
 
+TEST_CASE("cdt.dangling-not-delaunay: beside tetrahedra") {
+  PiecewiseLinearInput input = generators::box(0, 2);
+  input.points.push_back({3, 0, 0});
+  input.points.push_back({6, 2, 0});
+  input.polygons.push_back({{{1, 8, 9, 3}}, {}});
+  ExactMesh mesh{PointSet(input.points), kCubeInFive};
+  mesh.faces = {{1, 8, 9}, {1, 3, 9}};
+  for (const By by : {By::kLemma, By::kDefinition}) {
+    CHECK(broken(Claim::kCdt, mesh, domain_of(input), by) == std::set{Rule::kDanglingNotDelaunay});
+  }
+  mesh.faces = {{1, 3, 8}, {3, 8, 9}};
+  check_holds(Claim::kCdt, mesh, domain_of(input));
+}
+
+TEST_CASE("an orientation that is not that of others does not hide what is not Delaunay") {
+  const PiecewiseLinearInput input = generators::encircled_segment();
+  const ExactMesh mesh{PointSet(input.points), {{0, 1, 3, 4}, {1, 2, 3, 4}, {0, 2, 3, 4}}};
+  const Verdict verdict = judge_domain(Claim::kCdt, mesh, domain_of(input), {.oriented = true});
+  CHECK(verdict.tallies().contains(Rule::kOrientation));
+  CHECK(verdict.tallies().contains(Rule::kConstrainedFacetNotLocal));
+}
+
 TEST_CASE("of a cube's triangulations all are constrained Delaunay, few canonical") {
   const PiecewiseLinearInput input = generators::box(0, 2);
   std::size_t canonical = 0;
@@ -98,8 +120,10 @@ TEST_CASE("a polygon hides a vertex: a CDT that is not Delaunay, in both words f
 }
 
 TEST_CASE("delaunay.no-empty-ball: a dangling edge, a dangling triangle") {
-  for (const bool in_space : {false, true}) {
-    const PiecewiseLinearInput input = crowded_segment(in_space);
+  for (const auto& [in_space, turned] :
+       std::vector<std::pair<bool, int>>{{false, 0}, {false, 1}, {true, 0}, {true, 1}, {true, 2}}) {
+    PiecewiseLinearInput input = crowded_segment(in_space);
+    for (Point& point : input.points) std::rotate(point.begin(), point.end() - turned, point.end());
     ExactMesh mesh{PointSet(input.points), {}};
     mesh.faces = {{0, 1}};
     for (const By by : {By::kLemma, By::kDefinition}) {

@@ -114,6 +114,62 @@ TEST_CASE("domain.vertex-missing: no point, or one that no simplex around it has
   CHECK(verdict.violations()[0].witness.polygon == std::size_t{0});
 }
 
+TEST_CASE(
+    "the first vertex of a domain or a mesh may be missing, or a Steiner point, as any other") {
+  PiecewiseLinearInput square;
+  square.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  square.segments = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
+  CHECK(rules({PointSet({{4, 0}, {4, 4}, {0, 4}}), {{0, 1, 2}}}, domain_of(square)) ==
+        std::set{Rule::kDomainVertexMissing});
+  PiecewiseLinearInput with_inner;
+  with_inner.points = {{2, 1}, {0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  with_inner.segments = {{1, 2}, {2, 3}, {3, 4}, {1, 4}};
+  CHECK(rules({PointSet(with_inner.points), {{1, 2, 3}, {1, 3, 4}}}, domain_of(with_inner)) ==
+        std::set{Rule::kDomainVertexMissing});
+  const ExactMesh halved{PointSet({{2, 0}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}),
+                         {{0, 2, 3}, {0, 3, 4}, {0, 1, 4}}};
+  check_holds(Claim::kSteinerTriangulation, halved, domain_of(square));
+  // The middle of a segment and of a square of the surface come first.
+  const ExactMesh fine = grid({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, every_cell);
+  for (const Vertex first : {1, 4, 13}) {
+    const auto renumbered = [&](Vertex v) { return (v + 27 - first) % 27; };
+    std::vector<Point> points(27);
+    for (Vertex v = 0; v < 27; ++v)
+      points[static_cast<std::size_t>(renumbered(v))] = fine.points[v];
+    std::vector<Simplex> simplices = fine.simplices;
+    for (Simplex& simplex : simplices) {
+      for (Vertex& v : simplex) v = renumbered(v);
+    }
+    CHECK(broken(Claim::kSteinerTriangulation, {PointSet(points), simplices}, cube()).empty());
+  }
+  // Beyond the hull of a domain that is its hull.
+  PiecewiseLinearInput hull;
+  hull.points = square.points;
+  hull.kind = DomainKind::kHull;
+  CHECK(
+      rules({PointSet({{5, 2}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}), {{0, 2, 3}, {1, 2, 3}, {1, 3, 4}}},
+            domain_of(hull)) == std::set{Rule::kOutside});
+}
+
+TEST_CASE("domain.segment-missing: half of a segment, and the vertex that is nearest to it") {
+  PiecewiseLinearInput input;
+  input.points = {{0, 0}, {4, 0}, {3, 1}, {3, -1}};
+  input.segments = {{0, 1}};
+  input.kind = DomainKind::kHull;
+  const ExactMesh half{PointSet({{0, 0}, {4, 0}, {3, 1}, {3, -1}, {2, 0}}),
+                       {{0, 2, 4}, {0, 3, 4}, {2, 3, 4}, {1, 2, 3}}};
+  CHECK(rules(half, domain_of(input)) == std::set{Rule::kSegmentMissing});
+  // One vertex is near an end, another one, which is nearer, near the middle.
+  input.points = {{0, 0}, {100, 0}, {50, 1}, {50, -2}, {0, 3}};
+  const ExactMesh mesh{PointSet(input.points), {{0, 2, 3}, {1, 2, 3}, {1, 2, 4}, {0, 2, 4}}};
+  const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, domain_of(input));
+  REQUIRE(verdict.violations().size() == 1);
+  CHECK(verdict.violations()[0].rule == Rule::kSegmentMissing);
+  REQUIRE(verdict.violations()[0].witness.nearest.has_value());
+  CHECK(verdict.violations()[0].witness.nearest->vertex == 2);
+  CHECK(verdict.violations()[0].witness.nearest->squared_distance == 1);
+}
+
 TEST_CASE("a vertex of the domain outside everything is a vertex of the mesh without simplices") {
   PiecewiseLinearInput input = box(0, 2);
   input.points.push_back({5, 5, 5});
@@ -128,6 +184,8 @@ TEST_CASE(
   check_holds(Claim::kPlcTriangulation, cube_mesh(kCubeInSix), domain_of(input));
   ExactMesh five = cube_mesh(kCubeInFive);
   CHECK(rules(five, domain_of(input)) == std::set{Rule::kSegmentMissing});
+  const Verdict verdict = judge_domain(Claim::kPlcTriangulation, five, domain_of(input));
+  CHECK(verdict.violations()[0].witness.face == Simplex{0, 7});
   five.faces = {{0, 7}};
   CHECK(rules(five, domain_of(input)) == std::set{Rule::kSegmentMissing});
 }

@@ -136,6 +136,10 @@ TEST_CASE("neighbours: the true ones pass, each false one is named with what it 
   CHECK(extra.face == Simplex{1, 2});
   CHECK(extra.values[0].value == 6);
   CHECK(extra.values[1].value == -1);
+  mesh.neighbors = Neighbors{{{-1, 1, -1}, {-1, -1, -1}}};
+  const Verdict none = delaunay(mesh);
+  REQUIRE(none.violations().size() == 1);
+  CHECK(none.violations()[0].witness.simplices == std::vector<Simplex>{{0, 2, 3}, {0, 1, 2}});
   mesh.neighbors = Neighbors{{{-1, 7, -1}, {-1, -1, 0}}};
   CHECK(only_rule(mesh) == Rule::kWrongNeighbor);
 }

@@ -1,6 +1,7 @@
 // Whether simplices are a complex that covers the hull: each rule broken alone, by the smallest mesh.
 #include "oracle/judge/points/triangulation.hpp"
 
+#include <map>
 #include <set>
 
 #include <doctest/doctest.h>
@@ -85,6 +86,19 @@ TEST_CASE("overlap: two triangles on the same side of an edge") {
   CHECK((*witness.point)[1] > 0);  // off the common edge
   CHECK(covers(mesh, {0, 1, 2}, *witness.point));
   CHECK(covers(mesh, {0, 1, 3}, *witness.point));
+  CHECK(broken(mesh, By::kDefinition) == std::set{Rule::kOverlap});
+}
+
+TEST_CASE("hull not convex, by definition: the first vertex beyond a facet is named") {
+  const ExactMesh mesh{PointSet({{4, 4}, {0, 0}, {4, 0}, {0, 4}, {6, 0}}), {{1, 2, 3}, {0, 2, 4}}};
+  const Verdict verdict = triangulation(mesh, {.by = By::kDefinition});
+  std::map<Simplex, std::vector<Vertex>> beyond;
+  for (const Violation& violation : verdict.violations()) {
+    CHECK(violation.rule == Rule::kHullNotConvex);
+    beyond[violation.witness.face.value_or(Simplex{})] = violation.witness.vertices;
+  }
+  CHECK(beyond[{2, 3}] == std::vector<Vertex>{0});
+  CHECK(beyond[{0, 2}] == std::vector<Vertex>{1});
 }
 
 TEST_CASE("overlap: a boundary folded onto itself, with one edge along another") {
