@@ -189,6 +189,7 @@ std::string reason_to_skip_updates(const Subject& subject, const UpdatesCase& wh
 std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& whole) {
   if (whole.input.points.empty()) return "the domain is empty";
   if (whole.input.points.front().size() != subject.dimension) return "another dimension";
+  if (subject.full_dimension && is_flat(subject, whole)) return "the points lie in a hyperplane";
   PiecewiseLinearInput input = tidy(subject, whole).input;
   if (!is_of_doubles(ComplexCase{whole.family, input})) return "segments cross in no double";
   input.kind = kind_of(subject.fill);
@@ -249,8 +250,9 @@ bool is_flat(const Subject& subject, const Input& input) {
     return is_ever_flat(*whole, subject.dimension);
   }
   const auto* const set = std::get_if<PointsCase>(&input);
-  if (set == nullptr) return false;
-  return affine_hull(set->points).dimension < static_cast<int>(subject.dimension);
+  const std::vector<Point>& points =
+      set != nullptr ? set->points : std::get<ComplexCase>(input).input.points;
+  return affine_hull(points).dimension < static_cast<int>(subject.dimension);
 }
 
 std::string reason_to_skip(const Subject& subject, const Input& input) {

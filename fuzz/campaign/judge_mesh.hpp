@@ -30,9 +30,10 @@ Comparison compared(const Subject& subject, const Input& input, const std::strin
 
 // Can the input be judged at all? Empty, or why it is skipped: it is not made of doubles; the points
 // do not span the space, where that is asked for; the domain is invalid or encloses nothing.
+// Of a domain in space that may take long.
 std::string reason_to_skip(const Subject& subject, const Input& input);
 
-// Do the points lie in a hyperplane, or are they too few not to? (Domains: never said of them.)
+// Do the points, or those of the domain, lie in a hyperplane, or are they too few not to?
 bool is_flat(const Subject& subject, const Input& input);
 
 }  // namespace circumspect::campaign

@@ -30,6 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What work of our own for a run may have, in the memory of the program.
+constexpr std::uint64_t kJudgingMemory = 4;
+
 // A file system in memory is faster, and wears nothing out. A container may have a very small one.
 fs::path place_for_scratch(const Limits& limits) {
   const fs::path memory = "/dev/shm";
@@ -282,8 +285,9 @@ std::string Runner::marked(const std::string& signature, const Input& input) con
 }
 
 Outcome Runner::run_once(const Input& input, bool anew) {
-  const std::string reason = reason_to_skip(subject_, input);
-  if (!reason.empty()) return {OutcomeKind::kSkipped, "skipped", reason};
+  const std::optional<std::string> reason = reason_in_time(input);
+  if (!reason) return {OutcomeKind::kInterrupted, word(OutcomeKind::kInterrupted), "interrupted"};
+  if (!reason->empty()) return {OutcomeKind::kSkipped, "skipped", *reason};
   const auto text = file_text(input, formats::extension(subject_.input_name), subject_.first_index,
                               subject_.dimension);
   if (!text) return {OutcomeKind::kSkipped, "skipped", "the format has no way to say this input"};
@@ -380,6 +384,29 @@ Outcome Runner::outcome_of(const Ended& ended, const Input& input) const {
   return judged_in_time(input, mesh);
 }
 
+// Why an input is skipped, within the limits of judging; nothing if it was interrupted. To look at a domain in space may
+// take as long as to judge a mesh of it.
+std::optional<std::string> Runner::reason_in_time(const Input& input) const {
+  if (!subject_.is_about_domains() || subject_.dimension < 3)
+    return reason_to_skip(subject_, input);
+  const Apart apart =
+      computed_apart([&] { return reason_to_skip(subject_, input); }, subject_.judging_seconds,
+                     kJudgingMemory * subject_.limits.memory, is_interrupted_);
+  switch (apart.end) {
+    case Apart::End::kTimeLimit:
+      return fmt::format("to look at the domain takes longer than {:g} s (--limit-judging)",
+                         subject_.judging_seconds);
+    case Apart::End::kMemoryLimit:
+      return "to look at the domain takes more memory than there is for it (--limit-memory, four "
+             "times)";
+    case Apart::End::kInterrupted:
+      return std::nullopt;
+    case Apart::End::kDone:
+      break;
+  }
+  return apart.text;
+}
+
 // The numbers of a small file are short, and what they say is soon judged: a process apart would take longer.
 Outcome Runner::judged_in_time(const Input& input, const std::string& mesh) const {
   constexpr std::uintmax_t kSmallFile = 4096;
@@ -387,10 +414,9 @@ Outcome Runner::judged_in_time(const Input& input, const std::string& mesh) cons
   if (fs::file_size(mesh) <= kSmallFile && point_count(input) <= kFewPoints) {
     return judged(subject_, input, mesh);
   }
-  constexpr std::uint64_t kMemory = 4;  // times that of the program
-  const Apart apart =
-      computed_apart([&] { return bytes_of(judged(subject_, input, mesh)); },
-                     subject_.judging_seconds, kMemory * subject_.limits.memory, is_interrupted_);
+  const Apart apart = computed_apart([&] { return bytes_of(judged(subject_, input, mesh)); },
+                                     subject_.judging_seconds,
+                                     kJudgingMemory * subject_.limits.memory, is_interrupted_);
   const auto limited = [&](const std::string& what) {
     return Outcome{OutcomeKind::kJudgingLimit, word(OutcomeKind::kJudgingLimit),
                    subject_.mesh_name + ": to judge it takes " + what, indented(said())};

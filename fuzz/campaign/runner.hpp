@@ -60,6 +60,7 @@ class Runner {
 
  private:
   std::optional<std::string> said_error() const;
+  std::optional<std::string> reason_in_time(const Input& input) const;
   Outcome judged_in_time(const Input& input, const std::string& mesh) const;
   Outcome outcome_of(const Ended& ended, const Input& input) const;
   Outcome run(const Input& input, bool anew);

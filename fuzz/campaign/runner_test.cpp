@@ -246,6 +246,27 @@ TEST_CASE("the mesh of an untidy domain is held against the arrangement") {
   CHECK(Runner(subject).run(whole).text == "segments cross in no double");
 }
 
+TEST_CASE("looking at a domain has the limits of judging, and flat domains can be skipped") {
+  ComplexCase whole;
+  whole.input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  whole.input.polygons = {{{{0, 1, 3, 2}}, {}}};
+  Subject subject = shell("exit 3");
+  subject.input_name = "x.poly";
+  subject.mesh_name = "x.off";
+  subject.claim = Claim::kSteinerCdt;
+  subject.fill = Fill::kHull;
+  CHECK(Runner(subject).run(whole).signature == "exit-code-3-flat");
+  subject.full_dimension = true;
+  CHECK(Runner(subject).run(whole).text == "the points lie in a hyperplane");
+  whole.input.points[3] = {0, 0, 1};
+  whole.input.polygons = {{{{0, 1, 2}}, {}}};
+  CHECK(Runner(subject).run(whole).signature == "exit-code-3");
+  subject.judging_seconds = 1e-9;
+  const Outcome late = Runner(subject).run(whole);
+  CHECK(late.kind == OutcomeKind::kSkipped);
+  CHECK(late.text == "to look at the domain takes longer than 1e-09 s (--limit-judging)");
+}
+
 TEST_CASE("no case finds what the one before it left") {
   const Subject subject =
       shell("ls -A . | grep -v x.node && exit 9; mkdir -p a/b; touch a/b/c d; chmod 0 a; exit 0");

@@ -84,9 +84,13 @@ Point point_before(const Regions& regions, const OrientedFacet& side) {
   Point step = {-u[1], u[0]};  // on the left, where the front of an edge is
   if (corners.size() == 3) step = cross_product(corners[2] - corners[0], u);
   if (side.reversed) step = Rational(-1) * step;
-  for (;; step = Rational(1, 2) * step) {
-    const auto crossed = walls.crossings(centre, centre + step);
-    if (crossed && crossed->size() == 1) return centre + step;
+  // The plane of another wall may hold this way, however short it is; but only two at most of those aside: they
+  // lie on a parabola, and its plane does not go through the centre.
+  for (int t = 0;; ++t) {
+    const Rational aside = t == 0 ? Rational(0) : Rational(1, t);
+    Point way = step + aside * u;
+    if (corners.size() == 3) way = way + aside * aside * (corners[2] - corners[0]);
+    if (const auto part = walls.free_part(centre, way)) return centre + *part * way;
   }
 }
 

@@ -59,7 +59,11 @@ class WallSet {
   // point, or lies in the hyperplane of a wall that it comes near to.
   std::optional<std::vector<Crossing>> crossings(const Point& from, const Point& to) const;
 
-  // The same, for some walls at the vertex `apex` (space only), each made longer without end: the
+  // How much of the way, as half of it again and again, can be gone from a point in the interior of a wall until no
+  // other wall is met; nothing if the way lies in the hyperplane of a wall that it comes near to.
+  std::optional<Rational> free_part(const Point& from, const Point& way) const;
+
+  // The same as `crossings`, for some walls at the vertex `apex` (space only), each made longer without end: the
   // cone over it, seen from the apex.
   std::optional<std::vector<Crossing>> cone_crossings(Vertex apex,
                                                       std::span<const std::size_t> walls,

@@ -275,6 +275,19 @@ TEST_CASE("boxes in boxes: every second layer is filled, or all, or as they are 
   CHECK(places(Fill::kWinding, turned_box(0, 9, true), {{1, 1, 1}, {10, 1, 1}}) == "+-");
 }
 
+TEST_CASE("a point of a region is found where the plane of a wall holds the normal of another") {
+  // A tetrahedron below a triangle, and a triangle in a plane through the centre of that which stands upright on it.
+  PiecewiseLinearInput input;
+  input.points = {{0, 0, 0},    {6, 0, 0},    {0, 6, 0},   {0, 0, -6},
+                  {-3, -3, -1}, {10, 10, 10}, {-3, -3, 10}};
+  input.polygons = {{{{0, 1, 2}}, {}},
+                    {{{0, 1, 3}}, {}},
+                    {{{0, 2, 3}}, {}},
+                    {{{1, 2, 3}}, {}},
+                    {{{4, 5, 6}}, {}}};
+  CHECK(places(Fill::kEvenOdd, input, {{1, 1, -1}, {1, 1, 1}}) == "+-");
+}
+
 TEST_CASE("winding: a wall that is turned against its neighbours is named") {
   PiecewiseLinearInput box = turned_box(0, 9);
   std::reverse(box.polygons[3].lines[0].begin(), box.polygons[3].lines[0].end());

@@ -93,6 +93,20 @@ std::optional<std::vector<Crossing>> WallSet::crossings(const Point& from, const
   return crossings(near(from, to), from, to, std::nullopt);
 }
 
+std::optional<Rational> WallSet::free_part(const Point& from, const Point& way) const {
+  Rational part = 1;
+  for (const std::size_t wall : near(from, from + way)) {
+    const Rational start = height(wall, from);
+    const Rational end = height(wall, from + way);
+    if (start == 0 && end == 0) return std::nullopt;
+    if (start == 0 || sign(start) * sign(end) > 0) continue;
+    const Rational at = start / (start - end);
+    if (at > part || place_in(wall, from + at * way, std::nullopt) == Meeting::kNone) continue;
+    while (part >= at) part /= 2;
+  }
+  return part;
+}
+
 std::optional<std::vector<Crossing>> WallSet::cone_crossings(Vertex apex,
                                                              std::span<const std::size_t> walls,
                                                              const Point& from,
