@@ -1,5 +1,4 @@
-#include "bench/algorithms.hpp"
-
+#include "bench/tables.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"

@@ -15,7 +15,6 @@
 
 #include <fmt/format.h>
 
-#include "bench/algorithms.hpp"
 #include "bench/point_sets.hpp"
 #include "bench/tables.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

@@ -1,10 +1,15 @@
 // What the benchmarks print: a table each, and how long a piece of work takes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <ctime>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include "reference/kernel/complex/point_set.hpp"
+#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::bench {
 
@@ -90,5 +95,19 @@ void write_mesh(const std::string& stem, const Arrays& mesh);
 // What `tetgen -pYq1.4a0.000005` makes of a cube with a folded surface of 2·side² triangles in its middle:
 // the triangles stay, so it is not Delaunay. Empty if TetGen is not there. Leaves files in the folder.
 Arrays constrained_mesh(const std::string& folder, int side);
+
+// ---- Constructions that are compared ----
+// The constructions that the benchmarks compare.
+
+struct Algorithm {
+  std::string name;
+  std::function<Triangulation(const PointSet&)> construct;
+  // The numbers of points to try, and the seconds that the last may take (0: any).
+  std::vector<std::size_t> sizes;
+  int seconds_allowed = 0;
+};
+
+// One line an algorithm.
+const std::vector<Algorithm>& algorithms();
 
 }  // namespace circumspect::bench

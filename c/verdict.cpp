@@ -22,7 +22,6 @@
 #include "oracle/picture/page.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
-#include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::c {

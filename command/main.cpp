@@ -17,7 +17,6 @@
 
 #include "command/options/domain_options.hpp"
 #include "command/options/help.hpp"
-#include "command/options/unknown_words.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/formats/unfinished_file.hpp"

@@ -1,12 +1,15 @@
 // Judges every mesh of the corpus from the lemmas, and holds expected.tsv and the files to each other.
 #include <filesystem>
 
+#include <circumspect/check.hpp>
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
 #include "corpus/expected_table.hpp"
+#include "oracle/judge/arrays/arrays_of_test.hpp"
 
 namespace circumspect::corpus {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,6 +90,27 @@ TEST_CASE("expected.tsv and the meshes on disk are the same set") {
   const std::set<std::string> on_disk = mesh_files();
   for (const std::string& path : on_disk) CHECK_MESSAGE(listed.contains(path), path);
   for (const std::string& path : listed) CHECK_MESSAGE(on_disk.contains(path), path);
+}
+
+// ---- Arrays ----
+// The meshes of the corpus as arrays: whatever the checkers say of the files, `judge` says of the arrays.
+
+TEST_CASE("arrays are judged as files are, and by the fast judge wherever they hold") {
+  std::size_t fast = 0, rejected = 0;
+  for (const Row& row : expected_rows()) {
+    const ExactMesh mesh = mesh_of(row);
+    const auto arrays = arrays::arrays_of(mesh);
+    if (!arrays) continue;
+    INFO(row.text);
+    const MeshJudgement judgement = judge(std::string(name(row.claim)), arrays->view());
+    CHECK(arrays::difference_from_slow(row.claim, mesh, judgement) == "");
+    const bool is_handled = arrays->dimension == 2 || arrays->dimension == 3;
+    if (is_handled && judgement.holds) CHECK(judgement.counts.fast);
+    fast += judgement.counts.fast ? 1 : 0;
+    rejected += judgement.holds ? 0 : 1;
+  }
+  CHECK(fast > 100);
+  CHECK(rejected > 100);
 }
 
 }  // namespace circumspect::corpus

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "corpus/domain_table.hpp"
-#include "inputs/points_case.hpp"
+#include "inputs/cases.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 
 namespace circumspect::corpus {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "inputs/complex_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/point_sets.hpp"
 
 namespace circumspect::generators {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "inputs/complex_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
 
 namespace circumspect::generators {

@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "inputs/families.hpp"
-#include "inputs/flat_and_scaled_sets.hpp"
 #include "inputs/point_sets.hpp"
 #include "inputs/round_sets.hpp"
 #include "inputs/set_parts.hpp"

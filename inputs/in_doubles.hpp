@@ -1,8 +1,7 @@
 // Inputs as programs see them: every number a double.
 #pragma once
 
-#include "inputs/complex_case.hpp"
-#include "inputs/points_case.hpp"
+#include "inputs/cases.hpp"
 
 namespace circumspect::generators {
 

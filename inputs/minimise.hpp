@@ -8,8 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "inputs/complex_case.hpp"
-#include "inputs/points_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/updates.hpp"
 
 namespace circumspect::generators {

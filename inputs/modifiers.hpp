@@ -2,9 +2,8 @@
 // where that is what it is about.
 #pragma once
 
-#include "inputs/complex_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
-#include "inputs/points_case.hpp"
 
 namespace circumspect::generators {
 

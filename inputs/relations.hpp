@@ -4,8 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "inputs/complex_case.hpp"
-#include "inputs/points_case.hpp"
+#include "inputs/cases.hpp"
 
 namespace circumspect::generators {
 

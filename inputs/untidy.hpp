@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "inputs/complex_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
 
 namespace circumspect::generators {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
-#include "inputs/points_case.hpp"
 
 namespace circumspect::generators {
 

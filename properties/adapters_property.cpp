@@ -3,10 +3,10 @@
 #include <circumspect/judgement.hpp>
 #include <doctest/doctest.h>
 
+#include "inputs/cases.hpp"
 #include "inputs/complex_families.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/points_case.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/adapters/adapters.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"

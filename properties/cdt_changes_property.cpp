@@ -7,7 +7,7 @@
 
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/arguments/complexes.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"

@@ -7,13 +7,12 @@
 #include <doctest/doctest.h>
 
 #include "properties/arguments/complexes.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"

@@ -22,8 +22,8 @@
 #include <circumspect/judgement.hpp>
 #include <rapidcheck.h>
 
+#include "inputs/cases.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/points_case.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "properties/adapters/adapters.hpp"
 #include "properties/faulty/fault.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "reference/existence/existence.hpp"
 #include "reference/existence/matching.hpp"
 #include "reference/kernel/complex/point_set.hpp"

@@ -12,7 +12,7 @@
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "properties/arguments/complexes.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "properties/mutations/mutations.hpp"

@@ -8,7 +8,7 @@
 
 #include "inputs/triangulated/protected_complexes.hpp"
 #include "properties/arguments/complexes.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/edge_protection.hpp"

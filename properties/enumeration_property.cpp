@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/points/check.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"
 #include "properties/arguments/run.hpp"

@@ -38,7 +38,7 @@ ALL_TARGETS = ["all"]
 MEMORY = 8 << 30
 TABLE = "properties/generated_mutants.tsv"
 # What decides: predicates, checkers, engine, readers.
-GROUPS = {"predicates": ["reference/kernel/predicates/*.cpp", "reference/kernel/exact/determinant.cpp"],
+GROUPS = {"predicates": ["reference/kernel/predicates/*.cpp", "reference/kernel/exact/linear_algebra.cpp"],
           "exact checkers": ["oracle/judge/*.cpp", "oracle/judge/points/*.cpp", "oracle/judge/domain/*.[ch]pp"],
           "fast judge": ["oracle/judge/fast/*.[ch]pp"],
           "readers": ["oracle/formats/*.[ch]pp"]}

@@ -9,7 +9,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "properties/arguments/complexes.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/edge_protection.hpp"

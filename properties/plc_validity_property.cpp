@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"

@@ -8,7 +8,7 @@
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"

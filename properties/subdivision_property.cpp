@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"

@@ -6,8 +6,7 @@
 
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/exact/determinant.hpp"
-#include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/piecewise_linear/visibility.hpp"
 #include "reference/kernel/predicates/intersection.hpp"

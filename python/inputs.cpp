@@ -16,10 +16,10 @@
 #include "fuzz/campaign/domain_text.hpp"
 #include "fuzz/campaign/input.hpp"
 #include "fuzz/harness/cases.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/minimise.hpp"
-#include "inputs/points_case.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "reference/kernel/exact/number.hpp"
 

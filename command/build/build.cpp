@@ -18,7 +18,7 @@
 #include "oracle/judge/points/check.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/delaunay/lexicographic.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 

@@ -11,7 +11,7 @@
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::cli {

@@ -18,7 +18,7 @@
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "command/subcommands.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 

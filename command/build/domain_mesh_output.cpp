@@ -9,7 +9,7 @@
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

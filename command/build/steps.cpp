@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "oracle/picture/picture.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::cli {

@@ -21,7 +21,7 @@
 #include "command/subcommands.hpp"
 #include "fuzz/campaign/finding_folder.hpp"
 #include "oracle/formats/source.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

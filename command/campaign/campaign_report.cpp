@@ -10,7 +10,7 @@
 #include "command/output/output.hpp"
 #include "oracle/formats/source.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 

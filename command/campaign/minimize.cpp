@@ -18,7 +18,7 @@
 #include "fuzz/campaign/runner.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

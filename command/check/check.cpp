@@ -25,7 +25,6 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
-#include "oracle/report/wording.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/judge.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {

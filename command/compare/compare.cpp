@@ -20,7 +20,7 @@
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {

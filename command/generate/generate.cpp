@@ -18,7 +18,7 @@
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

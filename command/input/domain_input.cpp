@@ -8,7 +8,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
 
 namespace circumspect::cli {

@@ -11,7 +11,7 @@
 #include "command/input/domain_input.hpp"
 #include "command/options/whole_number.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {

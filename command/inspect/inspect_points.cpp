@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/complex/point_set.hpp"

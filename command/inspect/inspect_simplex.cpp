@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "command/inspect/inspect_points.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/exact/point.hpp"

@@ -9,7 +9,7 @@
 #include "command/subcommands.hpp"
 #include "oracle/formats/source.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/existence/refutation.hpp"
 
 namespace circumspect::cli {

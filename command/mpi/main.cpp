@@ -21,7 +21,6 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
-#include "oracle/report/wording.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace {

@@ -1,6 +1,8 @@
 // How --help is laid out: options in groups, lines that fit the terminal.
 #pragma once
 
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -11,5 +13,14 @@ namespace circumspect::cli {
 // --help break its lines where the terminal ends, or after COLUMNS characters, if that is set; elsewhere, as in a
 // pipe, they stay whole. Called when all options are there. Requires: `app` outlives every --help.
 void lay_out_help(CLI::App& app);
+
+// ---- Unknown words ----
+// What to say of a word on the command line that means nothing there.
+
+// A sentence about the first word that the command line had no place for: what was expected there, and the
+// nearest word that means something; or, if all words had one, about the subcommand that is missing; "" if none
+// is. Requires: `app` has just thrown
+// CLI::RequiredError or CLI::ExtrasError, which say only that something is missing, or too much.
+std::string unknown_word_text(const CLI::App& app);
 
 }  // namespace circumspect::cli

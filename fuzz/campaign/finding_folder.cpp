@@ -21,7 +21,7 @@
 #include "oracle/formats/source.hpp"
 #include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::campaign {
 namespace {

@@ -6,7 +6,7 @@
 #include "fuzz/campaign/domain_text.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
-#include "oracle/formats/point_lists.hpp"
+#include "oracle/formats/point_file.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 

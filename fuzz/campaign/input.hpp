@@ -6,9 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "inputs/complex_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/modifiers.hpp"
-#include "inputs/points_case.hpp"
 #include "inputs/relations.hpp"
 #include "inputs/updates.hpp"
 #include "reference/kernel/complex/simplex.hpp"

@@ -23,7 +23,7 @@
 #include "fuzz/process/folders.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::campaign {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "inputs/cases.hpp"
 #include "inputs/in_doubles.hpp"
-#include "inputs/points_case.hpp"
 
 namespace circumspect::harness {
 

@@ -10,9 +10,9 @@
 #include <circumspect/sequences.hpp>
 #include <circumspect/subject.hpp>
 
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
 #include "inputs/families.hpp"
-#include "inputs/points_case.hpp"
 
 namespace circumspect::harness {
 

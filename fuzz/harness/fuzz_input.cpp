@@ -23,9 +23,9 @@
 
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
-#include "inputs/points_case.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {

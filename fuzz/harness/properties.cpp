@@ -11,11 +11,11 @@
 
 #include "fuzz/harness/answer.hpp"
 #include "fuzz/harness/cases.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/minimise.hpp"
-#include "inputs/points_case.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 #include "oracle/judge/judge.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::harness {

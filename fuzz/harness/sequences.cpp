@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/harness/cases.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect {
 namespace {

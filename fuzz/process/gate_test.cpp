@@ -1,5 +1,3 @@
-#include "fuzz/process/gate.hpp"
-
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "fuzz/process/containment.hpp"
 #include "fuzz/process/process.hpp"
 #include "inputs/scratch_folder_test.hpp"
 

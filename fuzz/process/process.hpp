@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "fuzz/process/containment.hpp"
-#include "fuzz/process/gate.hpp"
 
 namespace circumspect::campaign {
 

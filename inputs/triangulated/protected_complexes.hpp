@@ -4,11 +4,26 @@
 
 #include <vector>
 
-#include "inputs/complex_case.hpp"
+#include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
+#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::properties {
 
+// ---- Merged facets ----
+// Triangles of one plane as one polygon. Book: Definition 4.3 (a linear cell may have holes, and may
+// touch itself).
+
+// Triangles that lie in one plane and are joined across edges, together. Requires: no two triangles
+// have interior points in common; no three of one plane have an edge in common.
+std::vector<std::vector<Simplex>> coplanar_parts(const PointSet& points,
+                                                 const std::vector<Simplex>& triangles);
+
+// Their union: lines along its boundary, which may pass a vertex twice, and a point in every hole.
+// Requires: one of the parts above.
+PolygonLines polygon_of(const PointSet& points, const std::vector<Simplex>& part);
+
+// ---- Protected complexes ----
 // The two readings of "edge-protected". "If the symbolic perturbations … are used to make the
 // vertices … generic, then every Delaunay edge is strongly Delaunay": the segments are edges of the
 // canonical Delaunay triangulation. Without perturbation, each has a closed circumball that contains

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::certificate {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/evidence.hpp"
-#include "oracle/certificate/lines.hpp"
 #include "oracle/judge/points/check.hpp"
 
 namespace circumspect::certificate {

@@ -11,7 +11,6 @@
 #include <tl/expected.hpp>
 
 #include "oracle/certificate/certificate.hpp"
-#include "oracle/certificate/lines.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "oracle/certificate/scaled_points.hpp"
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 
 namespace circumspect::certificate {
 namespace {

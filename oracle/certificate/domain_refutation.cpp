@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/certificate/evidence.hpp"
-#include "oracle/certificate/lines.hpp"
 
 namespace circumspect::certificate {
 namespace {

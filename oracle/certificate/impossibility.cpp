@@ -8,7 +8,7 @@
 
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/intersection.hpp"

@@ -6,7 +6,6 @@
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
-#include "oracle/certificate/lines.hpp"
 
 namespace circumspect::certificate {
 

@@ -15,7 +15,6 @@
 #include "oracle/distributed/local_mesh.hpp"
 #include "oracle/distributed/ranks.hpp"
 #include "oracle/judge/fast/boundary.hpp"
-#include "oracle/judge/fast/facet_across.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"

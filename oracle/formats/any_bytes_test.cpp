@@ -9,7 +9,7 @@
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/ply.hpp"
-#include "oracle/formats/point_lists.hpp"
+#include "oracle/formats/point_file.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"

@@ -1,11 +1,10 @@
-#include "oracle/formats/point_lists.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <optional>
 
 #include "oracle/formats/lines.hpp"
+#include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {
 

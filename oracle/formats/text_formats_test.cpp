@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/formats/point_lists.hpp"
+#include "oracle/formats/point_file.hpp"
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"

@@ -11,7 +11,7 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/picture/page.hpp"
 #include "oracle/picture/picture.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::picture {
 namespace {

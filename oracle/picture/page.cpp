@@ -9,7 +9,6 @@
 #include "oracle/model/printable.hpp"
 #include "oracle/picture/picture.hpp"
 #include "oracle/report/text.hpp"
-#include "oracle/report/wording.hpp"
 
 namespace circumspect::picture {
 namespace {

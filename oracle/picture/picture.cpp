@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::picture {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "oracle/model/printable.hpp"
-#include "oracle/report/wording.hpp"
+#include "oracle/report/text.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {

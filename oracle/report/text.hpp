@@ -1,11 +1,17 @@
 // Verdicts for people.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
+#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 
@@ -21,5 +27,47 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
 // worst relative margin. Empty if the claim holds. Exact values too long to read are given by their
 // decimals; JSON has them whole.
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain = nullptr);
+
+// ---- Words that texts and JSON share ----
+// The words that texts and JSON share.
+
+// "1 point", "2 points". `several` is for words that take more than an s.
+std::string counted(std::size_t count, std::string_view one, std::string_view several = {});
+
+// "vertices", "edges", "triangles", "tetrahedra", "simplices" for dimension 0, 1, 2, 3 and above;
+// "vertex" and so on for one.
+std::string simplices_noun(int dimension, std::size_t count);
+
+// "1 tetrahedron", "2 tetrahedra".
+std::string counted_simplices(std::size_t count, int dimension);
+
+// What a witness names, by the user's own indices.
+struct NamedCells {
+  std::vector<Simplex> simplices = {};  // as they are listed
+  std::optional<Simplex> face = {};     // as the first of these that has it lists it
+  // Indices that stand above for points which were merged into equal ones, and the indices of those.
+  std::map<Vertex, Vertex> merged = {};
+};
+NamedCells named_cells(const Witness& witness, const Mesh& mesh);
+
+// Indices with blanks between them.
+std::string joined(const Simplex& indices);
+
+// The vertices of a mesh, of either type, by the user's own indices: "3 7 9".
+template <class AnyMesh>
+std::string labels(const AnyMesh& mesh, const Simplex& simplex) {
+  Simplex own;
+  for (const Vertex v : simplex) own.push_back(mesh.label(v));
+  return joined(own);
+}
+
+std::string name(check::By by);
+
+// ---- Rounded up ----
+// Distances for people, never less than they are.
+
+// The square root in two significant digits, rounded up: "2.1e-14"; "0" for zero. As a number it is at least
+// the square root. Requires: squared >= 0.
+std::string square_root_rounded_up(const Rational& squared);
 
 }  // namespace circumspect::report

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 
 namespace circumspect::generators {
 

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <utility>
 
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 
 namespace circumspect::properties {

@@ -6,7 +6,7 @@
 
 #include <rapidcheck.h>
 
-#include "inputs/points_case.hpp"
+#include "inputs/cases.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/triangulation.hpp"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "inputs/complex_case.hpp"
-#include "properties/faulty/domain_meshes.hpp"
+#include "inputs/cases.hpp"
 #include "properties/faulty/fault.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/kernel/complex/simplex.hpp"

@@ -1,4 +1,3 @@
-#include "properties/faulty/domain_meshes.hpp"
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
 

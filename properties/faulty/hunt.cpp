@@ -5,12 +5,12 @@
 #include <exception>
 #include <sstream>
 
+#include "inputs/cases.hpp"
 #include "inputs/complex_families.hpp"
 #include "inputs/dice.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/minimise.hpp"
-#include "inputs/points_case.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/faulty/plain_predicates.hpp"

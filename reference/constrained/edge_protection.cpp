@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 

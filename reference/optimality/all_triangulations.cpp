@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 #include "reference/optimality/criteria.hpp"
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <optional>
 
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 

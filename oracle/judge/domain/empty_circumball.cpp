@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {

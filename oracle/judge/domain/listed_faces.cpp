@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

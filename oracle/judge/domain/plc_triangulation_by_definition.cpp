@@ -8,7 +8,7 @@
 #include "oracle/judge/domain/plc_triangulation.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/points/triangulation.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {

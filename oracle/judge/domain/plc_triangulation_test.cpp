@@ -3,7 +3,7 @@
 
 #include "inputs/named_complexes.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "oracle/judge/domain/plc_triangulation.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {

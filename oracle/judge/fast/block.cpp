@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/filter.hpp"
 
 // Each loop is written once, as a function that is always inlined, and compiled for several widths

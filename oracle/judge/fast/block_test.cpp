@@ -13,7 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/fast/exact_sign.hpp"
-#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/filter.hpp"
 #include "oracle/judge/fast/tuples_test.hpp"
 #include "properties/arguments/run.hpp"

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"

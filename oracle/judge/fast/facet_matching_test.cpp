@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "properties/arguments/run.hpp"
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "oracle/judge/fast/boundary.hpp"
-#include "oracle/judge/fast/facet_across.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/fast/predicates.hpp"

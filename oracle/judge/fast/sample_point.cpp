@@ -4,7 +4,7 @@
 
 #include "oracle/judge/fast/lattice.hpp"
 #include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {

@@ -6,7 +6,7 @@
 
 #include "oracle/judge/fast/block.hpp"
 #include "oracle/judge/fast/exact_ball.hpp"
-#include "oracle/judge/fast/facet_across.hpp"
+#include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/predicates.hpp"
 
 namespace circumspect::fast {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "reference/kernel/complex/proper_intersection.hpp"
+#include "reference/kernel/complex/point_set.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/judge/domain/domain_cases_test.hpp"
+#include "oracle/judge/within/seen_from_above.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
@@ -73,6 +74,75 @@ TEST_CASE("the faces of a convex hull by going around it and by looking at all p
     if (set.dimension() < static_cast<int>(dimension)) continue;
     CHECK(hull_faces(set) == hull_faces_by_definition(set));
   }
+}
+
+// ---- Filters ----
+// What doubles decide they decide rightly, however near a case is to the other answer.
+
+namespace {
+
+double any_double(std::mt19937_64& random) {
+  return static_cast<double>(random() % 2'000'001) / 1'000'003.0 - 1;
+}
+
+}  // namespace
+
+TEST_CASE("simplices that are just so far apart are not farther apart") {
+  std::mt19937_64 random(1);
+  int decided = 0;
+  for (int round = 0; round < 400; ++round) {
+    // Differences with a rational length; along an axis nothing is given away.
+    const std::vector<std::array<long, 4>> lengths = {{3, 4, 0, 5}, {2, 3, 6, 7}, {0, 0, 1, 1}};
+    const auto& [x, y, z, length] = lengths[random() % lengths.size()];
+    const Rational scale(static_cast<long>(random() % 1000 + 1), round % 2 == 0 ? 1024 : 3);
+    const Point a = {exact_value(any_double(random)), exact_value(any_double(random)),
+                     exact_value(any_double(random))};
+    const Point b = a + scale * Point{x, y, z};
+    const std::array<RoundedPoint, 1> one = {rounded(a)};
+    const std::array<RoundedPoint, 1> other = {rounded(b)};
+    const Rational distance = scale * length;
+    CHECK(!certainly_apart(one, other, upper_double(distance)));
+    if (certainly_apart(one, other, lower_double(distance) * 0.5)) ++decided;
+  }
+  CHECK(decided == 400);
+}
+
+TEST_CASE("triangles that are nearly seen as lines turn as exact numbers say") {
+  std::mt19937_64 random(2);
+  int left = 0, right = 0;
+  for (int round = 0; round < 300; ++round) {
+    PiecewiseLinearInput input;
+    for (int i = 0; i < 3; ++i) {
+      input.points.push_back({exact_value(any_double(random)), exact_value(any_double(random)),
+                              exact_value(any_double(random))});
+    }
+    input.polygons = {{{{0, 1, 2}}, {}}};
+    const PiecewiseLinearComplex complex = assemble(input);
+    // Two corners, and a third that is on the line through them but for rounding, or exactly above it.
+    const double t = any_double(random);
+    Point third;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double from = input.points[0][axis].get_d(), to = input.points[1][axis].get_d();
+      third.push_back(exact_value(from + t * (to - from)));
+    }
+    const Point normal = normal_of(complex, 0);
+    if (round % 3 == 0) third = input.points[0] + normal;
+    const PointSet points({input.points[0], input.points[1], third});
+    const std::vector<RoundedPoint> of_domain = rounded(input.points);
+    const std::vector<RoundedPoint> of_mesh = rounded(points.points());
+    const SeenFromAbove seen(complex, of_domain, 0, points, of_mesh);
+    const Point u = points[1] - points[0], v = points[2] - points[0];
+    const Point across = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                          u[0] * v[1] - u[1] * v[0]};
+    const int turn = sign(inner_product(normal, across));
+    CHECK(seen.turn({0, 1, 2}) == turn);
+    CHECK(seen.turn({1, 0, 2}) == -turn);
+    if (round % 3 == 0) CHECK(turn == 0);
+    left += turn > 0 ? 1 : 0;
+    right += turn < 0 ? 1 : 0;
+  }
+  CHECK(left > 20);
+  CHECK(right > 20);
 }
 
 }  // namespace circumspect::check

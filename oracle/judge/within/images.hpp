@@ -9,7 +9,6 @@
 
 #include <tl/expected.hpp>
 
-#include "oracle/judge/within/mesh_faces.hpp"
 #include "oracle/judge/within/reaches.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
 #include "oracle/model/domain.hpp"
@@ -18,6 +17,26 @@
 
 namespace circumspect::check {
 
+// ---- Faces of the mesh ----
+// The edges and triangles of a mesh that may belong to images: those with vertices near cells alone.
+
+class MeshFaces {
+ public:
+  // Edges and triangles of simplices, and listed ones. Requires: each simplex is sound by itself.
+  MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches);
+
+  bool has_edge(Vertex a, Vertex b) const;
+  // With all vertices near the polygon; ascending, each once.
+  const std::vector<Simplex>& triangles_near(std::size_t polygon) const {
+    return triangles_[polygon];
+  }
+
+ private:
+  std::vector<std::pair<Vertex, Vertex>> edges_;
+  std::vector<std::vector<Simplex>> triangles_;
+};
+
+// ---- Images ----
 // The triangles that are the image of a polygon, and for each a triangle of the domain of the same part of
 // the polygon: its sides are those of that. All are in the order that is counterclockwise seen from above
 // (see `normal_of`), so that the front of OrientedFacet::of is below.

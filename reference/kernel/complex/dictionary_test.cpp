@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
-#include "properties/arguments/numbers.hpp"
 
 namespace circumspect {
 

@@ -1,6 +1,7 @@
 // Finite point sets, and the circumballs of their simplices.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,5 +100,16 @@ Ball circumball(const PointSet& points, const Simplex& simplex);
 // |q − centre|² − weight(q) − squared_radius: negative iff q is strictly inside (weighted: iff q⁺
 // is strictly below the witness plane), zero on the sphere.
 Rational power(const PointSet& points, const Ball& ball, Vertex q);
+
+// ---- Proper intersection ----
+// Do two simplices meet in a common face or not at all? Book: Definition 2.1 by way of Section 1.5
+// (simplicial complexes).
+
+// A point that lies in both simplices but not in the face spanned by their common vertices;
+// nothing iff they intersect properly. Found by a linear program: among all ways to write one point
+// as a convex combination of either simplex, one that leaves the common face as far as it can.
+// Requires: each simplex affinely independent.
+std::optional<Point> improper_intersection(const PointSet& points, const Simplex& a,
+                                           const Simplex& b);
 
 }  // namespace circumspect

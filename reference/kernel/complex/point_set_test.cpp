@@ -6,9 +6,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/plain_algebra.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
-#include "properties/arguments/numbers.hpp"
-#include "reference/kernel/complex/proper_intersection.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect {

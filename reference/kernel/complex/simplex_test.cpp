@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 

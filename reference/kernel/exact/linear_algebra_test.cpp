@@ -1,4 +1,6 @@
 // Determinants, and linear programs held against every basis.
+#include "reference/kernel/exact/linear_algebra.hpp"
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -7,9 +9,7 @@
 #include <rapidcheck.h>
 
 #include "inputs/plain_algebra.hpp"
-#include "properties/arguments/numbers.hpp"
-#include "reference/kernel/exact/determinant.hpp"
-#include "reference/kernel/exact/linear_program.hpp"
+#include "properties/arguments/generated.hpp"
 
 namespace circumspect {
 

@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 
 #include "inputs/plain_algebra.hpp"
-#include "properties/arguments/numbers.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 
 namespace circumspect {

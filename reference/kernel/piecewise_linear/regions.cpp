@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/linear_program.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/piecewise_linear/disjoint_sets.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

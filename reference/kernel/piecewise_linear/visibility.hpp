@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/piecewise_linear/regions.hpp"
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/kernel/exact/determinant.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {

@@ -7,8 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/plain_algebra.hpp"
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
-#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 

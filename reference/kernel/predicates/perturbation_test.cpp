@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
-#include "properties/arguments/numbers.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 

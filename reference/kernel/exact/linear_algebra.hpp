@@ -1,4 +1,4 @@
-// Determinants and systems of linear equations, exactly.
+// Linear algebra over the rationals: determinants, systems of linear equations, small linear programs.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,8 @@
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect {
+
+// Determinants and systems of linear equations, exactly.
 
 // ---- Determinant ----
 // Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
@@ -48,5 +50,29 @@ using RationalMatrix = std::vector<std::vector<Rational>>;
 // The solution x of A x = b by Gaussian elimination; nothing if A is singular.
 // Requires: A is square, b as long as A.
 std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b);
+
+// ---- Linear programs ----
+// Small linear programs over the rationals.
+
+// Maximise objective·x subject to equations·x = right_sides, x ≥ 0.
+struct LinearProgram {
+  RationalMatrix equations;  // one row an equation
+  std::vector<Rational> right_sides;
+  std::vector<Rational> objective;
+};
+
+enum class LinearProgramStatus { kInfeasible, kUnbounded, kOptimal };
+
+// `value` and `solution` say the optimum if there is one, and for an unbounded program some
+// feasible point.
+struct LinearProgramAnswer {
+  LinearProgramStatus status = LinearProgramStatus::kInfeasible;
+  Rational value = 0;
+  std::vector<Rational> solution = {};
+};
+
+// The simplex method with Bland's rule (R. Bland, Math. Oper. Res. 2, 1977), which cannot cycle,
+// from an artificial basis. Requires: rows of one length, that of the objective.
+LinearProgramAnswer maximize(const LinearProgram& program);
 
 }  // namespace circumspect
