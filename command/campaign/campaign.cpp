@@ -387,6 +387,16 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
                    "The folder for the journal, and for what is found in FOLDER/findings (default: "
                    "campaign). Where its own name is findings, that is both")
       ->option_text("FOLDER");
+  command
+      ->add_option("--about", options->subject.about,
+                   "The version of the program and how it was built, for issue.md of each finding; "
+                   "such as --about \"$(my_program --version), built by make\"")
+      ->option_text("TEXT");
+  command
+      ->add_option("--promise", options->subject.promise,
+                   "What the documents of the program promise, quoted and with the address, for "
+                   "issue.md of each finding")
+      ->option_text("TEXT");
   command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
   command->add_option("--sarif", options->sarif, "Also write a report for code scanning (SARIF)")
       ->option_text("FILE");

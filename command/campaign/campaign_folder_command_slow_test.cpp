@@ -173,6 +173,41 @@ TEST_CASE("campaign: inputs that are changed, and another program on the same on
   CHECK(has(with(right, {"--metamorphic", "ordre"}, "none").err, "found ordre"));
 }
 
+TEST_CASE("campaign: untidy domains are held against their arrangement") {
+  // It makes no mesh but one triangle.
+  const Program one("printf 'nOFF 2\\n3 1 0\\n0 0\\n1 0\\n0 1\\n3 0 1 2\\n' > \"$2\"\n");
+  const auto with = [&](const Arguments& options, const std::string& out) {
+    Arguments all = {
+        "campaign",        "--output", one.output(out), "--limit-memory", "0",       "--cases", "6",
+        "--minimize-runs", "30",       "--mesh",        "x.off",          "--claim", "cdt"};
+    all.insert(all.end(), options.begin(), options.end());
+    all.insert(all.end(), {"--", one.path, "{domain}", "{mesh}"});
+    return run(all);
+  };
+  const Run untidy = with({"--untidy", "crossing,repetition", "--dimension", "2", "--about",
+                           "one 1.2\nbuilt by hand", "--promise", "\"all are resolved\" (README)"},
+                          "untidy");
+  CHECK(untidy.exit_code == 1);
+  const auto signatures = one.signatures("untidy");
+  REQUIRE(!signatures.empty());
+  const std::string signature = *signatures.begin();
+  CHECK(one.finding(signature, "arranged.poly", "untidy") != "");
+  CHECK(has(one.finding(signature, "reproduce.sh", "untidy"), "--domain \"$here/arranged.poly\""));
+  CHECK(
+      has(one.finding(signature, "README.txt", "untidy"), "arranged.poly  what has to be meshed"));
+  const std::string issue = one.finding(signature, "issue.md", "untidy");
+  CHECK(has(issue, "Version: one 1.2\\x0abuilt by hand\n"));
+  CHECK(has(issue, "What is promised: \"all are resolved\" (README)\n"));
+  CHECK(has(issue, "```\n" + one.finding(signature, "minimal.poly", "untidy") + "```\n"));
+  const std::string page = one.folder.path("page.html");
+  const std::string script = one.output("untidy") + "/findings/" + signature + "/reproduce.sh";
+  CHECK(std::system(("CIRCUMSPECT=" CIRCUMSPECT_COMMAND " sh " + script + " " + page + " > " +
+                     page + ".log 2>&1")
+                        .c_str()) != 0);
+  CHECK(has(contents(page), "<html"));
+  CHECK(has(with({"--untidy", "crossing"}, "space").err, "expected --untidy with {domain}"));
+}
+
 TEST_CASE("campaign: says what kept the programs together") {
   const Program program(kRight);
   const Run result =

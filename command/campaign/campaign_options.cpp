@@ -132,7 +132,7 @@ void add_claims(CLI::App& command, SubjectOptions& options) {
       ->check(whole_number(1, 8))
       ->option_text("D");
   command.add_flag("--full-dimension", options.full_dimension,
-                   "Skip sets of points that lie in a hyperplane");
+                   "Skip points that lie in a hyperplane, and domains whose points do");
   command
       .add_option("--refusal-exit-code", options.refusal_codes,
                   "With this exit code the program refuses an input, which is no failure")
@@ -360,6 +360,8 @@ tl::expected<Subject, std::string> subject_of(const SubjectOptions& options, boo
   }
   subject.updates.insert(options.updates.begin(), options.updates.end());
   subject.relations.insert(options.relations.begin(), options.relations.end());
+  subject.about = options.about;
+  subject.promise = options.promise;
   subject.is_untidy = !options.untidiness.empty();
   subject.dimension = options.dimension;
   const bool counts_from_zero = formats::extension(subject.mesh_name) == ".qhull-i";

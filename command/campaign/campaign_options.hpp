@@ -30,6 +30,8 @@ struct SubjectOptions {
   std::vector<generators::UpdateKind> updates;
   std::vector<generators::Relation> relations;
   std::string against;
+  std::string about;
+  std::string promise;
   std::vector<generators::Untidiness> untidiness;
   std::optional<Claim> claim;
   DomainOptions said;  // of every domain

@@ -51,7 +51,7 @@ const std::vector<Group>& groups() {
         "limit-processes", "limit-judging", "containment", "minimize-time", "minimize-runs"}},
       {"Output",
        {"output", "certificate", "refutations", "html", "vtu", "junit", "sarif", "annotations",
-        "max-errors", "format", "color", "quiet"}},
+        "about", "promise", "max-errors", "format", "color", "quiet"}},
   };
   return all;
 }

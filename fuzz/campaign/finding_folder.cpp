@@ -126,7 +126,7 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "said.txt       and what it said\n"
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n"
-      "issue.md       for the authors of the program; its version is to be added\n\n"
+      "issue.md       for the authors of the program\n\n"
       "{}{}{}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
       origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
@@ -158,13 +158,24 @@ std::string snippet(const Subject& subject, const PointsCase& set) {
 // The files of the input with which it fails.
 std::string stem_of(const Outcome& outcome) { return outcome.image ? "image" : "minimal"; }
 
-// What can be sent to the authors of the program, once they are told the version.
+// What can be sent to the authors of the program.
 std::string issue(const Subject& subject, const Input& minimal, const Outcome& outcome) {
   const Input& shown = outcome.image ? *outcome.image : minimal;
   const bool comes_and_goes = std::holds_alternative<UpdatesCase>(minimal);
   const std::string own =
       stem_of(outcome) + (comes_and_goes ? std::string(".case") : own_extension(minimal));
+  const bool is_domain = std::holds_alternative<ComplexCase>(shown);
+  constexpr std::size_t kLongestInput = 20000;
   std::string input = "The domain is in `" + own + "`.\n";
+  const std::string domain =
+      is_domain ? file_text(shown, own_extension(shown), subject.first_index, subject.dimension)
+                      .value_or("")
+                : "";
+  if (!domain.empty() && domain.size() <= kLongestInput) {
+    input = "The domain, which is in `" + own + "`, too: its points, its " +
+            (subject.dimension == 2 ? "segments" : "polygons") +
+            ", and its hole seeds, with the number of each.\n\n```\n" + domain + "```\n";
+  }
   if (const auto* const set = std::get_if<PointsCase>(&shown)) {
     input = "```\n" + snippet(subject, *set) + "```\n";
   } else if (comes_and_goes) {
@@ -180,14 +191,20 @@ std::string issue(const Subject& subject, const Input& minimal, const Outcome& o
                    : "";
   return fmt::format(
       "# {0}\n\n{1}\n\n"
+      "Version: {9}\n\n"
       "Command: `{2}`\n\n"
       "Claim: {3}, judged in exact arithmetic.\n\n"
+      "What is promised: {10}\n\n"
       "## Input, {4}\n\n{5}\n"
       "## What is wrong, exactly\n\n```\n{6}```\n\n"
       "## To see it again\n\n"
-      "`reproduce.sh` runs the program on `{7}` and judges what it writes. {8}",
+      "`reproduce.sh` runs the program on `{7}` and judges what it writes; `reproduce.sh "
+      "page.html` also shows\n"
+      "the witnesses as pictures. {8}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
-      count_of(minimal), input, outcome.explanation, own, by_hand);
+      count_of(minimal), input, outcome.explanation, own, by_hand,
+      subject.about.empty() ? "to be added (`--about`)" : on_one_line(subject.about),
+      subject.promise.empty() ? "to be added (`--promise`)" : on_one_line(subject.promise));
 }
 
 // "$(printf 'a\012b')": a word with control characters that shows none. The shell cuts off line ends at the end
@@ -223,6 +240,9 @@ std::string check_line(const Subject& subject, const Input& minimal, const std::
   const bool repeats = std::set<Point>(points.begin(), points.end()).size() < points.size();
   return line + (repeats ? " --duplicates merge" : "");
 }
+
+// Where a script was given the name of a file.
+constexpr const char* kPage = " ${page:+--html \"$page\"}";
 
 }  // namespace
 
@@ -328,7 +348,9 @@ std::string reproduction(const Subject& subject, const Input& minimal, const Out
       "#!/bin/sh\n"
       "# Shows {} again: runs the program on the small input beside this script in a\n"
       "# folder of its own, and judges what it writes. Exit code 0 would mean that all is well.\n"
+      "# The name of a file after it: a page with pictures of the witnesses is written there.\n"
       "here=$(cd \"$(dirname \"$0\")\" && pwd) || exit 2\n"
+      "page=${{1:+$(realpath -- \"$1\")}} || exit 2\n"
       "folder=$(mktemp -d) || exit 2\n"
       "trap 'rm -rf \"$folder\"' EXIT\n"
       "cd \"$folder\" || exit 2\n"
@@ -338,7 +360,7 @@ std::string reproduction(const Subject& subject, const Input& minimal, const Out
       "if [ $code -ne 0 ]; then echo \"the program ended with exit code $code\"; exit $code; fi\n"
       "{}\n",
       outcome.signature, stem, extension, quoted_for_shell(in_folder(subject.input_name)), run,
-      check_line(subject, outcome.image ? *outcome.image : minimal, stem));
+      check_line(subject, outcome.image ? *outcome.image : minimal, stem) + kPage);
 }
 
 }  // namespace circumspect::campaign

@@ -115,6 +115,10 @@ struct Subject {
   // Another program, called in the same way, that is given each input on which this one is right or which it refuses.
   std::vector<std::string> against = {};
 
+  // What its user says of it, for issue.md: its version and how it was built; what its documents promise.
+  std::string about = {};
+  std::string promise = {};
+
   bool is_about_domains() const { return is_about_a_domain(claim); }
 };
 

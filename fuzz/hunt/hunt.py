@@ -186,9 +186,8 @@ def campaign(row, dimension, arguments):
     if not arguments.go_on:
         shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
-    words = [arguments.circumspect, "campaign", *options, "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
+    words = [arguments.circumspect, "campaign", *families(arguments.circumspect, dimension, arguments.regime, is_of_domains), *options, "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
              "--time", arguments.time, "--minimize-time", "20s", "--jobs", str(arguments.jobs), "--output", str(folder), "--format", "json"]
-    words += families(arguments.circumspect, dimension, arguments.regime, is_of_domains)
     words += [] if is_of_domains else ["--full-dimension"]
     words += ["--mesh", "x.off", "--fill", "hull"] if row["claim"] == "cdt" else []
     bits = {"single": 20}.get(row["numbers"], 10 if arguments.regime == "integers" else None)

@@ -2,6 +2,7 @@
 """Gives every stored minimal input to every target: fuzz/hunt/everywhere.tsv, a row an input, a column a target.
 
     propagate.py --builds DIR [TARGET ...]      anew for these targets, or for all that answer here
+    propagate.py --builds DIR --missing         only the inputs that have no row yet
     propagate.py --page                         writes docs/findings/everywhere.md from the table
 
 Each column is one campaign with `--corpus corpus/findings` and no drawn case. A cell is `holds`, `refused`, `skipped`, a signature, or `-` where
@@ -9,6 +10,7 @@ the target does not take such an input: points of another dimension, or doubles 
 """
 import argparse
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -44,14 +46,15 @@ def is_of_floats(points):
         return False
 
 
-def column(row, arguments):
-    """What the target makes of each input, each in a process of its own."""
+def column(row, corpus, arguments):
+    """What the target makes of each input in a folder, each in a process of its own."""
     made = {}
     command = command_of(row, arguments.builds)
-    for dimension in row["dimensions"].split(","):
+    given = {str(len(points_of_any(path)[0])) for path in corpus.iterdir() if path.suffix in (".node", ".qhull")}
+    for dimension in sorted(given & set(row["dimensions"].split(","))):
         with tempfile.TemporaryDirectory() as folder:
             words = [arguments.circumspect, "campaign", "--worker", "--claim", row["claim"], "--dimension", dimension, "--cases", "0",
-                     "--worker-cases", "1", "--corpus", str(CORPUS), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
+                     "--worker-cases", "1", "--corpus", str(corpus), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
             words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []
             subprocess.run([*words, "--", *command], cwd=HERE.parents[1], check=False)
             lines = [line.split("\t") for line in (Path(folder) / "journal.tsv").read_text().splitlines()]
@@ -127,25 +130,35 @@ def page():
     PAGE.write_text("\n".join(out) + "\n")
 
 
+def add_columns(corpus, arguments):
+    for row in targets():
+        if row["claim"] not in POINT_CLAIMS or arguments.target and row["target"] not in arguments.target:
+            continue
+        if not is_here(row, arguments.builds):
+            print(f"{row['target']}: is not here", flush=True)
+            continue
+        cells, _ = read_table()
+        for name, cell in column(row, corpus, arguments).items():
+            cells.setdefault(name, {})[row["target"]] = cell
+        write_table(cells)
+        print(row["target"], flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("target", nargs="*")
     parser.add_argument("--builds", help="the folder where libraries were installed or built")
+    parser.add_argument("--missing", action="store_true")
     parser.add_argument("--page", action="store_true")
     parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parents[1] / "build/release/bin/circumspect")))
     arguments = parser.parse_args()
     if arguments.builds:
-        for row in targets():
-            if row["claim"] not in POINT_CLAIMS or arguments.target and row["target"] not in arguments.target:
-                continue
-            if not is_here(row, arguments.builds):
-                print(f"{row['target']}: is not here", flush=True)
-                continue
-            cells, _ = read_table()
-            for name, cell in column(row, arguments).items():
-                cells.setdefault(name, {})[row["target"]] = cell
-            write_table(cells)
-            print(row["target"], flush=True)
+        with tempfile.TemporaryDirectory() as folder:
+            rows, _ = read_table()
+            for name in inputs():
+                if name not in rows or not arguments.missing:
+                    shutil.copy(CORPUS / name, folder)
+            add_columns(Path(folder), arguments)
     page()
 
 
