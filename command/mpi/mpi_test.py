@@ -4,6 +4,9 @@
     mpi_test.py CIRCUMSPECT_MPI CIRCUMSPECT CORPUS [--all]
 
 With --all every .ele file of the corpus is judged, on one, two, three and five ranks; without, some on three.
+
+Open MPI 4 sometimes takes a rank that has ended well for one that ended without MPI_Finalize, and ends with 1 (issue 7833 of open-mpi/ompi, which is
+not to be mended before Open MPI 5). So each rank says with what code it ended; where all said 0, and mpirun complains of just that, it is run again.
 """
 import concurrent.futures
 import os
@@ -14,7 +17,10 @@ import subprocess
 import sys
 import tempfile
 
-MPIRUN = ["mpirun", "--quiet", "--allow-run-as-root", "--oversubscribe", "-n"]
+MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n"]
+SAYING_ITS_CODE = ["sh", "-c", '"$@"; code=$?; echo "a rank ended with $code" >&2; exit $code', "sh"]
+ALL_AGAIN = 3
+WORKERS = 4  # of --all; mpirun mostly sleeps
 SOME = ["peers/tetgen/hunted-tetgen-covered-twice-3d.1.ele", "peers/tetgen/random-3d-500.1.ele"]
 
 
@@ -27,13 +33,24 @@ def expect(what, found, expected):
         raise Failed(f"{what}: expected {expected!r}, found {found!r}")
 
 
+def mpirun_alone_failed(ended, ranks):
+    """All ranks said that they ended with 0, and mpirun says that one of them ended before its time."""
+    return (ended.returncode != 0 and ended.stderr.count("a rank ended with 0\n") == ranks and
+            "exiting improperly" in ended.stderr)
+
+
 class Commands:
     def __init__(self, mpi, check):
         self.mpi, self.check = mpi, check
 
     def on_ranks(self, ranks, *words, program=None):
-        command = [*MPIRUN, str(ranks), *(program or [self.mpi]), *map(str, words)]
-        return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+        command = [*MPIRUN, str(ranks), *(program or [*SAYING_ITS_CODE, self.mpi]), *map(str, words)]
+        for _ in range(ALL_AGAIN):
+            ended = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+            if not mpirun_alone_failed(ended, ranks):
+                break
+            print(f"{' '.join(command)}: mpirun alone ended with {ended.returncode}, and said {ended.stderr!r}")
+        return ended
 
     def by_one(self, *words):
         return subprocess.run([self.check, "check", *map(str, words)], capture_output=True, text=True, timeout=600,
@@ -152,21 +169,27 @@ def statistics(commands, mesh):
         expect("statistics", f"| {rank} | facets between ranks |" in said, True)
 
 
+def on_all_ranks(commands, mesh, claim):
+    one = commands.by_one(mesh, "--claim", claim)
+    for ranks in (1, 2, 3, 5):
+        ended = commands.on_ranks(ranks, mesh, "--claim", claim)
+        if ended.returncode == 3 and one.returncode != 3:
+            # What is left to circumspect check is said to be.
+            expect(str(mesh), "circumspect check" in ended.stderr or "vertices" in ended.stderr, True)
+            return
+        what = f"{ranks} ranks, {mesh}, which said {ended.stderr!r} on standard error"
+        expect(what, (ended.returncode, ended.stdout), (one.returncode, one.stdout))
+
+
 def whole_corpus(commands, corpus):
     draw = random.Random(1)
-    for mesh in sorted(corpus.rglob("*.ele")):
-        if not mesh.with_suffix(".node").exists():
-            continue
-        claim = draw.choice(["triangulation", "delaunay"])
-        one = commands.by_one(mesh, "--claim", claim)
-        for ranks in (1, 2, 3, 5):
-            ended = commands.on_ranks(ranks, mesh, "--claim", claim)
-            if ended.returncode == 3 and one.returncode != 3:
-                # What is left to circumspect check is said to be.
-                expect(str(mesh), "circumspect check" in ended.stderr or "vertices" in ended.stderr, True)
-                break
-            what = f"{ranks} ranks, {mesh}, which said {ended.stderr!r} on standard error"
-            expect(what, (ended.returncode, ended.stdout), (one.returncode, one.stdout))
+    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
+        running = [pool.submit(on_all_ranks, commands, mesh, draw.choice(["triangulation", "delaunay"]))
+                   for mesh in sorted(corpus.rglob("*.ele")) if mesh.with_suffix(".node").exists()]
+        faults = [str(one.exception()) for one in running if one.exception()]
+    print(f"{len(running)} meshes, {len(faults)} at fault")
+    if faults:
+        raise Failed("\n".join(faults))
 
 
 def main(words):

@@ -258,9 +258,11 @@ class WholeSweep {
                                         first < 0 ? ~std::uint64_t{0} : 0);
     std::vector<std::optional<Undecided>> found(parts.size());
     std::vector<std::atomic<bool>> again(parts.size());
+    const auto is_sound = [](const Swept& part) { return part.goes_on() && part.doubtful.empty(); };
+    const bool all_again = std::none_of(parts.begin(), parts.end(), is_sound);
     in_chunks(mesh_.size(), kChunk, threads_,
               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                if (parts[chunk].goes_on() && parts[chunk].doubtful.empty()) return;
+                if (is_sound(parts[chunk])) return;
                 again[chunk].store(true, std::memory_order_relaxed);
                 Stages stages;  // every sign is asked for again
                 for (std::size_t s = begin; s < end; ++s) {
@@ -272,6 +274,7 @@ class WholeSweep {
                   }
                   if (*sign == first) continue;
                   negative[s / kBits] ^= std::uint64_t{1} << (s % kBits);
+                  if (all_again) continue;
                   for (const Link beyond : links_.subspan(s * kVertices, kVertices)) {
                     const auto other = static_cast<std::size_t>(beyond);
                     if (beyond < 0 || other >= mesh_.size()) continue;
