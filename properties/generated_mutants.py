@@ -4,8 +4,7 @@
     generated_mutants.py --check              every row of generated_mutants.tsv still applies to the sources
     generated_mutants.py WORK_FOLDER          makes them, compiles them, runs the tests; prints the table of docs/mutants.md
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
-    generated_mutants.py WORK_FOLDER --again     tries those that survived the last time, and prints the table of all
-    generated_mutants.py WORK_FOLDER --table     prints the table of the last time, and those that survive
+    generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
     ... --count 700 --seed 20260101           how many of all there are, and which
     ... --only TEXT                           only the mutants whose description has this text
 
@@ -442,8 +441,7 @@ def main():
     results.write_text(json.dumps(list(killed.items())))
     print_table(killed, table)
     alive = [key for key, name in killed.items() if name is None and key not in table]
-    wrong = [key for key, name in killed.items() if name is not None and key in table]
-    for key in wrong:
+    for key in (wrong := [key for key, name in killed.items() if name is not None and key in table]):
         print(f"{TABLE}: expected a mutant that survives, but {killed[key]} notices it: {key[1]}")
     return 1 if alive or wrong else 0
 
