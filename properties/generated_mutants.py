@@ -4,6 +4,7 @@
     generated_mutants.py --check              every row of generated_mutants.tsv still applies to the sources
     generated_mutants.py WORK_FOLDER          makes them, compiles them, runs the tests; prints the table of docs/mutants.md
     generated_mutants.py WORK_FOLDER --sources   writes the sources with all mutants in them, and no more
+    generated_mutants.py WORK_FOLDER --table     prints the table of the last time (--again goes on from it), and those that survive
     ... --count 700 --seed 20260101           how many of all there are, and which
     ... --only TEXT                           only the mutants whose description has this text
 
@@ -403,6 +404,7 @@ def main():
     parser.add_argument("--targets", type=lambda text: text.split(","), default=ALL_TARGETS, help="test programs, parted by commas")
     parser.add_argument("--tests", default="", help="a pattern of names of tests")
     parser.add_argument("--again", action="store_true", help="only those that survived the last time")
+    parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     table = read_table()
     wrong = list(faults(table))
@@ -413,7 +415,11 @@ def main():
         parser.error("expected a folder to compile them in, such as build/mutants")
     work = options.work.resolve()
     results = work / "build/generated_mutants.json"
-    killed = {tuple(key): name for key, name in json.loads(results.read_text())} if options.again else {}
+    killed = {tuple(key): name for key, name in json.loads(results.read_text())} if options.again or options.table else {}
+    if options.table:
+        print_table(killed, table)
+        print("\n".join("\t".join(key) for key, name in killed.items() if name is None and key not in table))
+        return 0
     if options.again:  # what was killed, and what did not compile, is neither looked for nor compiled again
         open_ones = {key for key, name in killed.items() if name is None and options.only in "\t".join(key)}
         tried = [m for m in all_of(work, sorted({key[0] for key in open_ones})) if m.key() in open_ones]
@@ -435,8 +441,7 @@ def main():
     results.write_text(json.dumps(list(killed.items())))
     print_table(killed, table)
     alive = [key for key, name in killed.items() if name is None and key not in table]
-    wrong = [key for key, name in killed.items() if name is not None and key in table]
-    for key in wrong:
+    for key in (wrong := [key for key, name in killed.items() if name is not None and key in table]):
         print(f"{TABLE}: expected a mutant that survives, but {killed[key]} notices it: {key[1]}")
     return 1 if alive or wrong else 0
 

@@ -159,9 +159,10 @@ TEST_CASE("domain.segment-missing: half of a segment, and the vertex that is nea
   const ExactMesh half{PointSet({{0, 0}, {4, 0}, {3, 1}, {3, -1}, {2, 0}}),
                        {{0, 2, 4}, {0, 3, 4}, {2, 3, 4}, {1, 2, 3}}};
   CHECK(rules(half, domain_of(input)) == std::set{Rule::kSegmentMissing});
-  // One vertex is near an end, another one, which is nearer, near the middle.
-  input.points = {{0, 0}, {100, 0}, {50, 1}, {50, -2}, {0, 3}};
-  const ExactMesh mesh{PointSet(input.points), {{0, 2, 3}, {1, 2, 3}, {1, 2, 4}, {0, 2, 4}}};
+  // Two vertices are near the ends, another one, which is nearer, near the middle.
+  input.points = {{0, 0}, {100000, 0}, {51234, 1}, {51234, -2}, {0, 3}, {100000, 3}};
+  const ExactMesh mesh{PointSet(input.points),
+                       {{0, 2, 3}, {1, 2, 3}, {1, 2, 5}, {2, 4, 5}, {0, 2, 4}}};
   const Verdict verdict = judge_domain(Claim::kPlcTriangulation, mesh, domain_of(input));
   REQUIRE(verdict.violations().size() == 1);
   CHECK(verdict.violations()[0].rule == Rule::kSegmentMissing);
