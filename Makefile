@@ -133,7 +133,7 @@ test-beside: test-proofs
 # What it prints would stand between the lines of the release's tests.
 test-sanitize-beside:
 	@echo "the sanitizers' build and its tests run beside: build/sanitize.log"
-	@$(MAKE) --no-print-directory test-sanitize >build/sanitize.log 2>&1 || \
+	@$(MAKE) --no-print-directory RELEASE_IS_BUILT=1 test-sanitize >build/sanitize.log 2>&1 || \
 	  { tail -n 100 build/sanitize.log; echo "the sanitizers' build or tests failed; all of it: build/sanitize.log" >&2; exit 1; }
 
 # The browser may still be on its way; the sanitizers' build links the release's archives of what handles
@@ -141,7 +141,8 @@ test-sanitize-beside:
 SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON
 SETTINGS_sanitize := -DCIRCUMSPECT_SANITIZE_ALL=OFF -DCIRCUMSPECT_VALUES_FROM=$(CURDIR)/build/release \
                      -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1 -D_GLIBCXX_ASSERTIONS"
-build-sanitize: build-release
+# Beside the release's tests, it is not to be configured twice at once.
+build-sanitize: $(if $(RELEASE_IS_BUILT),,build-release)
 build-release build-sanitize: build-%:
 	@$(CONFIGURE) --preset $* -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_VERIFIED=$(VERIFIED) $(SETTINGS_$*)
 	@cmake --build --preset $* -j $(JOBS) $(if $(filter sanitize,$*),--target circumspect_tests)
