@@ -102,7 +102,7 @@ TEST_CASE("campaign: whatever a program does is told apart, and the campaign goe
     corpus.write("points" + std::to_string(n + 10) + ".node", text);
   }
   const Run result = run(program.campaign(
-      {"--cases", "0", "--corpus", corpus.path(""), "--limit-time", "400ms", "--limit-output", "1M",
+      {"--cases", "0", "--corpus", corpus.path(""), "--limit-time", "2s", "--limit-output", "1M",
        "--limit-processes", "20", "--minimize-runs", "1", "--refusal-exit-code", "9"}));
   CHECK(result.exit_code == 1);
   CHECK(last_line(result.out) == "fails: campaign program 11 cases 8 signatures\n");

@@ -207,7 +207,8 @@ void hold_turned(std::size_t side) {
   }
   REQUIRE(grid.size() > 4 * WholeSweep<kDimension, std::int32_t, std::int32_t>::kChunk);
   std::array<int, 2> seen = {};  // of those that are mixed: sound ones, and others
-  for (int turn = 0; turn < 36; ++turn) {
+  constexpr int kTurns = properties::kOneInputIn > 1 ? 3 : 36;
+  for (int turn = 0; turn < kTurns; ++turn) {
     CAPTURE(turn);
     auto mesh = grid;
     const bool all = turn % 8 == 7;  // negative, but for some
@@ -231,7 +232,7 @@ void hold_turned(std::size_t side) {
     const auto [is_mixed, is_wrong] = hold_whole_sweep<kDimension>(mesh, true);
     if (is_mixed) ++seen[is_wrong ? 1 : 0];
   }
-  CHECK(std::min(seen[0], seen[1]) >= 3);
+  CHECK(std::min(seen[0], seen[1]) >= kTurns / 9);
 }
 
 TEST_CASE("simplices that are oriented otherwise than most") {
