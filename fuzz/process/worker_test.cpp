@@ -175,15 +175,16 @@ TEST_CASE("a worker is interrupted") {
 }
 
 TEST_CASE("time in which no processor is free is not a program's own") {
-  // Fifteen that compute on one processor, of which the first is done after an eighth of a second of its own.
+  // Thirty-one that compute on one processor, of which the first is done after a sixteenth of a second of its own.
   WorkerTrial trial;
   trial.limits.seconds = 1;
   Request request;
   request.folder = trial.folder.path("work");
   request.command = {
       "/bin/sh", "-c",
-      "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14; do (while :; do :; done) & done; i=0; "
-      "while [ $i -lt 100000 ]; do i=$((i+1)); done"};
+      "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30; "
+      "do "
+      "(while :; do :; done) & done; i=0; while [ $i -lt 50000 ]; do i=$((i+1)); done"};
   const std::string pinned = "/usr/bin/taskset";
   if (find_program(pinned).empty()) return;
   request.command.insert(request.command.begin(), {pinned, "-c", "0"});
