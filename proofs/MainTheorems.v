@@ -21,7 +21,7 @@
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/].
     Rules and claims without a proof are listed in README.md, "What is not covered". *)
-From Coq Require Import Reals List ZArith.
+From Coq Require Import Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Honest.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.
