@@ -6,7 +6,7 @@
       of t; [perturbed S h e]: the heights h, point number i of S lowered by e^i;
       [coefficients S h t p]: of the polynomial in e that [above] is for these heights; [lead]: the
       first of them that is not zero, the symbolic sign. *)
-From Coq Require Import Reals List.
+From Coq Require Import Rbase Rfunctions List.
 From Circumspect Require Import Definitions Domains DomainRules.
 From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
   Existence Optimality ConstrainedLemma PolygonEdges ConstrainedOptimality.

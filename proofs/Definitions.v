@@ -5,7 +5,7 @@
     nothing here computes a verdict.  First what the two kinds of files say, as records; then the
     book's words (Cheng, Dey and Shewchuk, "Delaunay Mesh Generation"; the numbers are those of its
     definitions and sections), for points of R^d with any d; then what the files are about. *)
-From Coq Require Import String Reals List ZArith.
+From Coq Require Import String Rbase Rfunctions List ZArith.
 From Coq Require Vector.
 Import ListNotations.
 Open Scope R_scope.

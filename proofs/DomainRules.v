@@ -3,7 +3,7 @@
     The words of Definitions.v and Domains.v go on here.  A refutation is the caller's mesh and what it
     says of the domain: its vertices and some of its segments.  Whatever else the domain has, the claim is
     false of it.  At the end is what shows that a domain has no triangulation.  Nothing is proved here. *)
-From Coq Require Import String Reals List ZArith.
+From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.

@@ -3,7 +3,7 @@
     The words of Definitions.v go on here: first what a certificate about a domain says beside that of
     its mesh, as records; then the book's Sections 2.10 and 4.5.1, for R^d; then what the files are
     about.  Nothing here is proved, and nothing here computes a verdict. *)
-From Coq Require Import String Reals List ZArith.
+From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Definitions.
 Import ListNotations.
 Open Scope R_scope.

@@ -11,9 +11,17 @@
       so is what a domain is, with [DOMAIN.poly] too;
     - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
     - that a domain is a piecewise linear complex, unless it adds [plc];
+    - anything within a tolerance: nothing is proved of [check --within], which moves points; what is
+      verified is of the coordinates in the file, as they are;
+    - anything of a mesh in which something dangles, unless it is refuted: no certificate is about one;
+    - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is not stated, and of Proposition 4.11,
+      that a CDT induces CDTs of the polygons, only what it says at their edges ([BookTheorems.v]);
+    - that a domain has a triangulation, where no proof is found that it has none: none is for a room
+      within another, nor beyond 48 vertices;
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
-      on OCaml, GMP and Zarith, and on the reader of files in [ocaml/]. *)
-From Coq Require Import Reals List ZArith.
+      on OCaml, GMP and Zarith, and on the reader of files in [ocaml/].
+    Rules and claims without a proof are listed in README.md, "What is not covered". *)
+From Coq Require Import Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Honest.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.

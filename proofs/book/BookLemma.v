@@ -7,7 +7,7 @@
 
     Again heights first.  A point that is no vertex has to be accounted for: it is not below the
     plane of a simplex that it is in.  Vertices are. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Matched Generic Mesh Facets.
 From Circumspect Require Import Adjacency LiftingMap DelaunayLemma.
 Import ListNotations.

@@ -6,7 +6,7 @@
     facet, the apex of the other ([Visible.v]).
 
     The domain need not be a piecewise linear complex: that it is what its walls enclose suffices. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Independence Adjacency.
 From Circumspect Require Import LiftingMap DelaunayLemma BookLemma.
 From Circumspect Require Import Combinations Lists Necessary Visible Sight.

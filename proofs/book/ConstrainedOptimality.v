@@ -3,7 +3,7 @@
     Two simplices of two triangulations of a domain have an interior point in common.  From there one sees the vertices of both: so
     neither witness plane is above the other if both are constrained Delaunay, and the one that is is not above the other that need
     not be. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Walk Generic Mesh.
 From Circumspect Require Import Independence Adjacency LiftingMap DelaunayLemma Nearest Optimality.
 From Circumspect Require Import Combinations Necessary Visible ConstrainedLemma.

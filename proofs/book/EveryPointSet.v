@@ -6,7 +6,7 @@
     ([Existence.v]); and if e is small enough, its simplices pass the symbolic test, hence have
     witness planes over the heights that are not perturbed.  It is the only triangulation whose
     simplices pass ([canonical_unique]): one answer for every point set. *)
-From Coq Require Import Reals Lra Psatz List ListDec Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List ListDec Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence Adjacency.
 From Circumspect Require Import Faces Perturbation LiftingMap Uniqueness Caratheodory Existence.
 Import ListNotations.

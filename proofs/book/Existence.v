@@ -9,7 +9,7 @@
       ([covering]);
     - two of them meet in a shared face, by Prop. 4.2.
     So a generic set has a Delaunay triangulation, and by [Uniqueness.v] only one. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence Matched Cone.
 From Circumspect Require Import LiftingMap Uniqueness Caratheodory.
 Import ListNotations.

@@ -4,7 +4,7 @@
     checkers ask whether it is on the inner side of every hull facet. For a point set that has a
     triangulation the two agree: conv S is the intersection of the half-spaces that contain S
     ([conv_halfspaces]); the proof uses those of the hull facets only. *)
-From Coq Require Import Reals List Arith Lia.
+From Coq Require Import Rbase Rfunctions List Arith Lia.
 From Circumspect Require Import Definitions Affine Frame Matched Faces Mesh Adjacency.
 Open Scope R_scope.
 

@@ -8,7 +8,7 @@
 
     With a frame the witness plane of a d-simplex is known: it interpolates the heights of the
     vertices ([witness]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame.
 Import ListNotations.
 Open Scope R_scope.

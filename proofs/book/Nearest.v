@@ -5,7 +5,7 @@
     some vertices vanish, either the projection is in the simplex and is the nearest; or the
     segment from any point to the projection leaves the simplex through a facet, at a point that
     is nearer, so that the nearest of the facets' nearest points is nearest of all. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Caratheodory.
 Import ListNotations.
 Open Scope R_scope.

@@ -6,7 +6,7 @@
     ball (Prop. 4.6, with [Nearest.v]); so the largest such ball is smallest for the Delaunay
     triangulation (Prop. 4.7).  Heights are arbitrary in the first, hence weighted and anisotropic
     too. *)
-From Coq Require Import Reals Lra Psatz List.
+From Coq Require Import Rbase Rfunctions Lra Psatz List.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Adjacency LiftingMap Nearest.
 Import ListNotations.
 Open Scope R_scope.

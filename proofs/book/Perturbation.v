@@ -6,7 +6,7 @@
     ([lead]).  One e serves all the questions that can be asked about finitely many simplices
     ([one_epsilon]); no answer but for a vertex of the simplex itself is zero ([no_ties]); and so a
     point set has at most one triangulation whose simplices all pass ([canonical_unique]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces LiftingMap.
 Import ListNotations.
 Open Scope R_scope.

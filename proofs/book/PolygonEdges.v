@@ -3,7 +3,7 @@
     Two triangles of the mesh that share an edge are in a polygon, and the edge is in no segment.  From inside a tetrahedron over the
     first, near the middle m of the edge, one sees the apex v of the second: no other polygon has a point between m and v, else
     they would meet in more than segments. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Generic.
 From Circumspect Require Import Independence Adjacency Combinations Necessary Visible Sight ConstrainedLemma.
 Import ListNotations.

@@ -6,7 +6,7 @@
     every Delaunay triangulation (Proposition 4.3), and this one is the only one ([only_one]).  If they
     are above by the symbolic signs, then for all small e all simplices have witness planes over
     the perturbed heights ([perturbed_planes]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Mesh Adjacency.
 From Circumspect Require Import LiftingMap DelaunayLemma Uniqueness Perturbation.
 Import ListNotations.

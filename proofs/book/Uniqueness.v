@@ -8,7 +8,7 @@
 
     Nothing depends on the heights.  With |p|^2 the statements are the book's; with other heights
     they hold for weighted and for perturbed points.  Every theorem is first about heights. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence LiftingMap.
 Import ListNotations.
 Open Scope R_scope.

@@ -2,7 +2,7 @@
 
     Acceptance is taken apart: each condition of [Checker.v] is turned into a statement about the
     points, simplices and hull facets of the certificate.  Geometry begins in [Soundness.v]. *)
-From Coq Require Import Reals Lra Lia List ZArith Bool Sorting.Sorted.
+From Coq Require Import Rbase Rfunctions Lra Lia List ZArith Bool Sorting.Sorted.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Orientation Integers.
 Import ListNotations.

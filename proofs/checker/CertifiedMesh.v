@@ -4,7 +4,7 @@
     matched are opposite.  So the certificate is a matched mesh ([certificate_matched]) with a
     sample point in one simplex only ([certificate_covered_once]) and a hull that is locally
     convex at its ridges ([certificate_convex_at_ridges]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Cone.
 From Circumspect Require Import Orientation Integers Incidence Accepted.

@@ -5,7 +5,7 @@
     orientations ([frame_bary]).  So which side of a facet a point is on is told by a permutation's
     parity: the conditions [facet-matched] and [ridge-matched] of the checker say that facets of
     simplices, and of cones, are opposite ([facets_opposite], [ridges_opposite]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Cone Orientation.
 Import ListNotations.

@@ -4,7 +4,7 @@
     the integer weights times the square of r.  The integers of [Predicates.v] are then the
     orientations and depths of the caller's points up to a positive power of r ([computes]); this
     is shown by comparing polynomials. *)
-From Coq Require Import Reals Lra Lia List ZArith.
+From Coq Require Import Rbase Rfunctions Lra Lia List ZArith.
 From Coq Require Vector.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Orientation.

@@ -3,7 +3,7 @@
     Three small matters: things numbered from 1 are found where they stand in their list; [each]
     accepts only if it accepts every member; and a function of lists that changes its sign when
     two neighbouring members change places changes it under each odd permutation ([parity_sign]). *)
-From Coq Require Import Reals Lra ZArith List Bool Lia.
+From Coq Require Import Rbase Rfunctions Lra ZArith List Bool Lia.
 From Circumspect Require Import Checker.
 Import ListNotations.
 

@@ -4,7 +4,7 @@
     [oriented]: the orientation of a list of d+1 points changes its sign when two points change
     places, and if it is not zero the points have a frame, in which barycentric coordinate i of p
     is the orientation with p in the place of vertex i, divided by the orientation. *)
-From Coq Require Import Reals Lra Lia List.
+From Coq Require Import Rbase Rfunctions Lra Lia List.
 From Coq Require Vector.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame.

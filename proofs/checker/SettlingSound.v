@@ -2,7 +2,7 @@
 
     The tests of [Settling.v] are the hypotheses of [book/Settled.v]: strictly above the witness
     plane, or above it by the first coefficient that is not zero. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require EveryPointSet.
 From Circumspect Require Import Faces Settling Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Hull LiftingMap.

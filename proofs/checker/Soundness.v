@@ -4,7 +4,7 @@
     support all points ([Hull.v]) and it fills conv S ([Mesh.v]); with the last condition,
     [facet-locally-delaunay], it is Delaunay ([DelaunayLemma.v]).  The theorem is
     [check_sound], at the end. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Hull LiftingMap.
 From Circumspect Require Import DelaunayLemma Orientation Integers Incidence Accepted.

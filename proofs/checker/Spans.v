@@ -2,7 +2,7 @@
 
     [Orientation.v] gives a frame to points whose orientation is not zero; this is the converse.
     So points whose orientation is zero are not affinely independent. *)
-From Coq Require Import Reals Lra Lia List Arith.
+From Coq Require Import Rbase Rfunctions Lra Lia List Arith.
 From Circumspect Require Import Definitions Vectors Affine Frame Orientation.
 Import ListNotations.
 Open Scope R_scope.

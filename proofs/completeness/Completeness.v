@@ -5,7 +5,7 @@
     affinely independent; the sample point is beyond some facet of every other simplex, since it
     is in no other; it is inside the hull facets, and ridges are convex, since hull facets support
     all points; and no lifted point is below a witness plane.  The theorem is [check_complete]. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
 From Circumspect Require Import Cone LiftingMap Orientation Integers Incidence Accepted.

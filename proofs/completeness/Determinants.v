@@ -2,7 +2,7 @@
 
     The matrix of the gradients of the barycentric coordinates is the inverse of the matrix of the
     edges, so the product of their determinants is 1. *)
-From Coq Require Import Reals Lra List Lia.
+From Coq Require Import Rbase Rfunctions Lra List Lia.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Orientation Incidence.
 Import ListNotations.

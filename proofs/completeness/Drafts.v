@@ -3,7 +3,7 @@
     Lists are built member by member ([build]); the barycentre of a simplex is a quotient of
     integers ([sum_combination]); and what a certificate claims depends on its points and
     simplices alone ([same_input]). *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Sorting.Sorted.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Sorting.Sorted.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Frame Integers Honest ListedMesh Completeness.
 Import ListNotations.

@@ -4,7 +4,7 @@
     ([Adjacency.v]); a ridge has a hull facet on its other side ([RidgeNeighbours.v]); the
     barycentre of any simplex can be the sample point.  So the points and simplices of a true claim
     can be completed to a certificate that is accepted ([certificate_exists]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Sorting.Sorted.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Sorting.Sorted.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
 From Circumspect Require Import Cone Orientation Integers Incidence Accepted Honest Permutations.

@@ -5,7 +5,7 @@
     is inside its simplex.  No condition here says that simplices are not flat, that they do not
     overlap, that their union is convex, or that they are Delaunay; those are the claim's business.
     [Completeness.v] proves that an honest certificate is accepted if its claim is true. *)
-From Coq Require Import Reals List ZArith Sorting.Sorted.
+From Coq Require Import Rbase Rfunctions List ZArith Sorting.Sorted.
 From Circumspect Require Import Checker Numbering Definitions Orientation.
 Import ListNotations.
 Open Scope R_scope.

@@ -3,7 +3,7 @@
     What an honest certificate says of ridges: the cones over the two hull facets are opposite
     ([Ridges.v]), so the checker finds the permutation that it looks for, and each ridge names the
     other in return. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
 From Circumspect Require Import Cone Orientation Integers Incidence Honest Permutations ListedMesh.

@@ -3,7 +3,7 @@
     What an honest certificate says of neighbours is what holds by [Adjacency.v]: shared vertices
     make opposite facets, and neighbours name each other; hull facets support conv S; the sample
     point is in one simplex only and inside all hull facets. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
 From Circumspect Require Import Orientation Integers Incidence Honest Permutations ListedMesh.

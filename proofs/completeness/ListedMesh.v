@@ -4,7 +4,7 @@
     flat.  The integers that the checker computes have the signs of barycentric coordinates
     ([listed_side], [listed_depth]), and facets are the same if their numbers are
     ([shared_facets]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Sorting.Sorted.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Sorting.Sorted.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
 From Circumspect Require Import LiftingMap Orientation Integers Incidence Accepted Soundness.

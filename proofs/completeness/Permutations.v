@@ -2,7 +2,7 @@
 
     The converse of [Incidence.v]: if facets of two simplices, or of two cones, are opposite, then
     the permutation that the checker looks at is there, and it is odd or even as it should be. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia Permutation Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia Permutation Bool.
 From Circumspect Require Import Checker Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Cone Orientation.
 From Circumspect Require Import Incidence Honest.

@@ -3,7 +3,7 @@
     From a point of the marked simplices one gets away from them at once if and only if it is on a facet of
     one of them that has no marked simplex beyond it ([boundary_facets]): otherwise all simplices around
     the point are marked, by the walk of [Enclosed.v], whose walls are here the facets where marks differ. *)
-From Coq Require Import Reals Lra List Arith Lia Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia Bool.
 From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched Faces Facets Adjacency Enclosed.
 Import ListNotations.
 Open Scope R_scope.

@@ -1,5 +1,5 @@
 (** * Combinations: hulls of hulls, images of hulls, and points of a segment in integers *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Coq Require Vector.
 From Circumspect Require Import DomainChecker Integers.
 From Circumspect Require Import Definitions Domains Vectors Affine Faces.

@@ -1,7 +1,7 @@
 (** * Soundness: the domain of an accepted certificate is a piecewise linear complex
 
     In the plane and in space the conditions of [HeldCells.v] are what the checker has looked at. *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import ComplexChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Combinations Shadow Orientation Integers Accepted.
 From Circumspect Require Import KeptMesh KeptCells Polygons HeldFaces HeldCells Sides Definitions Domains.

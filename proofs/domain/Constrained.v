@@ -3,7 +3,7 @@
     If across each facet that is in no wall the neighbour's apex is not in the circumball, then no vertex
     that can be seen from inside a simplex is ([Sight.v]); and each simplex respects the domain, for its
     cells are unions of simplices. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap DelaunayLemma.
 From Circumspect Require Import Adjacency Enclosed Combinations Sight.

@@ -1,5 +1,5 @@
 (** * Soundness: what the acceptance of a certificate about a domain means *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Faces Orientation Integers Accepted Soundness.
 From Circumspect Require Import CertifiedMesh KeptMesh KeptCells Constrained Polygons.

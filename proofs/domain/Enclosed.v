@@ -10,7 +10,7 @@
     one follows a segment that meets no wall: where it is in an inner simplex, all simplices there are
     inner ([marked_alike], by a walk around the point as in [Mesh.v]), and one of them holds what comes
     next ([leads_on]).  It leaves finitely many simplices ([stays_inner]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains Vectors Affine Frame Matched Faces Facets Walk
   Generic Mesh Adjacency.
 Import ListNotations.

@@ -2,7 +2,7 @@
 
     They are the same in the plane, where there are no polygons, and in space, where a polygon is the union of the kept triangles
     of its own domain ([PolygonPoints.v]): what is needed of polygons is [polygons_known]. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import GivenDomain Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Breach Necessary.
 From Circumspect Require Import Orientation Integers Accepted RefutationSigns.

@@ -2,7 +2,7 @@
 
     If each face of the mesh in a segment or polygon is held by one of them ([HeldFaces.v]), then cells meet in cells; the
     boundary of a segment is its ends. *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import ComplexChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Combinations Shadow Orientation Integers Accepted.
 From Circumspect Require Import KeptMesh KeptCells Polygons HeldFaces Sides Definitions Domains.

@@ -3,7 +3,7 @@
     Segments and polygons are unions of faces of a complex.  If two of them meet in a point, both contain the
     least face with this point; and one segment or polygon holds it, or it is a vertex of the domain
     ([common_face]).  So vertices and segments are a simplicial complex ([segments_complex]). *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import ComplexChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh Independence.
 From Circumspect Require Import Combinations Orientation Integers Accepted CertifiedMesh Soundness.

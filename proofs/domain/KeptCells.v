@@ -3,7 +3,7 @@
     For an accepted part: the kept simplices are a complex; the vertices of the domain are vertices of
     theirs; each segment is a union of edges; and they fill what their walls enclose, or the convex hull
     of the vertices. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh.
 From Circumspect Require Import Adjacency Combinations.

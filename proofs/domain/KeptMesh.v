@@ -3,7 +3,7 @@
     The mesh of the whole hull fills it (Soundness.v); the kept simplices are a part of this complex.
     Here the conditions of DomainChecker.v are taken apart, and turned into statements about the kept
     simplices: which vertices and segments they contain, and what they fill. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Export Lists.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh.

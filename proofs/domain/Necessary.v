@@ -4,7 +4,7 @@
     face that is in the cell ([cell_respected]); two that have a point in common have the same carrier of it
     ([carriers_agree]).  Across a facet that is in no wall of what is enclosed, or that is not on the hull, there
     is another simplex ([neighbour]).  Nothing is said of what suffices: a refutation does not need it. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Independence Adjacency.
 From Circumspect Require Import Combinations.
 Import ListNotations.

@@ -2,7 +2,7 @@
 
     A polygon is the union of the kept triangles of its domain in the plane ([Polygons.v]): so a point of space is in it if it is in
     its plane and seen in one of them ([in_piece]), and is not if it is seen in none ([off_polygon_sound]). *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import GivenDomain Numbering.
 From Circumspect Require Import Vectors Frame Orientation Integers Accepted RefutationSigns.
 From Circumspect Require Import Shadow KeptMesh KeptCells Polygons DomainRefuted.

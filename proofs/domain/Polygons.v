@@ -3,7 +3,7 @@
     In the plane the walls are the segments, and the kept triangles fill what they enclose.  A polygon in
     space is that of a domain in the plane, seen along an axis: its pieces are the facets of the mesh
     that are above its kept triangles. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Combinations Shadow.
 From Circumspect Require Import Orientation Integers Accepted.

@@ -2,7 +2,7 @@
 
     If the normal of a plane is not orthogonal to an axis, the plane is seen along it in the same way:
     what is a hull, a segment or enclosed in the plane is so in the picture. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Coq Require Vector.
 From Circumspect Require Import DomainChecker.
 From Circumspect Require Import Definitions Domains Vectors Affine Faces Orientation Combinations.

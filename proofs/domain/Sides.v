@@ -3,7 +3,7 @@
     From a point of the kept simplices one gets away at once through a facet beyond which none is kept.  Such a
     facet is in a wall, and a wall has all its facets so, or none: so the boundary of what is kept is a
     union of walls. *)
-From Coq Require Import Reals Lra List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import ComplexChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh Adjacency Enclosed Boundary.
 From Circumspect Require Import Combinations Shadow Orientation Integers Accepted CertifiedMesh Soundness.

@@ -2,7 +2,7 @@
 
     If on the way from a point of a simplex to a vertex of the domain there is no point of a vertex, segment or polygon, but at its end,
     then the way is in what the domain fills, and it respects the domain. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces Independence.
 From Circumspect Require Import Combinations Lists Necessary.
 Import ListNotations.

@@ -2,7 +2,7 @@
 
     Of a triangulation one would know which candidates are chosen: each of its simplices is a candidate, and one that may be
     chosen.  Then each clause holds ([Necessary.v]), and nothing satisfies all of them ([Rup.v]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import ImpossibleChecker Enumeration GivenSound Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Necessary Visible Breach.
 From Circumspect Require Import Orientation Integers Accepted RefutationSigns.

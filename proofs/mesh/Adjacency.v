@@ -9,7 +9,7 @@
     in conv S, hence in simplices of the triangulation; they are finitely many, so one of them
     contains the centre too.  It meets the first in a shared face that contains the centre, so that
     face is the facet. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Independence Facets.
 Import ListNotations.
 Open Scope R_scope.

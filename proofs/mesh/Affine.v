@@ -3,7 +3,7 @@
     An affine function is p |-> <a, p> + b.  Finitely many affine functions that are positive at a
     point stay so nearby ([nearby]), and there one finds points at which finitely many other affine
     functions, none of them identically zero, do not vanish ([general_position]). *)
-From Coq Require Import Reals Lra Psatz List.
+From Coq Require Import Rbase Rfunctions Lra Psatz List.
 From Circumspect Require Import Definitions Vectors.
 Import ListNotations.
 Open Scope R_scope.

@@ -7,7 +7,7 @@
     the vertices of some d-simplex by them, one after another, as long as it goes.  So finitely
     many simplices and finitely many hyperplanes ([all_frames]) know everything about S, and a
     point of conv S on none of the hyperplanes is in the interior of some simplex. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence Matched Cone.
 Import ListNotations.
 Open Scope R_scope.

@@ -10,7 +10,7 @@
     walks over the cones; what it needs of each crossing is proved here.  In a cone, 1 minus the
     coordinate of o is the affine function that is 0 at o and 1 on the facet, and a convex ridge
     says that it does not grow less when the ridge is crossed ([ridge_convex]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched.
 Import ListNotations.
 Open Scope R_scope.

@@ -9,7 +9,7 @@
     so not above a vertex of u, nor above a submerged point that u carries.
 
     With the heights |p|^2 this is Lemma 4.1; with |p|^2 - w(p) it is the weighted lemma. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Walk Generic Mesh.
 From Circumspect Require Import LiftingMap.
 Import ListNotations.

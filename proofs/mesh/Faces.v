@@ -5,7 +5,7 @@
     affinely independent.  If the points common to two simplices have the same carriers in both,
     then any face of the one and any face of the other meet in a shared face ([faces_meet]): this
     is what makes a mesh a simplicial complex ([frames_complex]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame.
 Import ListNotations.
 Open Scope R_scope.

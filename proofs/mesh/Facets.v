@@ -4,7 +4,7 @@
     ([facet_multiple]); the facet's relative interior is the same in both simplices
     ([facet_interior]), so simplices on the same side of it share interior points
     ([same_side_overlap]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces.
 Import ListNotations.
 Open Scope R_scope.

@@ -4,7 +4,7 @@
     coordinates: coordinate i is 1 at vertex i and 0 at the others, and every affine function is
     interpolated by them from its values at the vertices.  A point is in the simplex if no
     coordinate is negative, in its interior if all are positive. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine.
 Import ListNotations.
 Open Scope R_scope.

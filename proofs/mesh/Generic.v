@@ -7,7 +7,7 @@
     are positive, and even one that makes a generic segment with points given before
     ([pick_generic]).  Along such segments one can walk ([cells_walk]), and if some point is in one
     cell only, no two cells overlap ([cells_disjoint]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Walk.
 Import ListNotations.
 Open Scope R_scope.

@@ -35,7 +35,7 @@
     - [ridge_hull]: [ridge_index_of], the walk may leave the list of cells;
     - [ridge_once]: [cells_once], two walks through outer cells may merge;
     - [locally_convex]: [cones_walk].  (A star-shaped mesh that is not convex.) *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Walk Generic Cone.
 Import ListNotations.
 Open Scope R_scope.

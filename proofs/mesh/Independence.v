@@ -6,7 +6,7 @@
     vanishes at d+1 affinely independent points vanishes everywhere: a point where it does not
     would make d+2 points without an affine dependency, but d+1 linear equations in d+2 unknowns
     always have a solution that is not zero ([dependency]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Coq Require Vector.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces.
 Import ListNotations.

@@ -4,7 +4,7 @@
     facet of one other simplex, on its other side, or called a hull facet.  Nothing here says that
     simplices do not overlap or that their union is convex: that is what [Mesh.v] and [Hull.v]
     prove from conditions that concern a simplex and its neighbours only, and one sample point. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame.
 Import ListNotations.
 Open Scope R_scope.

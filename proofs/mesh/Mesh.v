@@ -10,7 +10,7 @@
     - simplices meet face to face ([mesh_face_to_face]): let q be in two simplices; a walk from one
       to the other close to q crosses only facets that contain the carrier of q.
     So the simplices and their faces form a complex that fills conv S ([mesh_fills]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Walk Generic.
 Import ListNotations.
 Open Scope R_scope.

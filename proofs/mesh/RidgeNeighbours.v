@@ -5,7 +5,7 @@
     on no face of that simplex of dimension less than d-1.  Now let the ray pass a ridge of a hull
     facet closely, on the other side.  The cone that it is in has the ridge's projection z among
     its closed points, so it is the cone of a hull facet with that ridge ([ridge_neighbour]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Generic Mesh.
 From Circumspect Require Import Adjacency Cone Caratheodory Ridges.
 Import ListNotations.

@@ -4,7 +4,7 @@
     overlap ([cones_apart]), since a ray from o leaves conv S once; so hull facets that share a
     ridge lie on different sides of the hyperplane through it and o ([ridge_sides]), and no three
     share one ([ridge_of_two]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Facets Matched Adjacency.
 From Circumspect Require Import Cone.
 Import ListNotations.

@@ -1,5 +1,5 @@
 (** * Vectors: R^d is a vector space with an inner product *)
-From Coq Require Import Reals Lra List.
+From Coq Require Import Rbase Rfunctions Lra List.
 From Coq Require Vector.
 From Circumspect Require Import Definitions.
 Import ListNotations.

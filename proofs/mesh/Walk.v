@@ -12,7 +12,7 @@
     to the last ([walk_monotone]), and if no wall is matched with two, two walks from different
     cells that contain x end in different cells ([walk_two]).  Nothing is assumed of how the cells
     lie: no topology is used.  (The idea is that of the proof of Lemma 4.1, the Delaunay Lemma.) *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 Import ListNotations.
 Open Scope R_scope.
 

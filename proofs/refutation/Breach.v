@@ -5,7 +5,7 @@
     simplices as their author wrote them down: a vertex that names no point is [None].  A breach
     says that some simplices and points break the rule, not which; whoever has [S] and [L] can
     look.  Points are their coordinates: a point that is listed twice is one point. *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence Adjacency
   LiftingMap.
 Import ListNotations.

@@ -1,5 +1,5 @@
 (** * A broken rule refutes the claims that its evidence is about *)
-From Coq Require Import Reals List ZArith.
+From Coq Require Import Rbase Rfunctions List ZArith.
 From Circumspect Require Import Refutation.
 From Circumspect Require Import Definitions Breach HullBreach.
 Import ListNotations.

@@ -2,7 +2,7 @@
 
     Rows that name d+1 known points are simplices of the caller's list; those that are not degenerate
     have frames.  Nothing is assumed of the caller's mesh. *)
-From Coq Require Import Reals Lra Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Lia List Arith ZArith Bool.
 From Circumspect Require Import Refutation Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns.

@@ -2,7 +2,7 @@
 
     A mesh whose triangles and edges are made d-simplices has all simplices of the caller's among its faces
     ([fuller]); and a point in one of these is found to be in the part of it that is the caller's ([own_found]). *)
-From Coq Require Import Reals Lra Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Lia List Arith ZArith Bool.
 From Circumspect Require Import DomainRefutation Numbering.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound RefutationSound.

@@ -1,5 +1,5 @@
 (** * A broken rule refutes the claim about a domain *)
-From Coq Require Import Reals Lra Lia List Arith.
+From Coq Require Import Rbase Rfunctions Lra Lia List Arith.
 From Circumspect Require Import WholeRefutation.
 From Circumspect Require Import Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Combinations Necessary Visible ConstrainedLemma.

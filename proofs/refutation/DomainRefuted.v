@@ -1,5 +1,5 @@
 (** * What the acceptance of a refutation of a claim about a domain means *)
-From Coq Require Import Reals Lra Psatz Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import DomainRefutation Numbering.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound Broken RefutationSound.

@@ -1,7 +1,7 @@
 (** * Evidence that the checker accepts shows that the rule is broken
 
     One lemma for each kind of evidence; all together in [evidence_breach]. *)
-From Coq Require Import Reals Lra Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Lia List Arith ZArith Bool.
 From Circumspect Require Import Refutation Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh.

@@ -2,7 +2,7 @@
 
     A facet of one simplex only supports all points of a triangulation ([Adjacency.v]), and no three
     such facets share a ridge ([Ridges.v]). *)
-From Coq Require Import Reals Lra Psatz List Arith Lia.
+From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Vectors Affine Frame Matched Faces Facets Adjacency.
 From Circumspect Require Import Cone Ridges Breach.
 Import ListNotations.

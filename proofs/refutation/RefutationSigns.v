@@ -4,7 +4,7 @@
     with the orientation, and so they are the signs of barycentric coordinates and of heights above
     witness planes.  A simplex whose orientation is zero is degenerate, since the orientation of
     a simplex with a frame is not zero. *)
-From Coq Require Import Reals Lra Psatz Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz Lia List Arith ZArith Bool.
 From Coq Require Vector.
 From Circumspect Require Import Refutation Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces Independence LiftingMap.

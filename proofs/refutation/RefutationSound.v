@@ -3,7 +3,7 @@
     The evidence of an accepted refutation shows a broken rule of the caller's own points and
     simplices ([evidence_breach]); and so they are not what they claim to be ([refute_sound]).
     Nothing is assumed of the caller's mesh. *)
-From Coq Require Import Reals Lra Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Lia List Arith ZArith Bool.
 From Circumspect Require Import Refutation Numbering.
 From Circumspect Require Import Definitions Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound Broken.

@@ -1,5 +1,5 @@
 (** * What the acceptance of a refutation means that speaks of the whole domain *)
-From Coq Require Import Reals Lra Psatz Lia List Arith ZArith Bool.
+From Coq Require Import Rbase Rfunctions Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import WholeRefutation Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound RefutationSound.
