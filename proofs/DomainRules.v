@@ -18,6 +18,8 @@ Inductive domain_evidence :=
   | SegmentMissing (k : positive) (q : site) (w : Z) (* the point q / w of segment K *)
   (* entry I of simplex T is on segment S, between entries J and K of simplex U *)
   | VertexInEdge (t : positive) (i : nat) (u : positive) (j k : nat) (s : positive)
+  (* U dangles; with these weights its vertices and the points of the mesh sum up to nothing, and their squares to less *)
+  | NoEmptyBall (u : positive) (own : list Z) (others : list (positive * Z))
   | OfMesh.                                          (* the evidence that is about the mesh alone *)
 (** The caller's triangles and edges that may be faces of no simplex: the entries of each, and which of the [pads],
     points of no mesh that are counted on after the caller's, make a d-simplex of it, to see where it is. *)
@@ -61,7 +63,7 @@ Record whole_refutation := WholeRefutation {
 
 Inductive domain_rule :=
   | domain_vertex_missing | domain_steiner_forbidden | domain_segment_missing | domain_vertex_in_edge | domain_polygon_not_tiled
-  | domain_uncovered | domain_outside | domain_uncovered_or_outside
+  | domain_uncovered | domain_outside | domain_uncovered_or_outside | delaunay_no_empty_ball
   | cdt_facet_not_local | cdt_visible_vertex_in_ball | mesh_rule (r : rule).
 Definition whole_rule_of (c : whole_refutation) : domain_rule :=
   match shown_by c with
@@ -78,6 +80,7 @@ Definition domain_rule_of (c : domain_refutation) : domain_rule :=
   | SteinerForbidden _ _ => domain_steiner_forbidden
   | SegmentMissing _ _ _ => domain_segment_missing
   | VertexInEdge _ _ _ _ _ _ => domain_vertex_in_edge
+  | NoEmptyBall _ _ _ => delaunay_no_empty_ball
   | OfMesh => mesh_rule (rule_of (because (mesh_refuted c)))
   end.
 Definition domain_rule_name (r : domain_rule) : string :=
@@ -90,6 +93,7 @@ Definition domain_rule_name (r : domain_rule) : string :=
   | domain_uncovered => "domain.uncovered"
   | domain_outside => "domain.outside"
   | domain_uncovered_or_outside => "domain.uncovered or domain.outside"
+  | delaunay_no_empty_ball => "delaunay.no-empty-ball"
   | cdt_facet_not_local => "cdt.facet-not-local"
   | cdt_visible_vertex_in_ball => "cdt.visible-vertex-in-ball"
   | mesh_rule r => rule_name r
@@ -165,6 +169,11 @@ Definition visible_vertex_in_ball P L : Prop := exists s v x, listed_simplex L s
 
 (** The vertices of the mesh. *)
 Definition entries L : list (point d) := flat_map (flat_map (fun o => match o with Some v => [v] | None => [] end)) L.
+(** A simplex dangles: it is a face of no d-simplex.  And every open circumball of it contains a vertex of the mesh, or
+    of the domain (which is to be one of the mesh). *)
+Definition no_empty_ball P L M : Prop := exists s, listed M s /\ affinely_independent s /\
+  (forall t, listed L t -> ~ incl s t) /\
+  forall c r2, circumball s c r2 -> exists v, (In v (entries (L ++ M)) \/ In v (domain_vertices P)) /\ dist2 c v < r2.
 (** The rule is broken; of the mesh's own rules those of simplices alone are used, and two about balls. *)
 Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   match r with
@@ -176,6 +185,7 @@ Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   | domain_uncovered => uncovered P (L ++ M)
   | domain_outside => outside P (L ++ M)
   | domain_uncovered_or_outside => ~ (~ uncovered P (L ++ M) /\ ~ outside P (L ++ M))
+  | delaunay_no_empty_ball => no_empty_ball P L M
   | cdt_facet_not_local => constrained_facet_not_local P L
   | cdt_visible_vertex_in_ball => visible_vertex_in_ball P L
   | mesh_rule complex_overlap => overlap (L ++ M)

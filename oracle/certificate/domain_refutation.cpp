@@ -12,6 +12,8 @@
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/certificate/evidence.hpp"
+#include "reference/kernel/exact/linear_algebra.hpp"
+#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::certificate {
 namespace {
@@ -148,12 +150,62 @@ class Finder {
         return Integer(std::find(simplex.begin(), simplex.end(), v) - simplex.begin());
       };
       const Simplex& listed = mesh_.simplices[*edge - 1];
-      if (listed.size() != points_.dimension + 1) continue;
       return Evidence{
           Rule::kVertexInEdge,
           {Integer(around - mesh_.simplices.begin()) + 1, place(*around, witness.vertices.front()),
            Integer(*edge), place(listed, witness.face->front()),
            place(listed, witness.face->back()), Integer(segment - complex_.segments.begin()) + 1}};
+    }
+    return std::nullopt;
+  }
+
+  // Weights for the vertices of a dangling simplex and for those that are in its circumballs: both are combined to one point,
+  // and the latter's squares to less. Such weights exist wherever no circumball is empty.
+  std::optional<Evidence> no_empty_ball(const Verdict& verdict) const {
+    for (const Violation& violation : verdict.violations()) {
+      if (violation.rule != Rule::kNoEmptyBall) continue;
+      const auto number = number_of(mesh_, violation.witness.simplices.front());
+      if (!number) continue;
+      const Simplex& simplex = mesh_.simplices[*number - 1];
+      const std::vector<Vertex>& others = violation.witness.vertices;
+      // Those of the others, then what is added and what is taken away of the simplex's own.
+      Simplex columns = others;
+      columns.insert(columns.end(), simplex.begin(), simplex.end());
+      columns.insert(columns.end(), simplex.begin(), simplex.end());
+      LinearProgram program{RationalMatrix(points_.dimension + 2), {}, {}};
+      program.right_sides.assign(points_.dimension + 2, 0);
+      program.right_sides.back() = 1;
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const int sign = i < others.size() + simplex.size() ? 1 : -1;
+        Rational square = 0;
+        for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
+          const Rational x(points_.coordinate(columns[i], axis));
+          program.equations[axis].push_back(sign * x);
+          square += x * x;
+        }
+        program.equations[points_.dimension].push_back(sign);
+        program.equations[points_.dimension + 1].push_back(i < others.size() ? 1 : 0);
+        program.objective.push_back(-sign * square);
+      }
+      const LinearProgramAnswer answer = maximize(program);
+      if (answer.status != LinearProgramStatus::kOptimal || sgn(answer.value) <= 0) continue;
+      std::vector<Rational> weights(
+          answer.solution.begin(),
+          answer.solution.begin() + static_cast<std::ptrdiff_t>(others.size()));
+      for (std::size_t i = others.size(); i < others.size() + simplex.size(); ++i) {
+        weights.push_back(answer.solution[i] - answer.solution[i + simplex.size()]);
+      }
+      const Integer whole = common_denominator(weights);
+      const auto weight = [&](std::size_t i) { return Rational(weights[i] * whole).get_num(); };
+      Evidence evidence{Rule::kNoEmptyBall, {to_integer(*number), to_integer(simplex.size())}};
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        evidence.because.push_back(weight(others.size() + i));
+      }
+      for (std::size_t i = 0; i < others.size(); ++i) {
+        evidence.because.push_back(to_integer(others[i]) + 1);
+        evidence.because.push_back(weight(i));
+      }
+      return evidence;
     }
     return std::nullopt;
   }
@@ -236,6 +288,7 @@ std::optional<Evidence> evidence_in(const ExactMesh& mesh, const ExactMesh& all,
     if (rule == Rule::kSteinerForbidden) found = finder.steiner_forbidden();
     if (rule == Rule::kSegmentMissing) found = finder.segment_missing();
     if (rule == Rule::kVertexInEdge) found = finder.vertex_in_edge(verdict);
+    if (rule == Rule::kNoEmptyBall) found = finder.no_empty_ball(verdict);
     if (refutes(rule, verdict.claim())) {
       found = evidence_for(rule == Rule::kOverlap ? all : mesh, verdict, points, rule);
     }

@@ -5,18 +5,10 @@
 From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import GivenDomain Numbering.
 From Circumspect Require Import Vectors Frame Orientation Integers Accepted RefutationSigns.
-From Circumspect Require Import Shadow KeptMesh KeptCells Polygons DomainRefuted.
+From Circumspect Require Import Shadow KeptMesh KeptCells Polygons Balls DomainRefuted.
 From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
-
-Lemma inner_of_integers d : forall n p, length n = d -> length p = d ->
-  inner (integer_point d n) (integer_point d p) = IZR (inner_product n p).
-Proof.
-  induction d as [|d IH]; intros [|x n] [|y p] Ln Lp; try discriminate; [reflexivity|].
-  injection Ln as Ln. injection Lp as Lp. cbn [inner_product integer_point hd tl].
-  rewrite plus_IZR, mult_IZR, <- (IH n p Ln Lp). reflexivity.
-Qed.
 
 Section Polygon.
 Variable D : domain_certificate.

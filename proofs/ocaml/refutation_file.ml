@@ -170,6 +170,16 @@ let read_domain c domain_refuted rule =
       let j, rest = position rest in
       let k, rest = position rest in
       let s, rest = number rest in ((VertexInEdge (t, i, u, j, k, s), mesh.because), rest)
+    | "delaunay.no-empty-ball" ->
+      let u, rest = number tokens in
+      let counts, rest = take c count 1 expected rest in
+      let own, rest = take c Reading.integer (List.hd counts) expected rest in
+      let rec pairs found = function
+        | [] -> List.rev found
+        | tokens ->
+          let k, rest = number tokens in
+          let z, rest = integer rest in pairs ((k, z) :: found) rest in
+      ((NoEmptyBall (u, own, pairs [] rest), mesh.because), [])
     | _ -> ((OfMesh, evidence c Delaunay rule mesh.rows tokens), []) in
   no_more c expected rest;
   ending c;

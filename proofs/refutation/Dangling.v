@@ -111,14 +111,15 @@ Proof. rewrite table_find. unfold numbered. now rewrite nth_error_map. Qed.
 Lemma entry_site_for S n : @caller_entry d r (map (site_for Delaunay) S) n = caller_entry r S n.
 Proof. destruct n as [k|]; [|reflexivity]. cbn. unfold numbered. rewrite nth_error_map. now destruct (nth_error S _). Qed.
 
-Lemma own_found t f : own_simplex_at m x pr t f = true -> exists X g n, framed X g /\
-  listed (L ++ U) (places (firstn n X)) /\ f X n = true.
+Lemma own_found_known t f : own_simplex_at m x pr t f = true -> exists X g n, framed X g /\
+  listed (L ++ U) (places (firstn n X)) /\ f X n = true /\ incl X (map (site_for Delaunay) (sites (padded m x))).
 Proof.
   unfold own_simplex_at, own_at. rewrite table_find, appended_app, mapped_map. intros H.
   destruct (numbered _ t) as [(a, b)|] eqn:E; [|discriminate]. cbn [option_map Datatypes.id] in H. apply numbered_in in E.
   apply andb_prop in H. destruct H as [K H]. destruct (proper_simplex_of pr S' (a ++ b)) as [X|] eqn:Px; [|discriminate].
   apply (proper_simplex_of_frame (M r unit_positive) _ (rows m) _ _ padded_shaped padded_found (rows_found m)) in Px.
-  destruct Px as (Vx & g & G). exists X, g, (length a). split; [assumption|]. split; [|assumption].
+  destruct Px as (Vx & g & G). exists X, g, (length a). split; [assumption|].
+  split; [|split; [assumption|exact (vertices_known _ _ _ Vx)]].
   pose proof (vertices_rows _ _ X Vx) as Er.
   rewrite (map_ext _ _ (entry_site_for (sites (padded m x)))), padded_sites in Er.
   destruct (known_entries _ a K) as (s & Es). pose proof (entries_padded a s Es) as Es'.
@@ -132,6 +133,9 @@ Proof.
   - right. now apply (in_map fst _ (a, b)).
 Qed.
 
+Lemma own_found t f : own_simplex_at m x pr t f = true -> exists X g n, framed X g /\
+  listed (L ++ U) (places (firstn n X)) /\ f X n = true.
+Proof. intros H. apply own_found_known in H. destruct H as (X & g & n & G & LX & F & _). now exists X, g, n. Qed.
 Lemma in_own_conv X g n q w : framed X g -> well_shaped d q -> (0 < w)%Z -> in_own pr X n q w = true ->
   conv (places (firstn n X)) (place_over r q w).
 Proof.

@@ -120,6 +120,22 @@ Proof.
   destruct (Me s t (F s Ls) (F t Lt)) as (f & Fs & Ft & I). exact (N f Fs Ft (I q Cs Ct)).
 Qed.
 
+(** A vertex of the mesh is a vertex of one of the simplices. *)
+Lemma entries_concat (A : list (simplex d)) v : In v (entries (map (map Some) A)) -> In v (concat A).
+Proof.
+  intros I. unfold entries in I. apply in_flat_map in I. destruct I as (r & Ir & Iv).
+  apply in_map_iff in Ir. destruct Ir as (t & <- & It).
+  apply in_flat_map in Iv. destruct Iv as (x & Ix & Iv). apply in_map_iff in Ix. destruct Ix as (y & <- & Iy).
+  destruct Iv as [<-|[]]. apply in_concat. eauto.
+Qed.
+Lemma no_empty_ball_refutes : no_empty_ball P L M -> ~ claims_of_domain ConformingDelaunay P L M.
+Proof.
+  intros (s & Ls & _ & _ & B) (T & U & -> & -> & (_ & _ & _ & _ & V & _) & De). apply listed_in in Ls.
+  destruct (De s) as (o & r2 & Ci & Em); [apply in_or_app; now right|].
+  destruct (B o r2 Ci) as (v & Iv & N). rewrite <- map_app in Iv. apply (Em v); [|assumption].
+  destruct Iv as [Iv|Iv]; [now apply entries_concat|]. destruct (V v Iv) as (t & It & I). apply in_concat. eauto.
+Qed.
+
 (** Of the mesh's own rules those about balls are of conforming Delaunay meshes. *)
 Lemma mesh_rule_refutes e : of_mesh e c = true -> broken_of_domain P L M (mesh_rule (rule_of e)) ->
   ~ claims_of_domain c P L M.
@@ -135,10 +151,7 @@ Proof.
   - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
     destruct B as (s & v & [Ls _] & Iv & N). rewrite ET in Ls. apply listed_in in Ls.
     destruct (De s) as (o & r2 & Ci & Em); [apply in_or_app; now left|].
-    apply (Em v); [|exact (N o r2 Ci)]. rewrite ET, EU, <- map_app in Iv. unfold entries in Iv.
-    apply in_flat_map in Iv. destruct Iv as (r & Ir & Iv). apply in_map_iff in Ir. destruct Ir as (t1 & <- & It).
-    apply in_flat_map in Iv. destruct Iv as (x & Ix & Iv). apply in_map_iff in Ix. destruct Ix as (y & <- & Iy).
-    destruct Iv as [<-|[]]. apply in_concat. eauto.
+    apply (Em v); [|exact (N o r2 Ci)]. rewrite ET, EU, <- map_app in Iv. now apply entries_concat.
   - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
     destruct B as (s1 & s2 & f1 & u1 & v1 & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N).
     rewrite ET in Hs, Ht. apply listed_in in Hs, Ht.

@@ -26,6 +26,16 @@ Variable V : list site.
 Variable V_of : Table.t site.
 Variable segments_of : Table.t (positive * positive).
 
+(** Nothing beyond the first n + 1 entries is looked at. *)
+Fixpoint has_at_most {A} (n : nat) (l : list A) : bool :=
+  match l, n with
+  | [], _ => true
+  | _ :: l', Datatypes.S n' => has_at_most n' l'
+  | _, O => false
+  end.
+(** The vertices of a simplex that may dangle: there may be fewer than d+1. *)
+Definition face_of (r : row) : option (list site) :=
+  if has_at_most (Datatypes.S (dimension pr)) r then all_named S r else None.
 Definition times (w : Z) (p : site) : site := Site (map (Z.mul w) (coordinates p)) 0.
 (** Of the simplices that contain the point, the least face that does is not in the segment. *)
 Definition not_along (a b q : site) (w : Z) (x : row) : bool :=
@@ -57,15 +67,18 @@ Definition holds_of_domain (e : domain_evidence) : bool :=
           match Table.find m V_of, Table.find n V_of with
           | Some a, Some b =>
               entry_at rows_of t i (fun x => match named S x with Some p => on_segment a b p &&
-                simplex_at pr S rows_of u (fun X => match nth_error X j, nth_error X k with
-                  | Some e, Some f => negb (same_place p e) && negb (same_place p f) && on_segment e f p
-                  | _, _ => false
+                row_at rows_of u (fun y => match face_of y with
+                  | Some X => match nth_error X j, nth_error X k with
+                    | Some e, Some f => negb (same_place p e) && negb (same_place p f) && on_segment e f p
+                    | _, _ => false
+                    end
+                  | None => false
                   end) | None => false end)
           | _, _ => false
           end
       | None => false
       end
-  | OfMesh => false
+  | NoEmptyBall _ _ _ | OfMesh => false
   end.
 End Evidence.
 
@@ -106,10 +119,40 @@ Definition in_own (pr : predicates) (X : list site) (n : nat) (q : site) (w : Z)
 Definition own_simplex_at (pr : predicates) (t : positive) (f : list site -> nat -> bool) : bool :=
   own_at pr (Table.of_list (site_for Delaunay) (sites padded)) (Table.of_list (site_for Delaunay) (sites m))
     (Table.of_list id (appended (mapped (fun r => (r, [])) (rows m)) (dangling x))) t f.
+(** No simplex lists all of these points. *)
+Definition in_no_row (S : Table.t site) (X : list site) : bool :=
+  forallb (fun y => negb (forallb (fun p => lists S p y) X)) (rows m).
 Definition overlap_of_all (pr : predicates) (t u : positive) (q : site) (w : Z) : bool :=
   own_simplex_at pr t (fun X i => in_own pr X i q w &&
     own_simplex_at pr u (fun Y j => in_own pr Y j q w && overlapping pr X Y q w)).
 End Dangling.
+
+(** ** Balls
+
+    With weights that are not negative but for the vertices of the simplex, points whose weights and weighted sum are zero, and
+    the weighted sum of their squares is negative: every circumball of the simplex has one of the others inside. *)
+Definition sum_of (f : site -> Z) (l : list (Z * site)) : Z := fold_right (fun zp s => fst zp * f (snd zp) + s) 0 l.
+Fixpoint weighted_points (S : Table.t site) (l : list (positive * Z)) : option (list (Z * site)) :=
+  match l with
+  | [] => Some []
+  | (k, z) :: l' => match Table.find k S, weighted_points S l' with
+                    | Some p, Some X => Some ((z, p) :: X)
+                    | _, _ => None
+                    end
+  end.
+Definition no_ball (pr : predicates) (own others : list (Z * site)) : bool :=
+  let l := own ++ others in
+  forallb (fun zp => 0 <=? fst zp) others && (sum_of (fun _ => 1) l =? 0) &&
+  forallb (fun j => sum_of (fun p => nth j (coordinates p) 0) l =? 0) (seq 0 (dimension pr)) &&
+  (sum_of (fun p => inner_product (coordinates p) (coordinates p)) l <? 0).
+Definition ball_shown (pr : predicates) (m : refutation) (x : dangling_part) (u : positive) (own : list Z)
+    (others : list (positive * Z)) : bool :=
+  match weighted_points (Table.of_list (site_for Delaunay) (sites m)) others with
+  | Some Y => own_simplex_at m x pr u (fun X n =>
+      no_ball pr (combine own (firstn n X)) Y &&
+      in_no_row m (Table.of_list (site_for Delaunay) (sites (padded m x))) (firstn n X))
+  | None => false
+  end.
 
 (** Whatever dangles, the evidence is about these rows. *)
 Definition shows_domain (pr : predicates) (m : refutation) (r : domain_refutation) : bool :=
@@ -120,6 +163,8 @@ Definition shows_domain (pr : predicates) (m : refutation) (r : domain_refutatio
 Definition lists_in_mesh (m : refutation) (p : positive) : bool :=
   let S := Table.of_list (site_for Delaunay) (sites m) in
   point_at S p (fun q => existsb (lists S q) (rows m)).
+Definition given_in_mesh (m : refutation) (V : list site) (p : positive) : bool :=
+  point_at (Table.of_list (site_for Delaunay) (sites m)) p (fun q => existsb (same_place q) V).
 
 Definition refute_domain_in (pr : predicates) (r : domain_refutation) : bool :=
   let m := mesh_refuted r in
@@ -135,6 +180,11 @@ Definition refute_domain_in (pr : predicates) (r : domain_refutation) : bool :=
       end
   | SteinerForbidden _ _ => only_vertices (domain_refuted r) && shows_domain pr (as_listed m x) r
   | SegmentMissing _ _ _ => pads_known m x && shows_domain pr (padded m x) r
+  | NoEmptyBall u own others => match domain_refuted r with ConformingDelaunay => true | _ => false end &&
+      (0 <? unit_numerator m) && (0 <? unit_denominator m) && forallb (shaped pr) (sites (padded m x)) &&
+      forallb (shaped pr) (vertices_given r) && has_at_most (dimension pr + 2) others &&
+      forallb (fun kz => given_in_mesh m (vertices_given r) (fst kz) || lists_in_mesh (as_listed m x) (fst kz)) others &&
+      ball_shown pr m x u own others
   | _ => shows_domain pr (as_listed m x) r
   end.
 Definition refute_domain (D : plane_or_space) (r : domain_refutation) : bool :=

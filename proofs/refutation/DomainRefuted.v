@@ -3,7 +3,7 @@ From Coq Require Import Rbase Rfunctions Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import DomainRefutation Numbering.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound Broken RefutationSound.
-From Circumspect Require Import Combinations Soundness DomainBroken Dangling.
+From Circumspect Require Import Combinations Soundness DomainBroken Dangling Balls.
 From Circumspect Require KeptCells.
 Import ListNotations.
 Open Scope R_scope.
@@ -97,11 +97,12 @@ Theorem shown_rule : shows_domain pr m c = true ->
   | SteinerForbidden _ _ => steiner_forbidden P L
   | SegmentMissing _ _ _ => segment_missing P L
   | VertexInEdge _ _ _ _ _ _ => vertex_in_edge P L
-  | OfMesh => False
+  | NoEmptyBall _ _ _ | OfMesh => False
   end.
 Proof.
   intros H. unfold shows_domain in H.
-  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; [..|rewrite andb_false_r in H; discriminate].
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|u own others|] eqn:Be;
+    [..|rewrite andb_false_r in H; discriminate|rewrite andb_false_r in H; discriminate].
   all: rewrite !andb_true_iff in H; destruct H as [[[[Pn Pd] Sh] Sv] H];
     apply Z.ltb_lt, IZR_lt in Pn, Pd;
     assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat);
@@ -189,13 +190,20 @@ Proof.
     apply (entry_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in H.
     destruct H as (x & n & _ & I & En & H). destruct (named _ n) as [p|] eqn:Ep; [|discriminate].
     apply andb_true_iff in H. destruct H as [On H].
-    apply (simplex_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in H. destruct H as (y & X & _ & VX & LX & H).
+    apply (row_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in H. destruct H as (y & _ & Iy & H).
+    destruct (face_of pr _ y) as [X|] eqn:EX; [|discriminate].
+    assert (LX : listed (@caller_rows d r (map (site_for (refuted m)) (sites m)) (rows m)) (map (place_of r) X) /\
+      incl X (map (site_for (refuted m)) (sites m))).
+    { unfold face_of in EX. destruct (has_at_most _ y); [|discriminate].
+      apply (all_named_rows (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in EX. destruct EX as [EX IX].
+      split; [|assumption]. unfold listed. now rewrite <- EX. }
+    clear EX Iy. destruct LX as [LX IX].
     destruct (nth_error X j) as [e|] eqn:Ee; [|discriminate]. destruct (nth_error X k) as [f|] eqn:Ef; [|discriminate].
     rewrite !andb_true_iff in H. destruct H as [[Ne Nf] On']. apply negb_true_iff in Ne, Nf.
     apply nth_error_In in Ee, Ef. pose proof (proj1 (Forall_forall _ _) ShS) as All.
     assert (Ip := named_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m) n p Ep).
-    pose proof (All p Ip) as Sp. pose proof (All e (vertices_known _ _ _ VX e Ee)) as Se.
-    pose proof (All f (vertices_known _ _ _ VX f Ef)) as Sf.
+    pose proof (All p Ip) as Sp. pose proof (All e (IX e Ee)) as Se.
+    pose proof (All f (IX f Ef)) as Sf.
     destruct (on_segment_between d r a b p Sa Sb Sp On) as [Ht Eq].
     destruct (on_segment_between d r e f p Se Sf Sp On') as [Ht' Eq'].
     exists (map (@caller_entry d r (map (site_for (refuted m)) (sites m))) x), (map (place_of r) X), (place_of r p),
@@ -257,16 +265,32 @@ Proof.
   assert (Listed : shows_domain pr (as_listed m x) c = true -> match domain_because c with
     | VertexMissing _ => vertex_missing P (L ++ U) | SteinerForbidden _ _ => steiner_forbidden P (L ++ U)
     | SegmentMissing _ _ _ => segment_missing P (L ++ U) | VertexInEdge _ _ _ _ _ _ => vertex_in_edge P (L ++ U)
-    | OfMesh => False end).
+    | NoEmptyBall _ _ _ | OfMesh => False end).
   { intros K. pose proof (shown_rule M (as_listed m x) c P vertices_described segments_described K) as B.
     change (refuted_unit (as_listed m x)) with r in B. now rewrite Rows in B. }
-  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; cbn [broken_of_domain].
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|u own others|] eqn:Be; cbn [broken_of_domain].
   - now apply Listed.
   - apply andb_prop in H. now apply Listed.
   - apply andb_prop in H. destruct H as [K H].
     pose proof (shown_rule M (padded m x) c P vertices_described segments_described H) as B. rewrite Be in B.
     exact (segment_missing_of_fuller _ _ (fuller m x K) P B).
   - now apply Listed.
+  - rewrite !andb_true_iff in H. destruct H as [[[[[[[_ Pn] Pd] Sh] Sv] _] Li] H]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
+    assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
+    apply (no_empty_ball_found M m x Pr Rd Sh P u own others H). intros k z I. rewrite forallb_forall in Li. specialize (Li (k, z) I).
+    assert (Sh' : forallb (shaped pr) (sites (as_listed m x)) = true).
+    { rewrite padded_sites, forallb_app in Sh. now apply andb_prop in Sh. }
+    apply orb_prop in Li. destruct Li as [Li|Li].
+    + unfold given_in_mesh, point_at in Li. rewrite table_find in Li. cbn [fst] in Li.
+      destruct (numbered (sites m) k) as [y|] eqn:Ey; [|discriminate]. exists y. split; [reflexivity|]. right.
+      apply vertices_described. cbn [option_map] in Li. apply existsb_exists in Li. destruct Li as (v & Iv & E).
+      apply in_map_iff. exists v. split; [|assumption]. symmetry. rewrite <- (place_site_for (d := d) m y), Rd.
+      rewrite forallb_forall in Sv, Sh'. apply (same_place_place (M r Pr)); [| |assumption]; unfold well_shaped.
+      * specialize (Sh' y (numbered_in _ _ _ Ey)). unfold shaped in Sh'. apply Nat.eqb_eq in Sh'.
+        rewrite (dimension_d (M r Pr)) in Sh'. exact Sh'.
+      * specialize (Sv v Iv). unfold shaped in Sv. apply Nat.eqb_eq in Sv. now rewrite (dimension_d (M r Pr)) in Sv.
+    + destruct (listed_entry M (as_listed m x) k Rd Li Pr Sh') as (y & Ey & Iy). exists y. split; [exact Ey|]. left.
+      change (refuted_unit (as_listed m x)) with r in Iy. now rewrite Rows in Iy.
   - apply andb_prop in H. destruct H as [O H].
     assert (G : refute_in pr m = true -> broken Delaunay norm2 (@caller_points d r (sites m)) L (rule_of (because m))).
     { intros A. pose proof (accepted_breach M m A (fun _ => 0)) as [_ B]; [rewrite Rd; discriminate|]. now rewrite Rd in B. }
@@ -313,10 +337,12 @@ Theorem refute_domain_sound D c (P : domain (dimension_of D)) : refute_domain D 
 Proof.
   intros A De. pose proof (refute_domain_rule D c P A De) as B. unfold domain_rule_of in B.
   unfold refute_domain, refute_domain_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
-  destruct (domain_because c) as [k|t i|k q w|t i u j k s|] eqn:Be; cbn [broken_of_domain] in B.
+  destruct (domain_because c) as [k|t i|k q w|t i u j k s|u own others|] eqn:Be; cbn [broken_of_domain] in B.
   - now apply vertex_missing_refutes.
   - apply steiner_forbidden_refutes; [|assumption]. now apply andb_prop in A.
   - now apply segment_missing_refutes.
   - now apply vertex_in_edge_refutes.
+  - rewrite !andb_true_iff in A. destruct A as [[[[[[[C _] _] _] _] _] _] _]. destruct (domain_refuted c); try discriminate.
+    now apply no_empty_ball_refutes.
   - apply (mesh_rule_refutes _ _ _ _ (because (mesh_refuted c))); [|assumption]. now apply andb_prop in A.
 Qed.

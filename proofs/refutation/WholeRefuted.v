@@ -3,7 +3,7 @@ From Coq Require Import Rbase Rfunctions Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import WholeRefutation Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound RefutationSound.
-From Circumspect Require Import Combinations Lists Accepted KeptMesh Necessary ConstrainedLemma DomainBroken Dangling DomainRefuted PolygonPoints GivenSound.
+From Circumspect Require Import Combinations Lists Accepted KeptMesh Necessary ConstrainedLemma DomainBroken Dangling Balls DomainRefuted PolygonPoints GivenSound.
 From Circumspect Require Import Definitions Domains DomainRules.
 Import ListNotations.
 Open Scope R_scope.
