@@ -122,7 +122,7 @@ TEST_CASE("what sends too much is stopped") {
 }
 
 TEST_CASE("no file and no process is left when many programs have run") {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 120; ++i) {
     const Answer given = isolated([](const PointArray&) -> SimplexArray { _exit(1); });
     REQUIRE(given.failure == "exit 1");
   }

@@ -67,8 +67,8 @@ auto line(Mistakes mistakes = {}) {
 }
 
 TEST_CASE("nothing is found in a right structure") {
-  CHECK_FALSE(find_wrong_sequence(line(), {.dimension = 1}));
-  CHECK_FALSE(find_wrong_sequence(line(), {.dimension = 1, .removes = false}));
+  CHECK_FALSE(find_wrong_sequence(line(), {.dimension = 1, .cases = 100}));
+  CHECK_FALSE(find_wrong_sequence(line(), {.dimension = 1, .cases = 100, .removes = false}));
 }
 
 TEST_CASE("a cavity that is not filled is found, and shown by few steps") {
