@@ -208,18 +208,14 @@ DifferenceWriter writer_of_difference(const std::string& path) {
   return end == ".ply" ? formats::write_ply : nullptr;
 }
 
-// Returns an error message, or an empty string.
-std::string write_difference(const std::string& path, const Mesh& a, const Mesh& b,
-                             const check::Difference& found) {
+// Why the difference of these meshes is no file for viewers; empty if it is one.
+std::string dimension_fault(const std::string& path, const Mesh& a, const Mesh& b) {
   const std::size_t dimension = a.dimension();
-  if (dimension != b.dimension() || dimension < 2 || dimension > 3) {
-    return fmt::format(
-        "{}: expected two meshes of the plane or two of space, found dimensions {} "
-        "and {}: nothing else can be viewed",
-        path, dimension, b.dimension());
-  }
-  return write_file(
-      path, [&](std::ostream& out) { writer_of_difference(path)(out, elements_of(a, b, found)); });
+  if (dimension == b.dimension() && dimension >= 2 && dimension <= 3) return "";
+  return fmt::format(
+      "{}: expected two meshes of the plane or two of space, found dimensions {} "
+      "and {}: nothing else can be viewed",
+      path, dimension, b.dimension());
 }
 
 // What ought to be known where only one of the meshes has weights; else nothing.
@@ -276,22 +272,32 @@ void compare(const CompareOptions& options, Output& output) {
     if (!are_settled) return;
     found = check::difference(a->mesh, b->mesh);
   }
+  // Whatever is to be written is made first, since an interrupt ends that at once, and what is being written
+  // would stay behind, unfinished.
+  formats::ElementFile elements;
+  std::string fault;
   if (!options.output_file.empty()) {
-    const std::string failure =
-        write_difference(options.output_file, a->mesh, b->mesh, found.value());
-    if (!failure.empty()) {
-      output.error(ExitCode::kUsage, "file", options.output_file, failure);
-      return;
-    }
+    fault = dimension_fault(options.output_file, a->mesh, b->mesh);
+    if (fault.empty()) elements = elements_of(a->mesh, b->mesh, found.value());
   }
   const Comparison comparison = compared(*a, *b, found.value(), options.most);
   const std::vector<std::string> notes = notes_of(*a, *b);
-  if (!options.html.empty()) {
-    picture::Page page;
+  picture::Page page;
+  if (fault.empty() && !options.html.empty()) {
     page.add_difference(a->mesh, b->mesh, found.value(), json_of(options, comparison, notes),
                         line_of(options, comparison));
-    write_page(options.html, page, output);
   }
+  output.end_watch();
+  if (fault.empty() && !options.output_file.empty()) {
+    fault = write_file(options.output_file, [&](std::ostream& out) {
+      writer_of_difference(options.output_file)(out, elements);
+    });
+  }
+  if (!fault.empty()) {
+    output.error(ExitCode::kUsage, "file", options.output_file, fault);
+    return;
+  }
+  write_page(options.html, page, output);
   report_comparison(options, comparison, notes, output);
 }
 

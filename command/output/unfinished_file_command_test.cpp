@@ -19,15 +19,15 @@ namespace {
 // Many more bytes than the limits below, and than a pipe holds.
 const std::vector<std::string> kGenerate = {"generate", "uniform", "--points", "4000", "-o"};
 
-// Starts the command without waiting for its end.
-pid_t start(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), CIRCUMSPECT_COMMAND);
+// Starts a program without waiting for its end.
+pid_t start_program(const std::string& program, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   pid_t process = 0;
-  if (posix_spawn(&process, CIRCUMSPECT_COMMAND, nullptr, nullptr, argv.data(), environ) != 0) {
-    throw std::runtime_error("could not run " CIRCUMSPECT_COMMAND);
+  if (posix_spawnp(&process, program.c_str(), nullptr, nullptr, argv.data(), environ) != 0) {
+    throw std::runtime_error("could not run " + program);
   }
   return process;
 }
@@ -94,12 +94,51 @@ TEST_CASE("a signal that ends the command leaves the file that was there, and no
       CAPTURE(milliseconds);
       const ScratchFolder folder;
       const std::string path = folder.write("x.node", "as it was");
-      const pid_t process = start({"generate", "uniform", "--points", "40000", "-o", path});
+      const pid_t process = start_program(CIRCUMSPECT_COMMAND,
+                                          {"generate", "uniform", "--points", "40000", "-o", path});
       usleep(static_cast<useconds_t>(milliseconds) * 1000);
       kill(process, number);
       REQUIRE(waitpid(process, nullptr, 0) == process);
       CHECK(files_in(folder) == std::set<std::string>{"x.node"});
     }
+  }
+}
+
+// Without /proc no file can be made that has no name.
+TEST_CASE("a signal while compare writes what differs leaves no unfinished file") {
+  if (std::system("unshare -rm mount -t tmpfs none /proc 2> /dev/null") != 0) {
+    MESSAGE("left out: no namespace of mounts may be made here");
+    return;
+  }
+  const ScratchFolder folder;
+  const std::string first = folder.path("a.json"), second = folder.path("b.json");
+  const std::string out = folder.path("out.vtu");
+  std::string points = "[[0,0]", fan = "[";
+  for (int i = 0; i < 20000; ++i) {
+    points += fmt::format(",[1,{}]", i);
+    if (i > 0) fan += fmt::format("{}[0,{},{}]", i > 1 ? "," : "", i, i + 1);
+  }
+  folder.write("a.json", "{\"circumspect\":1,\"dimension\":2,\"first_index\":0,\"points\":" +
+                             points + "],\"simplices\":" + fan + "]}");
+  folder.write("b.json", "{\"circumspect\":1,\"dimension\":2,\"first_index\":0,\"points\":" +
+                             points + "],\"simplices\":[]}");
+  for (const int number : {SIGINT, SIGTERM}) {
+    CAPTURE(number);
+    const std::string line = "mount -t tmpfs none /proc; exec '" CIRCUMSPECT_COMMAND "' compare '" +
+                             first + "' '" + second + "' --allow-empty -o '" + out +
+                             "' > /dev/null";
+    const pid_t process = start_program("unshare", {"-rm", "sh", "-c", line});
+    bool is_being_written = false;
+    for (int status = 0; !is_being_written && waitpid(process, &status, WNOHANG) == 0;
+         usleep(200)) {
+      for (const std::string& name : files_in(folder)) {
+        if (begins_with(name, ".unfinished")) is_being_written = true;
+      }
+    }
+    REQUIRE(is_being_written);
+    kill(process, number);
+    REQUIRE(waitpid(process, nullptr, 0) == process);
+    for (const std::string& name : files_in(folder)) CHECK_FALSE(begins_with(name, ".unfinished"));
   }
 }
 
