@@ -171,8 +171,8 @@ endfunction()
 # `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
 # values: numbers, points and containers of them. `make soak-sanitize` has them look everywhere.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
-set(sanitized_folders "(oracle/(formats|report|picture|judge|judge/fast|judge/arrays)|c|fuzz/[a-z]+|corpus)")
-set(values_folders "^(reference|inputs|properties|oracle/certificate|oracle/judge/(points|domain|within))(/|$)")
+set(sanitized_folders "(oracle/(formats|judge|judge/fast|judge/arrays)|c|fuzz/[a-z]+|corpus)")
+set(values_folders "^(reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$)")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)

@@ -114,6 +114,7 @@ octave                its delaunay
 openjdk-17-jdk-headless  compiles the adapter of JTS
 pkg-config            finds GTS
 python3-matplotlib    its triangulation of the plane
+python3-netgen        Netgen's mesher of volumes
 python3-opencv        Subdiv2D
 python3-scipy         its Delaunay triangulations
 python3-shapely       GEOS

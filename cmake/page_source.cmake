@@ -1,5 +1,10 @@
 # Puts page.built.html into the layer `picture`, as page_source() (oracle/picture/page.hpp). The page is
-# committed as it was bundled, so that building the command needs neither Node nor a network.
+# committed as it was bundled, so that building the command needs neither Node nor a network. Where the layer is
+# another build's archive, it has its page.
+get_target_property(built_elsewhere circumspect_picture IMPORTED)
+if(built_elsewhere)
+  return()
+endif()
 set(page "${PROJECT_SOURCE_DIR}/oracle/picture/page/page.built.html")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
 file(READ "${page}" CIRCUMSPECT_PAGE)

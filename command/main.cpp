@@ -86,6 +86,7 @@ ExitCode run(int argc, char** argv) {
 #ifndef __EMSCRIPTEN__
   circumspect::cli::add_command_pages(app, exit_code);
 #endif
+  circumspect::cli::let_options_take_one_word(app);
   circumspect::cli::lay_out_help(app);
   try {
     std::vector<std::string> words = circumspect::cli::with_angles_joined(argc, argv);

@@ -13,7 +13,7 @@ namespace circumspect::corpus {
 
 // ---- By definition ----
 // Judges the meshes of the corpus from the definitions, those with many simplices left out: the
-// time grows with the square of their number. `make test`, which tries a third of all inputs, leaves out more.
+// time grows with the square of their number. `make test`, which tries a quarter of all inputs, leaves out more.
 
 std::size_t too_many_by_definition() { return properties::one_input_in() > 1 ? 50 : 100; }
 // Of a domain, definitions look at visibility, too.

@@ -7,6 +7,7 @@
 #include "corpus/domain_table.hpp"
 #include "corpus/expected_table.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::corpus {
 
@@ -96,8 +97,10 @@ TEST_CASE("expected.tsv and the meshes on disk are the same set") {
 // The meshes of the corpus as arrays: whatever the checkers say of the files, `judge` says of the arrays.
 
 TEST_CASE("arrays are judged as files are, and by the fast judge wherever they hold") {
-  std::size_t fast = 0, rejected = 0;
+  constexpr std::size_t kOneRowIn = properties::kOneInputIn > 1 ? 4 : 1;
+  std::size_t rows = 0, fast = 0, rejected = 0;
   for (const Row& row : expected_rows()) {
+    if (rows++ % kOneRowIn != 0) continue;
     const ExactMesh mesh = mesh_of(row);
     const auto arrays = arrays::arrays_of(mesh);
     if (!arrays) continue;
@@ -109,8 +112,8 @@ TEST_CASE("arrays are judged as files are, and by the fast judge wherever they h
     fast += judgement.counts.fast ? 1 : 0;
     rejected += judgement.holds ? 0 : 1;
   }
-  CHECK(fast > 100);
-  CHECK(rejected > 100);
+  CHECK(fast > 100 / kOneRowIn);
+  CHECK(rejected > 100 / kOneRowIn);
 }
 
 }  // namespace circumspect::corpus

@@ -52,8 +52,7 @@ def command_lines():
         (claim, *kind), points, mesh = row[1].split(), row[3], row[4]
         if mesh == "-":
             continue
-        about = f" --domain findings/{points}" if points.endswith(".poly") else f" --points findings/{points}"
-        about += f" --domain-kind {kind[0]}" if kind else ""
+        about = f" --domain findings/{points} --domain-kind {kind[0]}" if kind else f" --points findings/{points}"
         lines += in_both_formats(f"check findings/{mesh}{about} --claim {claim}")
     for arguments, _, _ in rows("domains/written/written.tsv"):
         words = [f"domains/{word}" if word.startswith("written/") else word for word in arguments.split()]

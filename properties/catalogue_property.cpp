@@ -51,7 +51,7 @@ TEST_CASE("mutations of small meshes are seen through, with the rules that the c
   std::map<std::string, std::size_t> applied;
   for (const std::size_t d : {2u, 3u}) {
     for (const bool weighted : {false, true}) {
-      CHECK(holds("whoever judges", 500, [&] {
+      CHECK(holds("whoever judges", 670, [&] {
         const Mutation& mutation = all[*rc::gen::elementOf(weighted ? weighted_places : places)];
         ArrayMesh mesh = any_mesh(d, weighted);
         const bool has_weights = !mesh.weights.empty();

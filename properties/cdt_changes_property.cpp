@@ -201,7 +201,7 @@ PiecewiseLinearInput with_point(PiecewiseLinearInput input, const Point& point) 
 TEST_CASE("C9 a vertex is inserted iff that leaves a CDT, and deletion undoes it (Section 5.7)") {
   std::map<WhyNoChange, std::size_t> refused;
   std::size_t inserted = 0, in_polygon = 0, in_segment = 0;
-  CHECK(holds("vertex insertion", 300, [&] {
+  CHECK(holds("vertex insertion", 400, [&] {
     ComplexCase base = *scaffolds();
     const PiecewiseLinearComplex complex = base.complex();
     if (complex.points.dimension() < 3) return;

@@ -301,7 +301,7 @@ class Test:
         self.seconds, self.reached = 0.0, set()
 
     def passes(self, number, limit, reached=None):
-        environment = {**os.environ, "RC_PARAMS": SEED, "CIRCUMSPECT_ONE_INPUT_IN": "3", **self.environment,
+        environment = {**os.environ, "RC_PARAMS": SEED, "CIRCUMSPECT_ONE_INPUT_IN": "4", **self.environment,
                        "CIRCUMSPECT_MUTANT": str(number)}
         if reached is not None:
             environment["CIRCUMSPECT_REACHED"] = str(reached)

@@ -70,6 +70,11 @@ TEST_CASE("campaign: what numbers are drawn, what is left out, what is known") {
   const Run silent = run(wrong.campaign({"--cases", "4", "--known", known}));
   CHECK(has(silent.out, "known: 4 cases"));
   CHECK(silent.exit_code == 0);
+  // Another signature, and this one behind #, are not this one.
+  program.folder.write("known", "exit-code-33\n# exit-code-3\n");
+  CHECK(run(wrong.campaign({"--cases", "4", "--known", known}, "others")).exit_code == 1);
+  program.folder.write("known", "# exit-code-3\n\n");
+  CHECK(has(run(wrong.campaign({"--cases", "4", "--known", known}, "none")).err, "found none"));
 }
 
 // What it does depends on the number of points.

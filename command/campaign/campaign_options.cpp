@@ -134,14 +134,17 @@ void add_claims(CLI::App& command, SubjectOptions& options) {
   command.add_flag("--full-dimension", options.full_dimension,
                    "Skip points that lie in a hyperplane, and domains whose points do");
   command
-      .add_option("--refusal-exit-code", options.refusal_codes,
-                  "With this exit code the program refuses an input, which is no failure")
+      .add_option(
+          "--refusal-exit-code", options.refusal_codes,
+          "With this exit code the program refuses an input, which is no failure. May be given "
+          "several times")
       ->check(whole_number(0, 255))
-      ->option_text("N ...");
+      ->option_text("N");
   command
       .add_option("--refusal-text", options.refusal_texts,
-                  "With this text in its output the program refuses an input, which is no failure")
-      ->option_text("TEXT ...");
+                  "With this text in its output the program refuses an input, which is no failure. "
+                  "May be given several times")
+      ->option_text("TEXT");
 }
 
 bool names_file(const std::string& argument) {

@@ -55,7 +55,6 @@ void add_keep_label_option(CLI::App& command, InputOptions& options) {
                   "Of the mesh, take only cells with this label: the reference in Medit's .mesh, "
                   "the physical group in Gmsh's .msh, the first attribute in .ele. May be given "
                   "several times")
-      ->allow_extra_args(false)
       ->option_text("N");
 }
 

@@ -118,16 +118,14 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       ->add_option("--simplex", options->points.simplices,
                    "Tell whether this simplex, of any dimension, is Delaunay or strongly Delaunay "
                    "(\"1 2 3\")")
-      ->option_text("VERTICES")
-      ->allow_extra_args(false);
+      ->option_text("VERTICES");
   command
       ->add_option(
           "--only", options->only,
           "Find no more than these facts: of points dimension, genericity, simplices; of a "
           "domain validity, regions, edge-protection, cdt")
       ->option_text("FACTS")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      ->delimiter(',');
   add_domain_inspection_options(*command, options->domain);
   add_page_option(*command, options->html,
                   "what is found, and each breach of a domain as a picture");

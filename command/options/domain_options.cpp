@@ -60,7 +60,6 @@ void add_points(CLI::App& command, const std::string& name, std::vector<Point>& 
   };
   command.add_option(name, read, about)
       ->type_size(1)
-      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->option_text("X,Y,Z");
 }

@@ -141,6 +141,14 @@ void lay_out(CLI::App& command, const std::shared_ptr<HelpFormatter>& formatter)
 
 void lay_out_help(CLI::App& app) { lay_out(app, std::make_shared<HelpFormatter>()); }
 
+void let_options_take_one_word(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->nonpositional()) option->allow_extra_args(false);
+  }
+  for (CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
+    let_options_take_one_word(*one);
+}
+
 // ---- Unknown words ----
 namespace {
 

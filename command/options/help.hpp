@@ -1,4 +1,4 @@
-// How --help is laid out: options in groups, lines that fit the terminal.
+// What all options have in common, and how --help is laid out: in groups, with lines that fit the terminal.
 #pragma once
 
 #include <string>
@@ -8,6 +8,11 @@ class App;
 }
 
 namespace circumspect::cli {
+
+// Has each option of a command and of all its subcommands take one word, also where it may be given several times:
+// otherwise it would take those behind it as well, and a `--` with them, behind which a program has options of its own.
+// Called when all options are there.
+void let_options_take_one_word(CLI::App& app);
 
 // Puts the options of a command and of all its subcommands into groups, such as "Domain", by their names, and has
 // --help break its lines where the terminal ends, or after COLUMNS characters, if that is set; elsewhere, as in a

@@ -201,6 +201,33 @@ TEST_CASE("options of another command") {
             "found --claim, an option of circumspect check"));
 }
 
+TEST_CASE(
+    "an option that may be given several times takes one word, and leaves -- to the program") {
+  const std::vector<std::vector<std::string>> options = {
+      {"--families", "all"},
+      {"--exclude", "uniform"},
+      {"--metamorphic", "order"},
+      {"--refusal-exit-code", "9"},
+      {"--refusal-text", "no"},
+      {"--dimension", "2", "--domain", "x.poly", "--untidy", "crossing"},
+      {"--worker", "--updates", "insert"}};
+  for (const std::vector<std::string>& own : options) {
+    CAPTURE(own.back());
+    std::vector<std::string> words = {"campaign"};
+    words.insert(words.end(), own.begin(), own.end());
+    words.insert(words.end(), {"--", "./no-such-program", "-x"});
+    if (own.front() == "--dimension") words.insert(words.end(), {"{domain}", "{mesh}"});
+    if (own.front() != "--worker" && own.size() == 2)
+      words.insert(words.end(), {"{points}", "{mesh}"});
+    const Run result = run(words);
+    CHECK(result.exit_code == 3);
+    CHECK(has(result.err, "no-such-program"));
+  }
+  // The words behind it are arguments.
+  CHECK(said({"compare", "--keep-label", "1", "2", "a.ele", "b.ele"}) ==
+        "circumspect compare: expected no further argument, found b.ele");
+}
+
 TEST_CASE("arguments that are too many") {
   CHECK(said({"compare", "a.ele", "b.ele", "c.ele"}) ==
         "circumspect compare: expected no further argument, found c.ele");

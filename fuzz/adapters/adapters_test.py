@@ -3,7 +3,8 @@
 
     fuzz/adapters/adapters_test.py COMMAND [--all]
 
-The languages are Python and JavaScript, or with --all each whose programs are installed. Exit code 1: what differed.
+The languages are Python and JavaScript, or with --all each whose programs are installed. What the adapters of fuzz/hunt read is tried as well:
+they once took the seed of a hole for the next case. Exit code 1: what differed.
 """
 
 import argparse
@@ -202,6 +203,37 @@ def trial(command, language, make, forgets):
         return "" if again.returncode == 1 else f"expected reproduce.sh to end with 1, found {again.returncode}"
 
 
+# A square with segments around it and the seed of a hole, which the adapters of the hunt read and leave alone.
+HOLED = "4 2 0 4 0 1\n0 0\n4 0\n4 4\n0 4\n0 1\n1 2\n2 3\n3 0\n0.5 1.5\n"
+ANSWER = "nOFF 2\n4 2 0\n0 0\n4 0\n4 4\n0 4\n3 0 1 2\n3 0 2 3\n"
+HUNT = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "hunt")
+
+
+def hunt_javascript(folder):
+    return ["node", write(folder, "it.mjs", f"import {{ serveDomains }} from '{HUNT}/lines.mjs';\n"
+                                            "serveDomains((_, segments) => segments.length === 4 ? [[0, 1, 2], [0, 2, 3]] : []);\n")]
+
+
+def hunt_rust(folder):
+    build(folder, "rustc", write(folder, "it.rs", f'#[path = "{HUNT}/lines.rs"]\nmod lines;\nfn main() {{\n'
+                                                  "    lines::serve_domains(|_, _| vec![vec![0, 1, 2], vec![0, 2, 3]]);\n}\n"))
+    return [os.path.join(folder, "it")]
+
+
+def hunt_cpp(folder):
+    build(folder, "c++", "-std=c++17", "-o", "it", write(folder, "it.cpp", f'#include "{HUNT}/lines.hpp"\nint main() {{ return lines::serve_domains('
+                                                                           "[](auto&&...) { return lines::Simplices{{0, 1, 2}, {0, 2, 3}}; }); }\n"))
+    return [os.path.join(folder, "it")]
+
+
+def hunt_trial(make):
+    """What the adapters of fuzz/hunt of one language make of two domains with a hole."""
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run(make(folder), input=2 * HOLED, capture_output=True, text=True, env={**os.environ, "BUILDS": folder}, timeout=60)
+        found = run.stdout.replace("0 \n", "0\n").replace("2 \n", "2\n").replace("3 \n", "3\n")
+    return "" if found == 2 * ANSWER else f"expected two answers, found exit code {run.returncode} and\n{run.stdout}{run.stderr}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("command")
@@ -219,6 +251,12 @@ def main():
             fault = trial(command, language, make, forgets)
             faults += bool(fault)
             print(f"{language}, {'wrong' if forgets else 'right'}: {fault or 'as expected'}")
+    for language, (program, make, is_quick) in {"javascript": ("node", hunt_javascript, True), "rust": ("rustc", hunt_rust, False),
+                                                "c++": ("c++", hunt_cpp, False)}.items():
+        if (options.all or is_quick) and shutil.which(program):
+            fault = hunt_trial(make)
+            faults += bool(fault)
+            print(f"fuzz/hunt, {language}: {fault or 'as expected'}")
     return 1 if faults else 0
 
 

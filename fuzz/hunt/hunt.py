@@ -70,20 +70,25 @@ def points_of(path):
     return [[float(x) for x in line[1:1 + int(lines[0][1])]] for line in lines[1:1 + int(lines[0][0])]]
 
 
-def answer_once(command, path):
-    """What the library makes of one .node file, as an .ele file beside it; the exit code tells how it ended otherwise."""
-    points = points_of(path)
+def answer_once(row, builds, path, others=None):
+    """What the library makes of one .node file, as an .ele file beside it, or of the domain of a .case file; a program reads the domain itself,
+    with other arguments if some are given. The exit code tells how it ended otherwise."""
+    path = Path(path)
+    command = command_of(row, builds)
+    command = [word.replace("{domain}", path.name) for word in (command if others is None else [command[0], *shlex.split(others)])]
+    points = points_of(path) if path.suffix == ".node" else []
+    given = case_of(points) if points else path.read_text() if path.suffix == ".case" else ""
     try:
-        ended = subprocess.run(command, input=case_of(points), capture_output=True, text=True, timeout=60)
+        ended = subprocess.run(command, input=given, capture_output=True, text=True, timeout=60, cwd=path.resolve().parent)
     except subprocess.TimeoutExpired:
         print("no answer within 60 s")
         return 124
-    if ended.returncode != 0 or not ended.stdout or ended.stdout.startswith("error"):
+    if not points or ended.returncode != 0 or not ended.stdout or ended.stdout.startswith("error"):
         print((ended.stdout + ended.stderr).strip())
-        return 128 - ended.returncode if ended.returncode < 0 else ended.returncode or 1
+        return 128 - ended.returncode if ended.returncode < 0 else ended.returncode or int(bool(points))
     rows = ended.stdout.splitlines()
     numbered = [f"{i} {row}" for i, row in enumerate(rows[1:1 + int(rows[0])])]
-    Path(path).with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(points[0]) + 1} 0", *numbered]) + "\n")
+    path.with_suffix(".ele").write_text("\n".join([f"{rows[0]} {len(points[0]) + 1} 0", *numbered]) + "\n")
     return 0
 
 
@@ -242,7 +247,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--go-on", action="store_true", help="with the campaign that is in the folder")
     parser.add_argument("--record", action="store_true", help="add the run to runs.tsv")
-    parser.add_argument("--on", help="answer this .node file alone, with an .ele file beside it")
+    parser.add_argument("--on", help="answer this .node file alone, with an .ele file beside it; or this .case file of a domain, or the file of one that the program reads")
+    parser.add_argument("--arguments", help="with --on: those of the program, in one word, instead of those in targets.tsv")
     parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parents[1] / "build/release/bin/circumspect")))
     arguments = parser.parse_args()
     unknown = set(arguments.target) - {row["target"] for row in targets()}
@@ -252,7 +258,7 @@ def main():
     if arguments.install:
         install(chosen, arguments.builds)
     if arguments.on:
-        return answer_once(command_of(chosen[0], arguments.builds), arguments.on)
+        return answer_once(chosen[0], arguments.builds, arguments.on, arguments.arguments)
     new, ran = 0, 0
     for row in chosen:
         if not is_here(row, arguments.builds):

@@ -25,8 +25,9 @@ async function answerAll(triangulate, answer) {
   let text = '', rows = [];
   const buffer = Buffer.alloc(1 << 20);
   for (;;) {
-    const [count, , , segments = 0] = (rows[0] ?? '0').split(' ').map(Number); // points, their dimension, weights, segments
-    if (rows.length === 0 || rows.length <= count + segments) {
+    // Points, their dimension, weights, segments, facets, holes: the last are read, as the hull is filled.
+    const [count, , , segments = 0, , holes = 0] = (rows[0] ?? '0').split(' ').map(Number);
+    if (rows.length === 0 || rows.length <= count + segments + holes) {
       const size = fs.readSync(0, buffer);
       if (size === 0) return;
       text += buffer.toString('latin1', 0, size);
@@ -35,10 +36,10 @@ async function answerAll(triangulate, answer) {
       rows.push(...lines);
       continue;
     }
-    const lines = rows.splice(0, count + segments + 1).slice(1);
+    const lines = rows.splice(0, count + segments + holes + 1).slice(1);
     const given = lines.map(line => line.split(' ').map(Number));
     try {
-      const made = await triangulate(given.slice(0, count), given.slice(count));
+      const made = await triangulate(given.slice(0, count), given.slice(count, count + segments));
       const own = made.map(simplex => Array.from(simplex, v => (v >= 0 ? v : count)).join(' '));
       fs.writeSync(1, answer(lines.slice(0, count), own).join('\n') + '\n');
     } catch (error) {

@@ -18,6 +18,9 @@ fn answer_all(triangulate: impl Fn(&[Vec<f64>], &[Vec<f64>]) -> Vec<Vec<usize>>,
     while let Some(header) = lines.next() {
         let sizes: Vec<usize> = header.split(' ').map(|x| x.parse().unwrap()).collect();
         let rows: Vec<String> = (0..sizes[0] + sizes[3]).map(|_| lines.next().unwrap()).collect();
+        for _ in 0..sizes[5] {
+            lines.next(); // a point in a hole: the hull is filled
+        }
         let given: Vec<Vec<f64>> =
             rows.iter().map(|row| row.split(' ').map(|x| x.parse().unwrap()).collect()).collect();
         let (points, segments) = given.split_at(sizes[0]);

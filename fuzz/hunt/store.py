@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from hunt import HERE, POINT_CLAIMS, answer_once, command_of, is_near, points_of, targets
+from hunt import HERE, POINT_CLAIMS, answer_once, is_near, points_of, targets
 from summary import EXPECTED, PAGES
 
 COUNTS = "none one two three four five six seven eight nine ten eleven twelve".split()
@@ -65,7 +65,7 @@ def main():
     node = EXPECTED.parent / f"{arguments.name}.node"
     shutil.copy(arguments.folder / "minimal.node", node)
     points = points_of(node)
-    ended = answer_once(command_of(row, arguments.builds), node)
+    ended = answer_once(row, arguments.builds, node)
     if ended == 0:
         check = [arguments.circumspect, "check", node.with_suffix(".ele").name, "--claim", row["claim"], "--points", node.name]
         lines = subprocess.run(check, cwd=node.parent, capture_output=True, text=True).stdout.rstrip().splitlines()

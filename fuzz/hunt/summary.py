@@ -8,6 +8,7 @@
 """
 import re
 import sys
+from collections import Counter
 from pathlib import Path
 from statistics import median
 
@@ -96,20 +97,21 @@ def with_runs(text, page):
 
 
 def overview(text):
-    """The README of the findings: the numbers, and in the table of libraries the cases and the entries of each page."""
+    """The README of the findings: the numbers, and in the table of libraries the cases, minutes and entries of each page."""
     lines = text.split("\n")
     start = lines.index("| what | number | goal |")
     lines[start:start + 2 + len(GOALS)] = lines_of_numbers()
-    cases = {}
+    cases, seconds = Counter(), Counter()
     of = {row["target"]: row["page"] for row in targets()}
     for run in table(RUNS, RUN_COLUMNS):
-        cases[of[run["target"]]] = cases.get(of[run["target"]], 0) + int(run["cases"])
+        cases[of[run["target"]]] += int(run["cases"])
+        seconds[of[run["target"]]] += int(run["seconds"])
     for i, line in enumerate(lines):
-        if row := re.match(r"(\| \[.*?\]\(([\w.-]+)\.md\) \| .*? \| .*? \| )([\d,]+)( \| )(.*) \|$", line):
+        if row := re.match(r"(\| \[.*?\]\(([\w.-]+)\.md\) \| .*? \| .*? \| )[\d,]+ \| [\d.]+ \| (.*) \|$", line):
             here = [is_fault(entry) for entry in entries() if entry["page"] == row[2]]
             faults = sum(here)
-            last = f"{faults} / {len(here) - faults}" if here else row[5]
-            lines[i] = f"{row[1]}{cases.get(row[2], 0):,}{row[4]}{last} |"
+            last = f"{faults} / {len(here) - faults}" if here else row[3]
+            lines[i] = f"{row[1]}{cases[row[2]]:,} | {seconds[row[2]] / 60:.1f} | {last} |"
     return "\n".join(lines)
 
 

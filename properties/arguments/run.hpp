@@ -28,7 +28,7 @@ inline constexpr int kOneInputIn = 1;
 constexpr std::size_t points_a_side(std::size_t side) { return kOneInputIn > 1 ? side / 2 : side; }
 
 // Does the property hold on `successes` random inputs? RapidCheck prints what fails, shrunk. Seed and sizes come
-// from RC_PARAMS, as for every RapidCheck property. CIRCUMSPECT_ONE_INPUT_IN=3 in the environment tries a third
+// from RC_PARAMS, as for every RapidCheck property. CIRCUMSPECT_ONE_INPUT_IN=4 in the environment tries a quarter
 // of them, as `make test` does. Compiled once, in test_main.cpp: the templates behind it take RapidCheck's users a
 // quarter of a second a property.
 bool holds(const std::string& description, int successes, const std::function<void()>& property);

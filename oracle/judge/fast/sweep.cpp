@@ -71,12 +71,13 @@ class BlockSweep {
     std::span<const Facet> looked_at() const { return std::span(facets).first(facet_count); }
   };
 
-  void give_up(Undecided reason) {
+  // Neither of these is called in a mesh that holds: they stand apart from what is run.
+  [[gnu::cold, gnu::noinline]] void give_up(Undecided reason) {
     if (!swept_.undecided) swept_.undecided = reason;
   }
 
   // Of the block that is looked at.
-  void doubt(Undecided reason) {
+  [[gnu::cold, gnu::noinline]] void doubt(Undecided reason) {
     if (!task_.past_doubts) return give_up(reason);
     if (!swept_.doubt) swept_.doubt = reason;
     is_doubtful_ = true;

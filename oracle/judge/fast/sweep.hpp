@@ -233,6 +233,7 @@ class WholeSweep {
 
  private:
   static constexpr std::size_t kVertices = kDimension + 1;
+  static constexpr std::size_t kBits = 64;  // of a word of Orientations
 
   tl::expected<int, Undecided> orientation_of(std::size_t s, Stages& stages) const {
     SiteRow<kDimension> row;
@@ -246,16 +247,31 @@ class WholeSweep {
     return sign;
   }
 
+  // Writes bit s of `negative` for simplices `begin` to `end` − 1: is s negatively oriented? Past doubts a flat simplex
+  // counts as positive: the second pass finds it. Requires: their words are 0, and no other thread's.
+  std::optional<Undecided> orient(std::size_t begin, std::size_t end, bool past_doubts,
+                                  std::vector<std::uint64_t>& negative) const {
+    Stages stages;  // every sign is asked for again
+    for (std::size_t s = begin; s < end; ++s) {
+      auto sign = orientation_of(s, stages);
+      if (!sign) {
+        if (!past_doubts || sign.error() != Undecided::kFlatSimplex) return sign.error();
+        sign = 1;
+      }
+      // Which of the two it is may be a coin toss: no branch.
+      negative[s / kBits] |= std::uint64_t{*sign < 0} << (s % kBits);
+    }
+    return std::nullopt;
+  }
+
   // Makes orientations one bit each, where the sweep `parts` expected `first` of all, and returns the chunks that it would
   // sweep otherwise with them, ascending: those in which something is wrong, and those from which a link leads to a
   // simplex that is not oriented as the first. In all others every simplex is.
-  // Past doubts a flat simplex counts as positive: the second pass finds it.
   tl::expected<std::vector<std::size_t>, Undecided> tell_orientations_apart(
       int first, bool past_doubts, const std::vector<Swept>& parts) {
-    constexpr std::size_t kBits = 64;
     static_assert(kChunk % kBits == 0);
-    std::vector<std::uint64_t> negative(chunks_of(mesh_.size(), kBits),
-                                        first < 0 ? ~std::uint64_t{0} : 0);
+    const std::uint64_t as_first = first < 0 ? ~std::uint64_t{0} : 0;
+    std::vector<std::uint64_t> negative(chunks_of(mesh_.size(), kBits), as_first);
     std::vector<std::optional<Undecided>> found(parts.size());
     std::vector<std::atomic<bool>> again(parts.size());
     const auto is_sound = [](const Swept& part) { return part.goes_on() && part.doubtful.empty(); };
@@ -264,17 +280,13 @@ class WholeSweep {
               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                 if (is_sound(parts[chunk])) return;
                 again[chunk].store(true, std::memory_order_relaxed);
-                Stages stages;  // every sign is asked for again
+                std::fill(negative.begin() + static_cast<std::ptrdiff_t>(begin / kBits),
+                          negative.begin() + static_cast<std::ptrdiff_t>(chunks_of(end, kBits)), 0);
+                found[chunk] = orient(begin, end, past_doubts, negative);
+                if (found[chunk] || all_again) return;
                 for (std::size_t s = begin; s < end; ++s) {
-                  auto sign = orientation_of(s, stages);
-                  if (!sign && past_doubts && sign.error() == Undecided::kFlatSimplex) sign = 1;
-                  if (!sign) {
-                    found[chunk] = sign.error();
-                    return;
-                  }
-                  if (*sign == first) continue;
-                  negative[s / kBits] ^= std::uint64_t{1} << (s % kBits);
-                  if (all_again) continue;
+                  const std::uint64_t others = (negative[s / kBits] ^ as_first) >> (s % kBits);
+                  if ((others & 1) == 0) continue;
                   for (const Link beyond : links_.subspan(s * kVertices, kVertices)) {
                     const auto other = static_cast<std::size_t>(beyond);
                     if (beyond < 0 || other >= mesh_.size()) continue;

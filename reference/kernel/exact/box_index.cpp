@@ -109,6 +109,15 @@ bool may_meet(const Box& a, const Box& b) {
   return true;
 }
 
+bool may_meet_inside(const Box& around, const Box& other) {
+  if (!may_meet(around, other)) return false;
+  for (std::size_t i = 0; i < around.low.size(); ++i) {
+    if (around.low[i] == around.high[i]) continue;  // all its points have this value
+    if (around.high[i] == other.low[i] || other.high[i] == around.low[i]) return false;
+  }
+  return true;
+}
+
 // ---- Their index ----
 
 namespace {

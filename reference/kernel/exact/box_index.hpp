@@ -40,6 +40,11 @@ Box cube(const Point& centre, const Rational& reach);
 // Have the boxes a point in common, as far as their values say? True if they have.
 bool may_meet(const Box& a, const Box& b);
 
+// The same where only points inside of a cell matter, off its boundary, and `around` is a box around it: a value that
+// differs between points of the cell has neither its least nor its greatest there. Boxes that only touch may meet,
+// but not inside.
+bool may_meet_inside(const Box& around, const Box& other);
+
 // The work is that of Boost.Geometry's R-tree, packed once, on three axes. It has doubles for
 // coordinates, which a filter may have: boxes are rounded outward, and what a query finds is judged
 // by exact predicates.

@@ -221,6 +221,23 @@ TEST_CASE("may_meet: in a point, past each other, aslant past each other") {
   CHECK_FALSE(may_meet(segment({0, 0, 0}, {0, 9, -9}), segment({0, 0, 1}, {0, 9, -8})));
 }
 
+TEST_CASE("may_meet_inside: what touches in a plane does not, unless all of the cell lies in it") {
+  const auto segment = [](const Point& a, const Point& b) {
+    return box_around(box_around(a), box_around(b));
+  };
+  const Box rising = segment({0, 0, 0}, {4, 2, 1}), falling = segment({0, 2, 0}, {4, 0, -1});
+  const Box flat = segment({0, 2, 0}, {4, 0, 0});
+  CHECK(may_meet(rising, falling));
+  CHECK_FALSE(may_meet_inside(rising, falling));
+  CHECK(may_meet_inside(flat, rising));
+  CHECK_FALSE(may_meet_inside(rising, flat));
+  CHECK(may_meet_inside(flat, segment({0, 1, -1}, {4, 1, 1})));
+  // No double is a third: the bounds that are rounded to are not reached.
+  const Rational third(1, 3);
+  CHECK(may_meet_inside(segment({0, 0, third}, {4, 2, third}),
+                        segment({0, 1, third}, {4, 1, third})));
+}
+
 // ---- Their index ----
 
 // Boxes on a small grid, so that many touch in a face, an edge or a corner; every tenth is unbounded.

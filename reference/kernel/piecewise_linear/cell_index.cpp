@@ -101,7 +101,7 @@ std::vector<std::size_t> CellIndex::apart(const Box& box,
     const Node& node = nodes_[pending.back()];
     pending.pop_back();
     ++work_;
-    if (!may_meet(node.box, box) || has_one_of(node.shared, vertices)) continue;
+    if (!may_meet_inside(box, node.box) || has_one_of(node.shared, vertices)) continue;
     if (node.is_leaf) {
       found.push_back(node.cell);
     } else {

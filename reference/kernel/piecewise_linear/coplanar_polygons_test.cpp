@@ -25,7 +25,7 @@ std::vector<std::size_t> by_definition(const std::vector<Box>& boxes,
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool shares = std::any_of(cells[i].begin(), cells[i].end(),
                                     [&](Vertex v) { return contains(vertices, v); });
-    if (!shares && may_meet(boxes[i], box)) found.push_back(i);
+    if (!shares && may_meet_inside(box, boxes[i])) found.push_back(i);
   }
   return found;
 }
@@ -88,6 +88,19 @@ TEST_CASE("apart: of cells at one vertex no pair is looked at") {
   const CellIndex index(boxes.of(segments), segments);
   for (const Simplex& segment : segments) index.apart(boxes.of(segment), segment);
   CHECK(index.work() < 100 * segments.size());  // of 4,000 × 4,000
+}
+
+TEST_CASE("apart: of cells to both sides of a plane that they touch no pair is looked at") {
+  constexpr Vertex kRim = 1000;
+  std::vector<Point> points = rim_and_apex(kRim).points();
+  points.push_back({Rational(kRim) / 2, Rational(kRim), -Rational(kRim)});
+  std::vector<Simplex> segments = spokes_and_rim(kRim);
+  for (Vertex i = 0; i < kRim; ++i) segments.push_back({i, kRim + 1});
+  const PointSet set(points);
+  const CellBoxes boxes(set);
+  const CellIndex index(boxes.of(segments), segments);
+  for (const Simplex& segment : segments) index.apart(boxes.of(segment), segment);
+  CHECK(index.work() < 100 * segments.size());  // of 3,000 × 3,000
 }
 
 // ---- Coplanar polygons ----
