@@ -358,11 +358,7 @@ Lemma known_in_space D : check_about space_predicates D = Accepted -> polygons_k
 Proof.
   intros A. pose proof (unit_positive D A) as U. pose proof (shape D A) as Sh.
   pose proof (spots_of_mesh (d := 3) D) as Sp. split.
-  - intros f If. destruct (Polygons.polygon_parts _ f (Sh f If)) as (_ & _ & Ln & Ax & Nz & _).
-    cbn [polygon_of plane_normal]. destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate Ln.
-    intros E. apply Nz. pose proof (f_equal Vector.hd E) as E0. pose proof (f_equal Vector.tl E) as E'.
-    pose proof (f_equal Vector.hd E') as E1. pose proof (f_equal Vector.hd (f_equal Vector.tl E')) as E2.
-    cbn in E0, E1, E2. apply eq_IZR in E0, E1, E2. subst. destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
+  - intros f If. now apply polygon_normal, Sh.
   - intros f u Y q w If. now apply (in_piece D U Sp f (Sh f If)).
   - intros f u Y q w q' w' s If. now apply (in_piece_between D U Sp f (Sh f If)).
   - intros f q w If. now apply (off_polygon_sound D U Sp f (Sh f If)).
