@@ -34,7 +34,7 @@ Record domain_refutation := DomainRefutation {
 }.
 
 (** Some rules speak of the whole domain: it is that of a certificate whose points are its vertices, and which has no
-    simplices.  A point of it: vertex K; the point q / w of segment K, or of triangle U of polygon K. *)
+    simplices, or of one of another mesh.  A point of it: vertex K; the point q / w of segment K, or of triangle U of polygon K. *)
 Inductive domain_point :=
   | AtCorner (k : positive)
   | AlongSegment (k : positive) (q : site) (w : Z)
@@ -53,7 +53,15 @@ Inductive whole_evidence :=
   (* q / w, in simplex T, is outside *)
   | Strays (t : positive) (q : site) (w : Z) (legs : list leg) (out : way_off)
   (* q / w is in simplex T, and the end of the leg in none *)
-  | Gap (t : positive) (q : site) (w : Z) (l : leg).
+  | Gap (t : positive) (q : site) (w : Z) (l : leg)
+  (* of a mesh that is to fill a hull: evidence about its boundary, as of points *)
+  | OfHull (e : evidence)
+  (* the domain comes with another mesh of it, and q / w is in its kept simplex T *)
+  | CoveredElsewhere (t : positive) (q : site) (w : Z)
+  (* the triangle U dangles; with these weights its vertices and V sum up to nothing, and their squares to less.  From q / w, inside,
+     one gets to V in polygon K, from point to point in its pieces; the planes part the way from all other cells *)
+  | DanglingSees (u v : positive) (own : list Z) (other : Z) (k : positive) (q : site) (w : Z)
+      (bends : list (positive * (site * Z))) (last : positive) (planes : list (list Z * Z)).
 Record whole_refutation := WholeRefutation {
   mesh_against : refutation;          (* the caller's points and simplices; its evidence is not read *)
   dangling_against : dangling_part;
@@ -64,7 +72,7 @@ Record whole_refutation := WholeRefutation {
 Inductive domain_rule :=
   | domain_vertex_missing | domain_steiner_forbidden | domain_segment_missing | domain_vertex_in_edge | domain_polygon_not_tiled
   | domain_uncovered | domain_outside | domain_uncovered_or_outside | delaunay_no_empty_ball
-  | cdt_facet_not_local | cdt_visible_vertex_in_ball | mesh_rule (r : rule).
+  | cdt_facet_not_local | cdt_visible_vertex_in_ball | cdt_dangling_not_delaunay | mesh_rule (r : rule).
 Definition whole_rule_of (c : whole_refutation) : domain_rule :=
   match shown_by c with
   | FacetInNoWall _ _ _ _ _ _ => cdt_facet_not_local
@@ -73,6 +81,9 @@ Definition whole_rule_of (c : whole_refutation) : domain_rule :=
   | NotCovered _ => domain_uncovered
   | Strays _ _ _ _ _ => domain_outside
   | Gap _ _ _ _ => domain_uncovered_or_outside
+  | OfHull e => mesh_rule (rule_of e)
+  | CoveredElsewhere _ _ _ => domain_uncovered
+  | DanglingSees _ _ _ _ _ _ _ _ _ _ => cdt_dangling_not_delaunay
   end.
 Definition domain_rule_of (c : domain_refutation) : domain_rule :=
   match domain_because c with
@@ -96,6 +107,7 @@ Definition domain_rule_name (r : domain_rule) : string :=
   | delaunay_no_empty_ball => "delaunay.no-empty-ball"
   | cdt_facet_not_local => "cdt.facet-not-local"
   | cdt_visible_vertex_in_ball => "cdt.visible-vertex-in-ball"
+  | cdt_dangling_not_delaunay => "cdt.dangling-not-delaunay"
   | mesh_rule r => rule_name r
   end%string.
 
@@ -174,7 +186,16 @@ Definition entries L : list (point d) := flat_map (flat_map (fun o => match o wi
 Definition no_empty_ball P L M : Prop := exists s, listed M s /\ affinely_independent s /\
   (forall t, listed L t -> ~ incl s t) /\
   forall c r2, circumball s c r2 -> exists v, (In v (entries (L ++ M)) \/ In v (domain_vertices P)) /\ dist2 c v < r2.
-(** The rule is broken; of the mesh's own rules those of simplices alone are used, and two about balls. *)
+(** A triangle dangles, and a vertex of the mesh is in every open circumball of it: so it is in their plane, and in the open
+    circumdisk.  It is visible from a point inside: the way there is in a polygon, and none of it but its end is in another polygon,
+    in a segment or a vertex. *)
+Definition dangling_not_delaunay P L M : Prop := exists s v x f, listed M s /\ length s = 3%nat /\ affinely_independent s /\
+  (forall t, listed L t -> ~ incl s t) /\ In v (entries (L ++ M)) /\ strictly_inside s x /\
+  In f (domain_polygons P) /\ (forall e, 0 <= e <= 1 -> polygon_points f (between x v e)) /\
+  (forall X e, In X (low_cells P) -> 0 <= e < 1 -> X (between x v e) -> X = polygon_points f) /\
+  forall c r2, circumball s c r2 -> dist2 c v < r2.
+(** The rule is broken; of the mesh's own rules those of simplices alone are used, two about balls and, where the domain is a
+    hull, two about the boundary of the mesh.  (Its points are then the vertices of the mesh.) *)
 Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   match r with
   | domain_vertex_missing => vertex_missing P (L ++ M)
@@ -188,6 +209,7 @@ Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   | delaunay_no_empty_ball => no_empty_ball P L M
   | cdt_facet_not_local => constrained_facet_not_local P L
   | cdt_visible_vertex_in_ball => visible_vertex_in_ball P L
+  | cdt_dangling_not_delaunay => dangling_not_delaunay P L M
   | mesh_rule complex_overlap => overlap (L ++ M)
   | mesh_rule r => broken Delaunay norm2 (entries (L ++ M)) L r
   end.

@@ -25,7 +25,7 @@ From Coq Require Import Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Honest.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.
-From Circumspect Require Judged Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted WholeRefuted ImpossibleSound Completeness
+From Circumspect Require Judged Uniqueness Soundness SettlingSound RefutationSound DomainSound ComplexSound DomainRefuted WholeSound ImpossibleSound Completeness
   EveryTriangulation.
 Import ListNotations.
 Open Scope R_scope.
@@ -111,11 +111,11 @@ Proof. apply DomainRefuted.refute_domain_rule. Qed.
 Theorem verified_not_whole_domain D x : refute_whole D x = true ->
   ~ claims_of_domain (domain_claimed (about_domain x)) (domain_of_certificate (dimension_of D) (about_domain x))
       (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)).
-Proof. apply WholeRefuted.refute_whole_sound. Qed.
+Proof. apply WholeSound.refute_whole_sound. Qed.
 Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
   broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x))
     (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
-Proof. apply WholeRefuted.refute_whole_rule. Qed.
+Proof. apply WholeSound.refute_whole_rule. Qed.
 
 (** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT
     (Definition 4.7): it has none. *)

@@ -10,6 +10,7 @@
 #include "oracle/judge/points/check.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
+#include "reference/constrained/steiner_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/existence/existence.hpp"
 #include "reference/kernel/complex/simplex.hpp"
@@ -114,8 +115,21 @@ certificate::ListedSegments listed_segments(const LoadedDomain& loaded) {
   return listed;
 }
 
+// A Steiner CDT, if it is not too large.
+std::optional<ExactMesh> meshed(const PiecewiseLinearComplex& complex) {
+  constexpr std::size_t kMostPoints = 1000;
+  if (complex.points.size() > kMostPoints) return std::nullopt;
+  auto made =
+      constrained::steiner_cdt(complex, constrained::CdtAlgorithm::kPolygonFlips, kMostPoints);
+  if (!made || !made->triangulation.dangling.empty()) return std::nullopt;
+  return ExactMesh{made->complex.points, std::move(made->triangulation.simplices)};
+}
+
 certificate::HullFillers fillers() {
-  return {.fill = fill, .fill_delaunay = fill_delaunay, .triangulate = delaunay_simplices};
+  return {.fill = fill,
+          .fill_delaunay = fill_delaunay,
+          .triangulate = delaunay_simplices,
+          .mesh = meshed};
 }
 
 // The solver, whose proofs get hints.

@@ -100,6 +100,10 @@ TEST_CASE("certify: a mesh of a domain, with what fills its hull besides") {
             .exit_code == 0);
   CHECK(begins_with(contents(meshes.cert),
                     "circumspect-certificate 1 steiner-triangulation 2 hull plc\n"));
+  CHECK(run({"certify", meshes.good, "-o", meshes.cert, "--domain", square, "--domain-kind", "hull",
+             "--claim", "cdt"})
+            .exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 cdt 2 hull plc\n"));
 }
 
 TEST_CASE("certify: a refutation of a claim about a domain") {
@@ -169,9 +173,14 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
           "expected a claim about a domain beside --domain, found delaunay");
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
           "expected a claim about a domain beside what --domain can have, found delaunay");
-  refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "cdt", "--domain", square,
-           "--domain-kind", "hull"},
-          "there is no certificate of this mesh: ");
+  const std::string dangling = meshes.write("dangling", "5 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n9 4 4\n",
+                                            "2 3\n1 5 6 7\n2 5 7 8\n");
+  meshes.folder.write("dangling.edge", "1 0\n1 7 9\n");
+  const std::string whip = meshes.folder.write(
+      "whip.poly",
+      "5 2 0 0\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n9 4 4\n5 0\n1 5 6\n2 6 7\n3 7 8\n4 8 5\n5 7 9\n0\n");
+  refused({"certify", dangling, "-o", meshes.cert, "--claim", "cdt", "--domain", whip},
+          "there is no certificate of this mesh: something dangles");
   refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "plc-triangulation"},
           "expected --domain FILE for the claim plc-triangulation, found none");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},

@@ -184,7 +184,9 @@ tl::expected<DomainCertificate, std::string> certificate_in(
   for (const WallPiece& piece : pieces) {
     const std::size_t number = dimension == 2 ? 0 : tiles[piece.cell].size();
     if (dimension == 3) tiles[piece.cell].push_back(piece.facet);
-    if (made.kind == DomainKind::kEnclosed) part.walls[piece.facet] = {piece.cell, number};
+    if (made.kind == DomainKind::kEnclosed || claim == Claim::kCdt || claim == Claim::kSteinerCdt) {
+      part.walls[piece.facet] = {piece.cell, number};
+    }
   }
   auto found = domain_part(part);
   if (!found) return tl::unexpected(std::string(kNoCertificate) + found.error());
@@ -226,11 +228,6 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
       complex.points.dimension() != static_cast<int>(dimension) || mesh.simplices.empty()) {
     return tl::unexpected(std::string(kNoCertificate) +
                           "the domain does not span the plane or space");
-  }
-  if (complex.kind == DomainKind::kHull && (claim == Claim::kCdt || claim == Claim::kSteinerCdt)) {
-    return tl::unexpected(
-        std::string(kNoCertificate) +
-        "that it is constrained Delaunay is certified of domains that are enclosed");
   }
   VertexPlaces places = check::match_vertices(mesh, complex);
   check::locate_steiner_points(mesh, complex, places);

@@ -112,6 +112,8 @@ struct HullFillers {
   Filler fill;
   Filler fill_delaunay;  // likewise, and all of them Delaunay
   std::function<std::vector<Simplex>(const PointSet&)> triangulate;
+  // A mesh of the domain, with Steiner points if it needs them, in which nothing dangles; or nothing.
+  std::function<std::optional<ExactMesh>(const PiecewiseLinearComplex&)> mesh;
 };
 
 // Nothing if the boundary of a polygon or of what is filled is no union of segments and polygons.
@@ -141,6 +143,7 @@ struct WholeEvidence {
   std::string because;
   std::optional<HomogeneousPoint> seen =
       {};  // the point that is in no simplex, or in none's face there
+  std::optional<DomainCertificate> elsewhere = {};  // of another mesh, which has this point
 };
 
 // Of a domain what is not in its vertices and segments, for such evidence.
@@ -178,8 +181,10 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
 // Requires: `vertices` are those of the domain among the points, of which the first are those of the mesh; the mesh lists what
 // dangles after its simplices.
 std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain& domain,
-                                            const Verdict& verdict, const ScaledPoints& points,
-                                            const std::vector<Vertex>& vertices);
+                                            const ListedSegments& listed, const Verdict& verdict,
+                                            const ScaledPoints& points,
+                                            const std::vector<Vertex>& vertices,
+                                            const HullFillers& fillers);
 
 // As proofs/CERTIFICATE.md lays it out. The mesh says by which index its user knows a point.
 void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& refutation);

@@ -365,7 +365,8 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
       seen = HomogeneousPoint{{because.begin() + 1, because.end() - 1}, because.back()};
     }
   } else {
-    auto of_whole = whole_evidence(listed_simplices, domain, verdict, made.points, made.vertices);
+    auto of_whole = whole_evidence(listed_simplices, domain, listed, verdict, made.points,
+                                   made.vertices, fillers);
     if (!of_whole) {
       return tl::unexpected(fmt::format(
           "there is no refutation of this mesh: {} is broken, and no evidence was found that "
@@ -374,10 +375,14 @@ tl::expected<DomainRefutation, std::string> domain_refutation_of(const ExactMesh
     }
     made.refutation.rule = of_whole->rule;
     seen = of_whole->seen;
-    auto whole = whole_domain(domain.complex, listed, made.points, made.vertices,
-                              std::move(*of_whole), fillers);
-    if (!whole) return tl::unexpected(whole.error());
-    made.whole = std::move(*whole);
+    if (of_whole->elsewhere) {
+      made.whole = WholeDomain{.kind = domain.complex.kind, .evidence = std::move(*of_whole)};
+    } else {
+      auto whole = whole_domain(domain.complex, listed, made.points, made.vertices,
+                                std::move(*of_whole), fillers);
+      if (!whole) return tl::unexpected(whole.error());
+      made.whole = std::move(*whole);
+    }
   }
   for (const Simplex& face : dangling) {
     auto pads = pads_of(face, made.points, seen);

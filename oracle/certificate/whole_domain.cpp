@@ -14,34 +14,18 @@
 namespace circumspect::certificate {
 namespace {
 
-HomogeneousPoint homogeneous(const Point& point) {
-  HomogeneousPoint q{{}, common_denominator(point)};
-  for (const Rational& x : point) q.numerators.push_back(Rational(x * q.denominator).get_num());
-  return q;
-}
-
-Point ordinary(const HomogeneousPoint& q) {
-  Point point;
-  for (const Integer& x : q.numerators) {
-    Rational ratio(x, q.denominator);
-    ratio.canonicalize();
-    point.push_back(ratio);
-  }
-  return point;
-}
-
-std::string text(const Point& point) {
-  const HomogeneousPoint q = homogeneous(point);
-  std::string words;
-  for (const Integer& x : q.numerators) words += x.get_str() + " ";
-  return words + q.denominator.get_str();
-}
-
 class WholeSearch {
  public:
-  WholeSearch(const ExactMesh& mesh, const Domain& domain, const Verdict& verdict,
-              const ScaledPoints& points, const std::vector<Vertex>& vertices)
-      : mesh_(mesh), domain_(domain), verdict_(verdict), points_(points), sidedness_(points) {
+  WholeSearch(const ExactMesh& mesh, const Domain& domain, const ListedSegments& listed,
+              const Verdict& verdict, const ScaledPoints& points,
+              const std::vector<Vertex>& vertices, const HullFillers& fillers)
+      : mesh_(mesh),
+        domain_(domain),
+        listed_(listed),
+        verdict_(verdict),
+        points_(points),
+        fillers_(fillers),
+        sidedness_(points) {
     const PiecewiseLinearComplex& complex = domain.complex;
     const auto add = [&](std::string name, const Simplex& simplex, std::size_t polygon) {
       Part part{std::move(name), {}, polygon};
@@ -82,12 +66,18 @@ class WholeSearch {
         return polygon_not_tiled();
       case Rule::kUncovered: {
         auto found = uncovered();
-        return found ? found : gap();
+        if (!found) found = gap();
+        return found ? found : uncovered_inside();
       }
       case Rule::kOutside: {
         auto found = outside();
         return found ? found : gap();
       }
+      case Rule::kDanglingNotDelaunay:
+        return dangling_not_delaunay();
+      case Rule::kHullNotConvex:
+      case Rule::kHullNotClosed:
+        return of_hull(rule);
       default:
         return std::nullopt;
     }
@@ -113,9 +103,12 @@ class WholeSearch {
     return point;
   }
   Point middle(const Simplex& simplex) const {
+    return circumspect::barycentre(corners_of(simplex));
+  }
+  std::vector<Point> corners_of(const Simplex& simplex) const {
     std::vector<Point> corners;
     for (const Vertex v : simplex) corners.push_back(at(v));
-    return circumspect::barycentre(corners);
+    return corners;
   }
   bool is_enclosed() const { return domain_.complex.kind == DomainKind::kEnclosed; }
 
@@ -127,12 +120,15 @@ class WholeSearch {
       if (violation.rule != Rule::kConstrainedFacetNotLocal || !violation.witness.face) continue;
       const auto found = ball_evidence(mesh_, Rule::kFacetNotLocal, violation.witness);
       if (!found) continue;
-      std::string words;
-      for (const Integer& token : found->because) words += token.get_str() + " ";
       return WholeEvidence{violation.rule, std::string(identifier(violation.rule)),
-                           words + text(middle(*violation.witness.face))};
+                           words_of(*found) + text_of(middle(*violation.witness.face))};
     }
     return std::nullopt;
+  }
+  static std::string words_of(const Evidence& evidence) {
+    std::string words;
+    for (const Integer& token : evidence.because) words += token.get_str() + " ";
+    return words;
   }
 
   std::optional<WholeEvidence> visible_vertex() const {
@@ -149,7 +145,7 @@ class WholeSearch {
         if (const auto planes = separators(inside, at(v), false)) {
           return WholeEvidence{
               violation.rule, std::string(identifier(violation.rule)),
-              fmt::format("{} {} {}{}", *simplex, v + 1, text(inside), planes->words)};
+              fmt::format("{} {} {}{}", *simplex, v + 1, text_of(inside), planes->words)};
         }
       }
     }
@@ -166,37 +162,67 @@ class WholeSearch {
     return 1 / total * sum;
   }
 
+  // From inside a triangle that dangles a vertex in its circumdisk is seen, through pieces of their polygon.
+  std::optional<WholeEvidence> dangling_not_delaunay() const {
+    constexpr std::array<std::array<int, 3>, 7> kWeights = {
+        {{1, 1, 1}, {8, 8, 1}, {8, 1, 8}, {1, 8, 8}, {8, 4, 1}, {1, 8, 4}, {4, 1, 8}}};
+    for (const Violation& violation : verdict_.violations()) {
+      if (violation.rule != Rule::kDanglingNotDelaunay || !is_enclosed()) continue;
+      const Vertex v = violation.witness.vertices.front();
+      const auto number = number_of(mesh_, violation.witness.simplices.front());
+      if (!number) continue;
+      const Simplex& triangle = mesh_.simplices[*number - 1];
+      for (std::size_t k = 0; k < domain_.complex.polygons.size(); ++k) {
+        if (is_off(middle(triangle), k)) continue;
+        std::vector<std::vector<Point>> pieces;
+        std::vector<std::vector<Point>> others;
+        for (const Part& part : parts_) {
+          const bool is_piece = part.corners.size() == 3 && part.polygon == k;
+          (is_piece ? pieces : others).push_back(part.corners);
+        }
+        for (const auto& weights : kWeights) {
+          const Point inside = weighted(triangle, weights);
+          const auto way = way_through(pieces, inside, at(v));
+          if (!way) continue;
+          const auto planes = certificate::separators(others, inside, at(v), false);
+          if (!planes) continue;
+          return WholeEvidence{violation.rule, std::string(identifier(violation.rule)),
+                               fmt::format("{} {} {} {} {} {}{}", *number, v + 1,
+                                           balance(corners_of(triangle), at(v)), k + 1,
+                                           text_of(inside), *way, planes->words)};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+  // ---- Hulls ----
+
+  // What is wrong with the boundary of a mesh that is to fill a hull, as of points.
+  std::optional<WholeEvidence> of_hull(Rule rule) const {
+    if (is_enclosed() || something_dangles()) return std::nullopt;
+    const auto found = certificate::evidence_for(mesh_, verdict_, points_, rule);
+    if (!found) return std::nullopt;
+    return WholeEvidence{rule, std::string(identifier(rule)), words_of(*found)};
+  }
+
   // ---- Ways ----
 
   std::optional<Separators> separators(const Point& a, const Point& b, bool with_end) const {
     return certificate::separators(corners_, a, b, with_end);
   }
   static std::string leg(const Point& end, const Separators& planes) {
-    return fmt::format("{} {}{}", text(end), planes.count, planes.words);
+    return fmt::format("{} {}{}", text_of(end), planes.count, planes.words);
   }
 
   // ---- Points of cells ----
 
-  // Some points of the part, none of them a corner.
-  static std::vector<Point> samples(const Part& part) {
-    constexpr int kMuch = 8;
-    std::vector<Point> found;
-    if (part.corners.size() < 2) return found;
-    found.push_back(circumspect::barycentre(part.corners));
-    for (const Point& corner : part.corners) {
-      found.push_back(Rational(1, kMuch + 1) * (Rational(kMuch) * corner + found.front()));
-    }
-    return found;
-  }
   std::string named(const Part& part, const Point& point) const {
     const std::string kind = part.corners.size() == 3 ? "piece " : "";
-    return kind + part.name + " " + text(point);
+    return kind + part.name + " " + text_of(point);
   }
 
   bool is_in(const Simplex& face, const Point& point) const {
-    std::vector<Point> corners;
-    for (const Vertex v : face) corners.push_back(at(v));
-    return !intersection(corners, {point}).empty();
+    return !intersection(corners_of(face), {point}).empty();
   }
   bool is_in_none(const Point& point) {
     const HomogeneousPoint q = homogeneous(point);
@@ -208,10 +234,30 @@ class WholeSearch {
 
   std::optional<WholeEvidence> uncovered() {
     for (const Part& part : parts_) {
-      for (const Point& point : samples(part)) {
+      for (const Point& point : samples(part.corners)) {
         if (!is_in_none(point)) continue;
         return WholeEvidence{Rule::kUncovered, std::string(identifier(Rule::kUncovered)),
                              named(part, point), homogeneous(point)};
+      }
+    }
+    return std::nullopt;
+  }
+
+  // What walls hide is in a simplex of another mesh of the domain.
+  std::optional<WholeEvidence> uncovered_inside() {
+    const auto other = fillers_.mesh(domain_.complex);
+    if (!other) return std::nullopt;
+    auto certificate =
+        domain_certificate_of(*other, domain_, listed_, Claim::kSteinerTriangulation, fillers_);
+    if (!certificate) return std::nullopt;
+    for (std::size_t s = 0; s < other->simplices.size(); ++s) {
+      for (const Point& point : samples(coordinates(other->points, other->simplices[s]))) {
+        const HomogeneousPoint here = scaled(points_, point);
+        if (!is_in_none(ordinary(here))) continue;
+        const Point there = ordinary(scaled(certificate->mesh.points, point));
+        return WholeEvidence{Rule::kUncovered, "domain.uncovered-inside",
+                             fmt::format("{} {}", s + 1, text_of(there)), here,
+                             std::move(*certificate)};
       }
     }
     return std::nullopt;
@@ -224,7 +270,7 @@ class WholeSearch {
     }
     for (const Part& part : parts_) {
       if (part.corners.size() != 3 || !(named.empty() || named.contains(part.polygon))) continue;
-      for (const Point& point : samples(part)) {
+      for (const Point& point : samples(part.corners)) {
         const HomogeneousPoint q = homogeneous(point);
         const bool all_leave =
             std::all_of(mesh_.simplices.begin(), mesh_.simplices.end(),
@@ -232,7 +278,7 @@ class WholeSearch {
         if (!all_leave) continue;
         return WholeEvidence{Rule::kPolygonNotTiled,
                              std::string(identifier(Rule::kPolygonNotTiled)),
-                             part.name + " " + text(point), q};
+                             part.name + " " + text_of(point), q};
       }
     }
     return std::nullopt;
@@ -293,7 +339,7 @@ class WholeSearch {
       const Point start = middle(mesh_.simplices[s]);
       if (const auto words = way_out(mesh_.simplices[s], start)) {
         return WholeEvidence{Rule::kOutside, std::string(identifier(Rule::kOutside)),
-                             fmt::format("{} {} {}", s + 1, text(start), *words)};
+                             fmt::format("{} {} {}", s + 1, text_of(start), *words)};
       }
     }
     return std::nullopt;
@@ -308,7 +354,7 @@ class WholeSearch {
         return fmt::format("1 {} hole {}", leg(end, *planes), h + 1);
       }
     }
-    for (const Point& direction : directions_from(simplex, start)) {
+    for (const Point& direction : directions_from(corners_of(simplex), start)) {
       for (const int sign : {1, -1}) {
         const Point normal = Rational(sign) * direction;
         Rational offset = inner_product(normal, parts_.front().corners.front());
@@ -333,25 +379,6 @@ class WholeSearch {
     }
     return std::nullopt;
   }
-  // Integers: the axes, and what is perpendicular to the facets.
-  std::vector<Point> directions_from(const Simplex& simplex, const Point& start) const {
-    std::vector<Point> found;
-    for (std::size_t axis = 0; axis < points_.dimension; ++axis) {
-      found.emplace_back(points_.dimension, 0).at(axis) = 1;
-    }
-    for (std::size_t place = 0; place < simplex.size() && is_full(simplex); ++place) {
-      Simplex facet = simplex;
-      facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(place));
-      const Point edge = at(facet[1]) - at(facet[0]);
-      found.push_back(points_.dimension == 2
-                          ? perpendicular(at(simplex[place]) - at(facet[0]), edge)
-                          : cross_product(edge, at(facet[2]) - at(facet[0])));
-      const Point away = start - at(simplex[place]);
-      found.push_back(Rational(common_denominator(away)) * away);
-    }
-    return found;
-  }
-
   // From inside a simplex through a facet that is no other's to a point in none.
   std::optional<WholeEvidence> gap() {
     constexpr std::size_t kMost = 500;
@@ -380,7 +407,7 @@ class WholeSearch {
           if (!is_in_none(end)) continue;
           if (const auto planes = separators(start, end, true)) {
             return WholeEvidence{Rule::kUncovered, "domain.uncovered-or-outside",
-                                 fmt::format("{} {} {}", s + 1, text(start), leg(end, *planes)),
+                                 fmt::format("{} {} {}", s + 1, text_of(start), leg(end, *planes)),
                                  homogeneous(end)};
           }
         }
@@ -391,8 +418,10 @@ class WholeSearch {
 
   const ExactMesh& mesh_;
   const Domain& domain_;
+  const ListedSegments& listed_;
   const Verdict& verdict_;
   const ScaledPoints& points_;
+  const HullFillers& fillers_;
   Sidedness sidedness_;
   std::vector<Part> parts_;
   std::vector<std::vector<Point>> corners_;  // theirs
@@ -401,9 +430,11 @@ class WholeSearch {
 }  // namespace
 
 std::optional<WholeEvidence> whole_evidence(const ExactMesh& mesh, const Domain& domain,
-                                            const Verdict& verdict, const ScaledPoints& points,
-                                            const std::vector<Vertex>& vertices) {
-  WholeSearch search(mesh, domain, verdict, points, vertices);
+                                            const ListedSegments& listed, const Verdict& verdict,
+                                            const ScaledPoints& points,
+                                            const std::vector<Vertex>& vertices,
+                                            const HullFillers& fillers) {
+  WholeSearch search(mesh, domain, listed, verdict, points, vertices, fillers);
   if (!search.is_sound()) return std::nullopt;
   for (const auto& [rule, tally] : verdict.tallies()) {
     if (auto found = search.evidence_for(rule)) return found;

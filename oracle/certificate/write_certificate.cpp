@@ -238,23 +238,27 @@ void write_complex(Lines& lines, const std::vector<std::size_t>& number,
   }
 }
 
+// The mesh of the whole hull, and how the domain lies in it.
+void write_body(Lines& lines, const DomainCertificate& certificate) {
+  write_mesh(lines, certificate.whole, certificate.mesh);
+  write_part(lines, certificate.mesh, certificate.part);
+  if (certificate.mesh.points.dimension != 3) return;
+  begin_section(lines, "polygons", certificate.polygons.size());
+  const std::vector<std::size_t> number = numbers_of(certificate.mesh);
+  for (const PolygonCertificate& polygon : certificate.polygons) {
+    write_polygon(lines, number, polygon);
+  }
+}
+
 }  // namespace
 
 void write(std::ostream& out, const DomainCertificate& certificate) {
   Lines lines(out);
-  const std::size_t dimension = certificate.mesh.points.dimension;
-  write_first_line(lines, "circumspect-certificate 1", certificate.claim, dimension,
+  write_first_line(lines, "circumspect-certificate 1", certificate.claim,
+                   certificate.mesh.points.dimension,
                    fmt::format("{}{}", certificate.kind == DomainKind::kHull ? "hull" : "enclosed",
                                certificate.complex ? " plc" : ""));
-  write_mesh(lines, certificate.whole, certificate.mesh);
-  write_part(lines, certificate.mesh, certificate.part);
-  if (dimension == 3) {
-    begin_section(lines, "polygons", certificate.polygons.size());
-    const std::vector<std::size_t> number = numbers_of(certificate.mesh);
-    for (const PolygonCertificate& polygon : certificate.polygons) {
-      write_polygon(lines, number, polygon);
-    }
-  }
+  write_body(lines, certificate);
   if (certificate.complex) {
     write_complex(lines, numbers_of(certificate.mesh), *certificate.complex);
   }
@@ -308,6 +312,13 @@ void write_dangling(Lines& lines, std::size_t points, const std::vector<Dangling
   }
 }
 
+void write_because(Lines& lines, const WholeEvidence& evidence) {
+  lines << "because" << evidence.because;
+  lines.end_line();
+  lines << "end";
+  lines.end_line();
+}
+
 std::string_view name_of(DomainKind kind) {
   return kind == DomainKind::kHull ? "hull" : "enclosed";
 }
@@ -320,6 +331,11 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
   write_mesh(lines, mesh, refutation.points, refutation.refutation,
              whole ? fmt::format("{} {}", whole->evidence.word, name_of(whole->kind)) : "");
   if (!refutation.dangling.empty()) write_dangling(lines, mesh.points.size(), refutation.dangling);
+  if (whole && whole->evidence.elsewhere) {
+    write_body(lines, *whole->evidence.elsewhere);
+    write_because(lines, whole->evidence);
+    return;
+  }
   begin_section(lines, "vertices", refutation.vertices.size());
   for (const Vertex v : refutation.vertices) {
     write_point(lines, refutation.points, v, false);
@@ -336,10 +352,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
   }
   write_domain(lines, refutation.vertices.size(), refutation.segments, whole->holes,
                whole->polygons);
-  lines << "because" << whole->evidence.because;
-  lines.end_line();
-  lines << "end";
-  lines.end_line();
+  write_because(lines, whole->evidence);
 }
 
 void write(std::ostream& out, const Impossibility& impossibility) {

@@ -240,31 +240,63 @@ Qed.
 
 (** ** What can be seen is not below *)
 
-Hypothesis enclosed : what_it_fills P = Enclosed.
 Hypothesis local : forall f, facet T f -> in_no_wall P f -> locally_delaunay T f.
+Lemma local_above a i b j : In a ts -> adj a i b j -> ~ wall a i -> locally_above norm2 a b j.
+Proof.
+  intros Ia A NW. pose proof A as (_ & Ib & O). apply (locally_witnessed_above norm2 a i); [assumption|].
+  pose proof O as (Hi & Hj & _).
+  assert (Fa : facet T (facet_of a i)).
+  { split; [now apply facet_of_NoDup|]. split; [now apply facet_of_length|].
+    exists (vertices a). split; [now apply in_T|now apply facet_of_incl]. }
+  pose proof (local _ Fa) as LD. assert (NW' : in_no_wall P (facet_of a i)) by (intros X IX W; apply NW; exists X; auto).
+  apply LD, locally_delaunay_witnessed in NW'.
+  destruct (NW' (vertices a) (vertices b)) as (p & e & On & Low).
+  + now apply in_T.
+  + now apply in_T.
+  + now apply facet_of_incl.
+  + apply opposite_facets in O. destruct O as (_ & _ & [I _] & _).
+    apply incl_tran with (facet_of b j); [assumption|now apply facet_of_incl].
+  + now apply (opposite_different a i b j).
+  + exists p, e. split; [assumption|]. intros w Hw. apply Low. now apply in_or_app.
+Qed.
+Lemma is_vertex v : In v V -> vertex_of ts (fun t => t) v.
+Proof.
+  intros Iv. apply vertices_of_mesh in Iv. destruct Iv as (s & Is & Iv). destruct (framed s Is) as (b & Ib & <-).
+  apply in_vertices in Iv. destruct Iv as (i & Hi & ->). exists b, i. auto.
+Qed.
+(** Of a hull, from inside a simplex: no way from there runs along a facet that has no neighbour. *)
+Lemma not_below_hull t x v c r2 : what_it_fills P = Hull -> In t ts -> inside t x ->
+  In v V -> visible P x v -> circumball (vertices t) c r2 -> ~ dist2 c v < r2.
+Proof.
+  intros K It Ix Iv Vis Ci L. apply (in_ball_below_witness _ _ _ _ Ci) in L. apply (Rlt_not_le _ _ L).
+  assert (Supports : supporting ts (fun t => t) (outer ts (fun t => t)) (fun p => In p V)).
+  { apply (facet_supports ts (fun t => t) V ltac:(lia) agreeing).
+    - intros a Ia y Iy. apply vertices_of_mesh. exists (vertices a). auto.
+    - intros q C. destruct (proj1 (covers P T triangulates q)) as (s & Is & Cs).
+      + exists (region P). split; [apply low_or_region; now right|]. unfold region. rewrite K.
+        apply (conv_conv V); [|assumption]. intros y Iy. now apply vertex_in_hull.
+      + destruct (framed s Is) as (a & Ia & <-). exists a. split; [assumption|now apply conv_vertices]. }
+  apply (visible_vertex_above ts (fun t => t) ltac:(lia) agreeing different (fun a i => wall a i \/ outer ts (fun t => t) a i)) with (x := x);
+    [now right| |assumption|intros k Hk; left; now apply Ix|now apply is_vertex|].
+  - intros a i b j Ia A N. apply (local_above a i); auto.
+  - intros s Hs. destruct (visible_sees t x v It) with (s := s) as [In_ Off]; [|assumption..|].
+    { intros X IX. now apply (misses X t x IX It). }
+    split; [assumption|]. intros a i Ia Hi [W|O]; [now apply Off|]. intros [Z _].
+    rewrite affine_mix in Z by now apply bary_affine. pose proof (Supports a i Ia Hi O v Iv) as Pv.
+    enough (0 < bary a i x) by (destruct Hs; nra).
+    apply (strictly_inner a i t x); try assumption. intros k Hk. apply (Supports a i Ia Hi O). apply vertices_of_mesh.
+    exists (vertices t). split; [now apply in_T|]. apply in_vertices. eauto.
+Qed.
+
+Hypothesis enclosed : what_it_fills P = Enclosed.
 Lemma not_below t x v c r2 : In t ts -> inside_closed t x -> (forall X, In X (low_cells P) -> ~ X x) ->
   In v V -> visible P x v -> circumball (vertices t) c r2 -> ~ dist2 c v < r2.
 Proof.
   intros It Cx Off Iv Vis Ci L. apply (in_ball_below_witness _ _ _ _ Ci) in L. apply (Rlt_not_le _ _ L).
   apply (visible_vertex_above ts (fun t => t) ltac:(lia) agreeing different wall) with (x := x); auto.
   - intros a i Ia Hi O. now apply outer_wall.
-  - intros a i b j Ia A NW. pose proof A as (_ & Ib & O). apply (locally_witnessed_above norm2 a i); [assumption|].
-    pose proof O as (Hi & Hj & _).
-    assert (Fa : facet T (facet_of a i)).
-    { split; [now apply facet_of_NoDup|]. split; [now apply facet_of_length|].
-      exists (vertices a). split; [now apply in_T|now apply facet_of_incl]. }
-    pose proof (local _ Fa) as LD. assert (NW' : in_no_wall P (facet_of a i)) by (intros X IX W; apply NW; exists X; auto).
-    apply LD, locally_delaunay_witnessed in NW'.
-    destruct (NW' (vertices a) (vertices b)) as (p & e & On & Low).
-    + now apply in_T.
-    + now apply in_T.
-    + now apply facet_of_incl.
-    + apply opposite_facets in O. destruct O as (_ & _ & [I _] & _).
-      apply incl_tran with (facet_of b j); [assumption|now apply facet_of_incl].
-    + now apply (opposite_different a i b j).
-    + exists p, e. split; [assumption|]. intros w Hw. apply Low. now apply in_or_app.
-  - apply vertices_of_mesh in Iv. destruct Iv as (s & Is & Iv). destruct (framed s Is) as (b & Ib & <-).
-    apply in_vertices in Iv. destruct Iv as (i & Hi & ->). exists b, i. auto.
+  - intros a i b j Ia A NW. now apply (local_above a i).
+  - now apply is_vertex.
   - now apply (visible_sees t).
 Qed.
 End Framed.
@@ -288,9 +320,19 @@ Proof.
   - apply face_respects. now apply (member_face P T triangulates).
   - destruct (framed ts are t It) as (u & Iu & <-). destruct (circumball_frame u) as (c & r2 & C & _).
     exists c, r2. split; [assumption|]. intros v x Iv Xi Vis. apply strictly_inside_frame in Xi.
-    apply (not_below ts are K Loc u x v c r2); auto.
+    apply (not_below ts are Loc K u x v c r2); auto.
     + intros k Hk. left. now apply Xi.
     + intros X IX. now apply (low_misses_interior P T triangulates ts are two proper X u).
+Qed.
+Theorem local_constrained_hull : what_it_fills P = Hull ->
+  (forall f, facet T f -> in_no_wall P f -> locally_delaunay T f) -> forall t, In t T -> constrained_delaunay V P t.
+Proof.
+  intros K Loc t It. destruct (all_framed P T triangulates) as (ts & are). split; [|split].
+  - intros v Iv. apply vertices_of_mesh. eauto.
+  - apply face_respects. now apply (member_face P T triangulates).
+  - destruct (framed ts are t It) as (u & Iu & <-). destruct (circumball_frame u) as (c & r2 & C & _).
+    exists c, r2. split; [assumption|]. intros v x Iv Xi Vis. apply strictly_inside_frame in Xi.
+    now apply (not_below_hull ts are Loc u x v c r2).
 Qed.
 (** (iii) => (ii) *)
 Theorem local_facets : what_it_fills P = Enclosed ->
@@ -310,7 +352,7 @@ Proof.
     { apply strictly_in_facet; [assumption|]. destruct Xi as [Cx Least]. destruct Ei as [E1 E2]. split.
       - now apply (conv_incl f).
       - intros g Ig Cg. apply incl_tran with f; [assumption|]. apply Least; [now apply incl_tran with (facet_of u i)|assumption]. }
-    apply (not_below ts are K Loc u x v c r2); auto.
+    apply (not_below ts are Loc K u x v c r2); auto.
     + now apply in_facet_closed with i.
     + intros X IX. now apply (off_walls ts are u i x X).
 Qed.

@@ -99,7 +99,7 @@ Lemma space_parts : check_in space_predicates (whole_mesh c) = Accepted /\
 Proof.
   pose proof accepts as H. unfold check_domain in H. cbv zeta in H. accepted.
   split; [assumption || reflexivity|]. split; [assumption || reflexivity|]. intros k f E.
-  apply (each_accepted _ _ Heqr) in E. unfold in_polygon in E.
+  match goal with G : each _ 1 (polygons c) = Accepted |- _ => apply (each_accepted _ _ G) in E end. unfold in_polygon in E.
   destruct (check_polygon _ _ _ _ f); [reflexivity|discriminate].
 Qed.
 Let Mesh := proj1 space_parts.

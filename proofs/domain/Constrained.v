@@ -8,7 +8,7 @@ From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap DelaunayLemma.
 From Circumspect Require Import Adjacency Enclosed Combinations Sight.
 From Circumspect Require Import Orientation Integers Incidence Accepted CertifiedMesh Soundness.
-From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary Definitions Domains.
+From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary DomainRules Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -23,7 +23,7 @@ Notation p := (domain_part D).
 Hypothesis accepts : check_in pr c = Accepted.
 Variables (planar : bool) (shown : list positive -> nat -> positive * positive -> bool).
 Hypothesis part_accepts : check_part pr planar (kind D) c p shown = Accepted.
-Hypothesis local_accepts : check_local pr D = Accepted.
+Hypothesis local_accepts : check_local pr shown D = Accepted.
 Notation r := (unit_of c).
 Notation spot := (spot d c).
 Notation entry t e := (numbered (simplices c) t = Some e).
@@ -31,17 +31,25 @@ Notation marks_of := (Table.of_list Datatypes.id (marks p)).
 Notation T := (part_simplices d c p).
 Let dim_d : dimension pr = d := computes_dimension _ _ Co.
 
-Lemma local_parts : kind D = Enclosed /\ each_pair mark_consistent AtSimplex
+Lemma local_parts : each_pair mark_consistent AtSimplex
   (check_local_simplex pr (mesh_of c)) 1 (simplices c) (marks p) = Accepted.
+Proof. pose proof local_accepts as H. unfold check_local in H. destruct (kind D); now accepted. Qed.
+(** Of a hull, too, a flag is shown. *)
+Lemma hull_flag_shown t e i : kind D = Hull -> entry t e -> (i <= d)%nat -> flagged_at marks_of t i = true ->
+  exists w, shown (corners e) i w = true.
 Proof.
-  pose proof local_accepts as H. unfold check_local in H. accepted.
-  split; [now destruct (kind D)|assumption].
+  intros K E Hi F. pose proof local_accepts as H. unfold check_local in H. rewrite K in H.
+  destruct (each_pair _ _ (check_flags shown) _ _ _) eqn:Fl; [|discriminate]. clear H.
+  destruct (wall_exists Co positive_d c accepts t e i E Hi) as (f & W).
+  destruct (mark_of c p planar (kind D) shown part_accepts t e E) as (k & Ek & _).
+  apply each_pair_accepted in Fl. destruct Fl as [_ Fl]. specialize (Fl t e k E Ek). unfold check_flags in Fl.
+  apply (each_index_accepted _ _ Fl) in W. cbn beta in W. accepted.
+  apply (wall_at_flag p t k i Ek) in F. destruct F as (w & Fw). rewrite Fw in *. now exists w.
 Qed.
 
 Section Geometry.
 Variable geo : positive -> frame d.
 Hypothesis frames : forall t e, entry t e -> lists (map spot (corners e)) (geo t).
-Let is_enclosed := proj1 local_parts.
 Let agreeing := filling_agree _ _ _ (certificate_fills Or Co c accepts geo frames).
 Let different := filling_different _ _ _ (certificate_fills Or Co c accepts geo frames).
 
@@ -54,6 +62,85 @@ Let different' : forall t u, In t kept_tets -> In u kept_tets ->
   same (vertices (geo t)) (vertices (geo u)) -> t = u.
 Proof. intros t u Ht Hu. apply in_kept_tets in Ht, Hu. now apply different. Qed.
 
+Lemma heights k e : numbered (points c) k = Some e ->
+  norm2 (spot k) = @height_of d r (site_at d c k).
+Proof.
+  intros E. rewrite (spot_site d c k e E). unfold height_of, site_at, site_of. rewrite E.
+  destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _). rewrite W. cbn [weight]. ring.
+Qed.
+
+(** The facet is looked at from the simplex of the smaller number. *)
+Lemma looked_at t i u j : adjacent kept_tets geo t i u j -> ~ wall_at p t i -> (t < u)%positive ->
+  locally_above norm2 (geo t) (geo u) j.
+Proof.
+  intros (Ht & Hu & O) N Lt. apply in_kept_tets in Ht, Hu.
+  destruct Ht as [Ht Kt], Hu as [Hu Ku]. pose proof O as (Hi & Hj & _).
+  assert (A : adj c t i u j).
+  { apply (adjacent_adj Or Co positive_d c accepts geo frames). split; [assumption|]. now split. }
+  destruct A as (e & E & W).
+  destruct (mark_of c p planar (kind D) shown part_accepts t e E) as (k & Ek & Kk & _).
+  pose proof local_parts as L. apply each_pair_accepted in L. destruct L as [_ L].
+  specialize (L t e k E Ek). unfold check_local_simplex in L. rewrite <- Kk, Kt in L.
+  destruct (find_all (points_of (mesh_of c)) (corners e)) as [X|] eqn:FX; [|discriminate].
+  apply (find_all_sites (d := d)) in FX. destruct FX as [-> _].
+  apply (each_index_accepted _ _ L) in W. cbn [check_local_facet] in W.
+  rewrite (wall_at_flag p t k i Ek) in N. destruct (flag k i) as [w|]; [destruct N; eauto|].
+  apply Pos.ltb_lt in Lt. rewrite Lt in W. rewrite (find_simplex (c := c)) in W.
+  apply in_tets in Hu. destruct Hu as (e' & E'). rewrite E' in W.
+  destruct (corner_vertex Co c geo frames u e' j E' Hj) as (v & Ev & Vv). rewrite Ev in W. accepted.
+  apply (find_point_site (d := d)) in Heqo. destruct Heqo as [<- (x & Ex)].
+  unfold locally_delaunay in *. apply Z.leb_le, IZR_le in Heqb.
+  unfold locally_above. rewrite Vv, (spot_site d c v x Ex).
+  pose proof (heights v x Ex) as Hv. rewrite (spot_site d c v x Ex) in Hv.
+  destruct (depth_witness Or Co c accepts geo frames norm2 heights t e (site_at d c v) E
+    (site_shaped dim_d accepts v) Hv) as (q & Q & S).
+  unfold sites_of in S. nra.
+Qed.
+Lemma never_itself t i j : ~ adjacent kept_tets geo t i t j.
+Proof.
+  intros (_ & _ & Hi & Hj & _ & _ & Neg). rewrite bary_vertex in Neg by assumption. destruct (Nat.eq_dec i j); lra.
+Qed.
+
+(** ** Of a hull *)
+
+Theorem kept_constrained_hull (P : domain d) (V : list (point d)) : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull ->
+  steiner_triangulation P T ->
+  (forall t e i, entry t e -> (i <= d)%nat -> flagged_at marks_of t i = true ->
+    exists X, In X (wall_cells P) /\ within (conv (map spot (Checker.remove i (corners e)))) X) ->
+  (forall v, In v V <-> exists t, In t T /\ In v t) -> forall t, In t T -> constrained_delaunay V P t.
+Proof.
+  intros Two Pr K St Fl HV. apply (local_constrained_hull Two P T V Pr St HV K). intros f (Nf & Lf & _) NW s t Is It Fs Ft NS.
+  apply (in_kept c p planar (kind D) shown part_accepts geo frames) in Is, It.
+  destruct Is as (a & e & E & Ka & ->), It as (b & e' & E' & Kb & ->).
+  rewrite <- (entry_vertices c geo frames a e E), <- (entry_vertices c geo frames b e' E') in *.
+  destruct (facet_index (geo a) f Nf Lf Fs) as (i & Hi & Ei). destruct (facet_index (geo b) f Nf Lf Ft) as (j & Hj & Ej).
+  assert (Ia : In a kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
+  assert (Ib : In b kept_tets) by (apply in_kept_tets; split; [apply in_tets; eauto|assumption]).
+  assert (O : opposite (geo a) i (geo b) j).
+  { apply (shared_facet kept_tets geo positive_d agreeing' different'); auto.
+    - intros ->. apply NS. split; apply incl_refl.
+    - destruct Ei, Ej. split; eauto using incl_tran. }
+  assert (Free : forall u x l, entry u x -> (l <= d)%nat -> same f (facet_of (geo u) l) -> ~ wall_at p u l).
+  { intros u x l Ex Hl El W. destruct (Fl u x l Ex Hl W) as (X & IX & In_). apply (NW X IX). intros q Cq. apply In_.
+    apply (on_facet_entry Co positive_d c geo frames u x l q Ex Hl). apply on_facet_conv; [assumption..|].
+    apply (conv_incl f); [apply El|assumption]. }
+  assert (A : adjacent kept_tets geo a i b j) by (split; [assumption|now split]).
+  assert (Above : locally_above norm2 (geo a) (geo b) j).
+  { destruct (Pos.lt_total a b) as [Lt|[->|Gt]].
+    - apply (looked_at a i b j A); [|assumption]. now apply (Free a e).
+    - now apply never_itself in A.
+    - apply (locally_above_symmetric norm2 (geo a) i (geo b) j O), (looked_at b j a i (adjacent_sym _ _ _ _ _ _ A)); [|assumption].
+      now apply (Free b e'). }
+  destruct (circumball_frame (geo a)) as (o & r2 & C & _). exists o, r2. split; [intros v Iv; apply C; auto|].
+  intros v [Iv|Iv] L; [rewrite (C v Iv) in L; lra|]. apply in_vertices in Iv. destruct Iv as (k & Hk & ->).
+  destruct (Nat.eq_dec k j) as [->|N].
+  - apply (in_ball_below_witness _ _ _ _ C) in L. unfold locally_above in Above. lra.
+  - rewrite C in L; [lra|]. apply Fs, Ej, in_facet_of; [assumption|]. eauto.
+Qed.
+
+(** ** Of what is enclosed *)
+
+Hypothesis is_enclosed : kind D = Enclosed.
 Lemma kept_outer_wall t i : In t kept_tets -> (i <= d)%nat -> outer kept_tets geo t i -> wall_at p t i.
 Proof.
   intros Ht Hi O. apply in_kept_tets in Ht. destruct Ht as [Ht K].
@@ -68,45 +155,13 @@ Proof.
       geo frames is_enclosed).
 Qed.
 
-Lemma heights k e : numbered (points c) k = Some e ->
-  norm2 (spot k) = @height_of d r (site_at d c k).
-Proof.
-  intros E. rewrite (spot_site d c k e E). unfold height_of, site_at, site_of. rewrite E.
-  destruct (part_parts c p planar (kind D) shown part_accepts) as (W & _). rewrite W. cbn [weight]. ring.
-Qed.
-
 Lemma kept_local t i u j : In t kept_tets -> adjacent kept_tets geo t i u j -> ~ wall_at p t i ->
   locally_above norm2 (geo t) (geo u) j.
 Proof.
-  assert (G : forall t i u j, adjacent kept_tets geo t i u j -> ~ wall_at p t i -> (t < u)%positive ->
-    locally_above norm2 (geo t) (geo u) j).
-  { clear t i u j. intros t i u j (Ht & Hu & O) N Lt. apply in_kept_tets in Ht, Hu.
-    destruct Ht as [Ht Kt], Hu as [Hu Ku]. pose proof O as (Hi & Hj & _).
-    assert (A : adj c t i u j).
-    { apply (adjacent_adj Or Co positive_d c accepts geo frames). split; [assumption|]. now split. }
-    destruct A as (e & E & W).
-    destruct (mark_of c p planar (kind D) shown part_accepts t e E) as (k & Ek & Kk & _).
-    pose proof (proj2 local_parts) as L. apply each_pair_accepted in L. destruct L as [_ L].
-    specialize (L t e k E Ek). unfold check_local_simplex in L. rewrite <- Kk, Kt in L.
-    destruct (find_all (points_of (mesh_of c)) (corners e)) as [X|] eqn:FX; [|discriminate].
-    apply (find_all_sites (d := d)) in FX. destruct FX as [-> _].
-    apply (each_index_accepted _ _ L) in W. cbn [check_local_facet] in W.
-    rewrite (wall_at_flag p t k i Ek) in N. destruct (flag k i) as [w|]; [destruct N; eauto|].
-    apply Pos.ltb_lt in Lt. rewrite Lt in W. rewrite (find_simplex (c := c)) in W.
-    apply in_tets in Hu. destruct Hu as (e' & E'). rewrite E' in W.
-    destruct (corner_vertex Co c geo frames u e' j E' Hj) as (v & Ev & Vv). rewrite Ev in W. accepted.
-    apply (find_point_site (d := d)) in Heqo. destruct Heqo as [<- (x & Ex)].
-    unfold locally_delaunay in *. apply Z.leb_le, IZR_le in Heqb.
-    unfold locally_above. rewrite Vv, (spot_site d c v x Ex).
-    pose proof (heights v x Ex) as Hv. rewrite (spot_site d c v x Ex) in Hv.
-    destruct (depth_witness Or Co c accepts geo frames norm2 heights t e (site_at d c v) E
-      (site_shaped dim_d accepts v) Hv) as (q & Q & S).
-    unfold sites_of in S. nra. }
-  intros Ht A N. destruct (Pos.lt_total t u) as [Lt|[->|Gt]]; [now apply (G t i u j)| |].
-  - destruct A as (_ & _ & Hi & Hj & _ & _ & Neg). rewrite bary_vertex in Neg by assumption.
-    destruct (Nat.eq_dec i j); lra.
+  intros Ht A N. destruct (Pos.lt_total t u) as [Lt|[->|Gt]]; [now apply (looked_at t i u j)| |].
+  - now apply never_itself in A.
   - pose proof A as (_ & _ & O). apply (locally_above_symmetric norm2 (geo t) i (geo u) j O).
-    apply (G u j t i); [now apply adjacent_sym| |assumption]. intros W. apply N.
+    apply (looked_at u j t i); [now apply adjacent_sym| |assumption]. intros W. apply N.
     apply (wall_in_both Or Co positive_d c accepts p planar (kind D) shown part_accepts geo frames
       is_enclosed u j t i); [|assumption].
     apply adjacent_sym. destruct A as (Ht' & Hu & _). apply in_kept_tets in Ht', Hu. now split.

@@ -363,19 +363,30 @@ Definition check_local_simplex (t : positive) (s : simplex_entry) (e : mark) : r
     end
   else Accepted.
 End Local.
-Definition check_local (pr : predicates) (c : domain_certificate) : result :=
-  require claim_of_mesh by match kind c with Enclosed => true | Hull => false end at Nowhere;
+(** Of a hull [check_part] does not look at flags. *)
+Definition check_flags (shown : list positive -> nat -> positive * positive -> bool) (t : positive) (s : simplex_entry)
+    (e : mark) : result :=
+  each_index (fun i (_ : wall) =>
+    require wall_shown by match flag e i with Some w => shown (corners s) i w | None => true end at AtFacet t i; Accepted)
+    0 (walls s).
+Definition check_local (pr : predicates) (shown : list positive -> nat -> positive * positive -> bool) (c : domain_certificate) :
+    result :=
+  match kind c with
+  | Enclosed => Accepted
+  | Hull => each_pair mark_consistent AtSimplex (check_flags shown) 1 (simplices (whole_mesh c)) (marks (domain_part c))
+  end ;;
   each_pair mark_consistent AtSimplex (check_local_simplex pr (mesh_of (whole_mesh c))) 1
     (simplices (whole_mesh c)) (marks (domain_part c)).
 
-Definition check_claim (pr : predicates) (c : domain_certificate) : result :=
+Definition check_claim (pr : predicates) (shown : list positive -> nat -> positive * positive -> bool) (c : domain_certificate) :
+    result :=
   match domain_claimed c with
   | PlcTriangulation => known_corners c
   | SteinerTriangulation => Accepted
   | ConformingDelaunay =>
       require claim_of_mesh by delaunay_of (claimed (whole_mesh c)) at Nowhere; Accepted
-  | Cdt => known_corners c ;; check_local pr c
-  | SteinerCdt => check_local pr c
+  | Cdt => known_corners c ;; check_local pr shown c
+  | SteinerCdt => check_local pr shown c
   end.
 Definition in_polygon (k : positive) (r : result) : result :=
   match r with Accepted => Accepted | Rejected c _ => Rejected c (AtPolygon k) end.
@@ -385,7 +396,8 @@ Definition check_domain (D : plane_or_space) (c : domain_certificate) : result :
   match D with
   | Plane =>
       require polygon_flat by match polygons c with [] => true | _ => false end at Nowhere;
-      check_in_plane (kind c) (whole_mesh c) p
+      check_in_plane (kind c) (whole_mesh c) p ;;
+      check_claim plane_predicates (shown_by_segment (whole_mesh c) p) c
   | Space =>
       let P := Table.of_list tables_of (polygons c) in
       let m := mesh_of (whole_mesh c) in
@@ -393,6 +405,6 @@ Definition check_domain (D : plane_or_space) (c : domain_certificate) : result :
       check_in space_predicates (whole_mesh c) ;;
       check_part space_predicates false (kind c) (whole_mesh c) p (shown_by_polygon P) ;;
       each (fun k f => in_polygon k (check_polygon (kind c) (whole_mesh c) m marks_of f)) 1
-        (polygons c)
-  end ;;
-  check_claim (predicates_of D) c.
+        (polygons c) ;;
+      check_claim space_predicates (shown_by_polygon P) c
+  end.

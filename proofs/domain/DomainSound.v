@@ -52,7 +52,7 @@ Hypothesis accepts : check_in pr c = Accepted.
 Variables (planar : bool) (shown : list positive -> nat -> positive * positive -> bool).
 Hypothesis part_accepts : check_part pr planar (kind D) c p shown = Accepted.
 Hypothesis positive_d : (1 <= d)%nat.
-Hypothesis claim_accepts : check_claim pr D = Accepted.
+Hypothesis claim_accepts : check_claim pr shown D = Accepted.
 Let members := kept_members Or Co c accepts p planar (kind D) shown part_accepts.
 Let dim_d : dimension pr = d := computes_dimension _ _ Co.
 
@@ -92,23 +92,32 @@ Qed.
 Definition walls_are_cells (P : domain d) : Prop := kind D = Enclosed -> forall q, flagged_points c p q ->
   exists X, In X (cells P) /\ X q /\ forall y, X y -> flagged_points c p y.
 
-Lemma constrained (P : domain d) V : check_local pr D = Accepted -> walls_are_cells P ->
+(** What is shown to be part of a wall is in one; this is all that is known of a hull. *)
+Definition shown_in_walls (P : domain d) : Prop := kind D = Hull -> (2 <= d)%nat /\ proper_domain P /\ what_it_fills P = Hull /\
+  forall K i w, shown K i w = true -> exists X, In X (wall_cells P) /\ within (conv (map (spot d c) (Checker.remove i K))) X.
+
+Lemma constrained (P : domain d) V : check_local pr shown D = Accepted -> walls_are_cells P -> shown_in_walls P ->
   steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   forall t, In t T -> constrained_delaunay V P t.
 Proof.
-  intros L Wa St HV. destruct (frames_exist Or Co c accepts) as (geo & G).
+  intros L Wa Sw St HV. destruct (frames_exist Or Co c accepts) as (geo & G).
+  assert (K : kind D = Enclosed \/ kind D = Hull) by (destruct (kind D); auto). destruct K as [K|K].
+  2: { destruct (Sw K) as (Two & Pr & Fi & In_).
+       apply (kept_constrained_hull Or Co positive_d D accepts planar shown part_accepts L geo G P V Two Pr Fi St); [|assumption].
+       intros t e i E Hi F.
+       destruct (hull_flag_shown Co positive_d D accepts planar shown part_accepts L t e i K E Hi F) as (w & Sh). eauto. }
   assert (E : forall x, walls_in c p geo x <-> flagged_points c p x).
   { intros x. split.
     - intros (t & i & Ht & Hi & F & O). apply in_tets in Ht. destruct Ht as (e & E). exists t, e, i.
       repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e).
     - intros (t & e & i & E & Hi & F & C). exists t, i. split; [apply in_tets; eauto|].
       repeat (split; [assumption|]). now apply (on_facet_entry Co positive_d c geo G t e). }
-  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G P V St); [|assumption].
-  intros q W. apply E in W. destruct (Wa (proj1 (local_parts D planar shown part_accepts L)) q W) as (X & IX & Xq & XW).
+  apply (kept_constrained Or Co positive_d D accepts planar shown part_accepts L geo G K P V St); [|assumption].
+  intros q W. apply E in W. destruct (Wa K q W) as (X & IX & Xq & XW).
   exists X. split; [assumption|]. split; [assumption|]. intros y Xy. now apply E, XW.
 Qed.
 
-Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> walls_are_cells P ->
+Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> walls_are_cells P -> shown_in_walls P ->
   steiner_triangulation P T ->
   match domain_claimed D with
   | PlcTriangulation => plc_triangulation P T
@@ -118,7 +127,7 @@ Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> wa
   | SteinerCdt => steiner_cdt P T
   end.
 Proof.
-  intros E Wa St. pose proof claim_accepts as H. unfold check_claim in H.
+  intros E Wa Sw St. pose proof claim_accepts as H. unfold check_claim in H.
   destruct (domain_claimed D) eqn:Cl.
   - split; [assumption|]. rewrite E. now apply no_other_vertices.
   - assumption.
@@ -148,12 +157,18 @@ Proof.
   intros A. unfold check_domain in A. destruct D; cbn [dimension_of] in *; cbv zeta in *.
   - accepted. pose proof (plane_mesh_accepted _ _ _ Heqr) as Mesh.
     pose proof (plane_part_accepted _ _ _ Heqr) as Pa.
-    apply (claim_sound oriented2 plane_computes c Mesh true _ Pa (le_S 1 1 (le_n 1)) A); [reflexivity| |].
+    apply (claim_sound oriented2 plane_computes c Mesh true _ Pa (le_S 1 1 (le_n 1)) A); [reflexivity| | |].
     { intros K q W. apply (segments_flagged _ _ _ Heqr q K) in W. destruct W as (a & b & I & C).
       exists (fun q => conv [fst (a, b); snd (a, b)] q). split; [|split; [exact C|]].
       - unfold cells. apply in_or_app. right. apply in_or_app. left.
         apply (in_map (fun ab q => conv [fst ab; snd ab] q)). exact I.
       - intros y Y. apply (segments_flagged _ _ _ Heqr y K). exists a, b. split; [exact I|exact Y]. }
+    { intros K. split; [apply le_n|]. split; [|split; [exact K|]].
+      - split; intros; cbn [domain_of_certificate domain_polygons] in *; destruct (polygons c); try discriminate; [reflexivity|contradiction].
+      - intros N i w Sh. destruct (shown_segment _ _ _ Heqr N i w Sh) as (s & Es & C).
+        exists (fun q => conv [fst (segment_ends 2 (whole_mesh c) s); snd (segment_ends 2 (whole_mesh c) s)] q). split; [|exact C].
+        unfold wall_cells. apply (in_map (fun ab q => conv [fst ab; snd ab] q)). cbn [domain_of_certificate domain_segments].
+        apply in_map. now apply numbered_in with (fst w). }
     apply steiner_from_cells.
     + exact (kept_complex oriented2 plane_computes _ Mesh _ true _ _ Pa).
     + exact (vertices_kept oriented2 plane_computes _ Mesh _ true _ _ Pa).
@@ -165,37 +180,46 @@ Proof.
       destruct (kind c) eqn:K.
       * exact (plane_enclosed _ _ _ Heqr q eq_refl).
       * exact (kept_hull oriented2 plane_computes _ Mesh _ true _ _ Pa q eq_refl).
-  - accepted. pose proof A as Cl. rename Heqr0 into Mesh. rename Heqr1 into Pa. rename Heqr into Pg.
+  - accepted. pose proof A as Cl. rename Heqr into Mesh. rename Heqr0 into Pa. rename Heqr1 into Pg.
     assert (Poly : forall k f, numbered (polygons c) k = Some f -> check_polygon (kind c) (whole_mesh c)
       (mesh_of (whole_mesh c)) (mark_table (domain_part c)) f = Accepted).
     { intros k f E. apply (each_accepted _ _ Pg) in E. unfold in_polygon in E.
       destruct (check_polygon _ _ _ _ f); [reflexivity|discriminate]. }
+    assert (Shown : forall N i w, shown_by_polygon (Table.of_list tables_of (polygons c)) N i w = true ->
+      exists g, In g (polygons c) /\ within (conv (map (spot 3 (whole_mesh c)) (Checker.remove i N))) (polygon_points (polygon_of 3 c g))).
+    { intros N i w Sh. unfold shown_by_polygon in Sh. rewrite table_find in Sh.
+      destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate]. cbn [option_map] in Sh.
+      cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh.
+      apply andb_prop in Sh. destruct Sh as [Kt Sh].
+      destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
+      exists g. split; [now apply numbered_in with (fst w)|]. intros x C.
+      apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g (Poly _ g G)) x).
+      exists (snd w), s. split; [assumption|]. split; [assumption|].
+      apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i N))); [|assumption].
+      intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
+      now apply (same_members_spec _ _ Sh). }
     assert (Flagged : kind c = Enclosed -> forall x, flagged_points (d := 3) (whole_mesh c) (domain_part c) x <->
       exists f, In f (map (polygon_of 3 c) (polygons c)) /\ polygon_points f x).
     { intros K x. split.
       - intros (t & e & i & E & Hi & Fl & C).
         destruct (flagged_is_shown oriented3 space_computes (le_S 1 2 (le_S 1 1 (le_n 1))) _ Mesh _ false _ _ Pa
           t e i K E Hi Fl) as (w & Sh).
-        unfold shown_by_polygon in Sh. rewrite table_find in Sh.
-        destruct (numbered (polygons c) (fst w)) as [g|] eqn:G; [|discriminate]. cbn [option_map] in Sh.
-        cbn [pieces piece_marks aboves tables_of] in Sh. rewrite find_id in Sh.
-        apply andb_prop in Sh. destruct Sh as [Kt Sh].
-        destruct (numbered (simplices (plane_mesh g)) (snd w)) as [s|] eqn:Es; [|discriminate].
-        exists (polygon_of 3 c g). split; [apply in_map; now apply numbered_in with (fst w)|].
-        apply (polygon_covered (whole_mesh c) (spots_known _ Mesh) c eq_refl g (shape_ok _ _ _ g (Poly _ g G)) x).
-        exists (snd w), s. split; [assumption|]. split; [assumption|].
-        apply (conv_incl (map (spot 3 (whole_mesh c)) (Checker.remove i (corners e)))); [|assumption].
-        intros v Iv. apply in_map_iff in Iv. destruct Iv as (j & <- & Ij). apply in_map.
-        now apply (same_members_spec _ _ Sh).
+        destruct (Shown _ i w Sh) as (g & Ig & W). exists (polygon_of 3 c g). split; [now apply in_map|now apply W].
       - intros (f & I & H). apply in_map_iff in I. destruct I as (g & <- & I). apply in_numbered in I.
         destruct I as (k & E).
         exact (polygon_flagged _ (whole_mesh c) (domain_part c) Mesh c eq_refl g (Poly k g E) x K H). }
     apply (claim_sound oriented3 space_computes c Mesh false _ Pa (le_S 1 2 (le_S 1 1 (le_n 1))) Cl);
-      [reflexivity| |].
+      [reflexivity| | |].
     { intros K q W. apply (Flagged K) in W. destruct W as (f & I & C). exists (polygon_points f).
       split; [|split; [exact C|]].
       - unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. left. now apply in_map.
       - intros y Y. apply (Flagged K). eauto. }
+    { intros K. split; [apply le_S, le_n|]. split; [|split; [exact K|]].
+      - split; [discriminate|]. intros f I. cbn [domain_of_certificate domain_polygons] in I. apply in_map_iff in I.
+        destruct I as (g & <- & I). apply in_numbered in I. destruct I as (k & E).
+        now apply polygon_normal, (shape_ok _ _ _ g (Poly k g E)).
+      - intros N i w Sh. destruct (Shown N i w Sh) as (g & Ig & W). exists (polygon_points (polygon_of 3 c g)).
+        split; [|exact W]. unfold wall_cells. apply in_map. cbn [domain_of_certificate domain_polygons]. now apply in_map. }
     apply steiner_from_cells.
     + exact (kept_complex oriented3 space_computes _ Mesh _ false _ _ Pa).
     + exact (vertices_kept oriented3 space_computes _ Mesh _ false _ _ Pa).

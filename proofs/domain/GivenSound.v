@@ -62,6 +62,12 @@ Record polygons_known (d : nat) (D : domain_certificate) : Prop := {
     kept_at (Table.of_list Datatypes.id (marks (plane_part f))) u = true -> in_plane f q w = true ->
     proper plane_predicates Y = true -> in_simplex plane_predicates Y (seen f q) w = true ->
     polygon_points (polygon_of d D f) (place_over (unit_of (whole_mesh D)) q w);
+  known_between : forall f u Y q w q' w' s, In f (polygons D) -> well_shaped d q -> (0 < w)%Z -> well_shaped d q' -> (0 < w')%Z ->
+    piece_of (Table.of_list Datatypes.id (simplices (plane_mesh f))) (Table.of_list position (points (plane_mesh f))) u = Some Y ->
+    kept_at (Table.of_list Datatypes.id (marks (plane_part f))) u = true -> proper plane_predicates Y = true ->
+    in_plane f q w = true -> in_simplex plane_predicates Y (seen f q) w = true ->
+    in_plane f q' w' = true -> in_simplex plane_predicates Y (seen f q') w' = true -> 0 <= s <= 1 ->
+    polygon_points (polygon_of d D f) (between (place_over (unit_of (whole_mesh D)) q w) (place_over (unit_of (whole_mesh D)) q' w') s);
   known_off : forall f q w, In f (polygons D) -> well_shaped d q -> (0 < w)%Z -> off_polygon q w (in_tables f) = true ->
     ~ polygon_points (polygon_of d D f) (place_over (unit_of (whole_mesh D)) q w);
   known_pieces : forall f q, In f (polygons D) -> polygon_points (polygon_of d D f) q -> exists i e m,
@@ -352,12 +358,9 @@ Lemma known_in_space D : check_about space_predicates D = Accepted -> polygons_k
 Proof.
   intros A. pose proof (unit_positive D A) as U. pose proof (shape D A) as Sh.
   pose proof (spots_of_mesh (d := 3) D) as Sp. split.
-  - intros f If. destruct (Polygons.polygon_parts _ f (Sh f If)) as (_ & _ & Ln & Ax & Nz & _).
-    cbn [polygon_of plane_normal]. destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate Ln.
-    intros E. apply Nz. pose proof (f_equal Vector.hd E) as E0. pose proof (f_equal Vector.tl E) as E'.
-    pose proof (f_equal Vector.hd E') as E1. pose proof (f_equal Vector.hd (f_equal Vector.tl E')) as E2.
-    cbn in E0, E1, E2. apply eq_IZR in E0, E1, E2. subst. destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
+  - intros f If. now apply polygon_normal, Sh.
   - intros f u Y q w If. now apply (in_piece D U Sp f (Sh f If)).
+  - intros f u Y q w q' w' s If. now apply (in_piece_between D U Sp f (Sh f If)).
   - intros f q w If. now apply (off_polygon_sound D U Sp f (Sh f If)).
   - intros f q If C. apply (polygon_covered _ Sp D eq_refl f (Sh f If)) in C. destruct C as (u & e & E & K & C).
     destruct (mark_of (plane_mesh f) (plane_part f) true Enclosed _

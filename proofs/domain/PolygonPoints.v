@@ -5,7 +5,7 @@
 From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import GivenDomain Numbering.
 From Circumspect Require Import Vectors Frame Orientation Integers Accepted RefutationSigns.
-From Circumspect Require Import Shadow KeptMesh KeptCells Polygons Balls DomainRefuted.
+From Circumspect Require Import Combinations Shadow KeptMesh KeptCells Polygons Balls DomainRefuted.
 From Circumspect Require Import Definitions Domains.
 Import ListNotations.
 Open Scope R_scope.
@@ -87,6 +87,31 @@ Proof.
   unfold well_shaped, seen, along_axis in *. cbn [coordinates].
   destruct (coordinates q) as [|y1 [|y2 [|y3 [|? ?]]]]; try discriminate Sq.
   destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
+Qed.
+
+(** Two points in the same piece, and what is between them. *)
+Lemma in_piece_between u Y q w q' w' s : well_shaped 3 q -> (0 < w)%Z -> well_shaped 3 q' -> (0 < w')%Z ->
+  piece_of (Table.of_list Datatypes.id (simplices p2)) (Table.of_list position (points p2)) u = Some Y ->
+  kept_at (Table.of_list Datatypes.id (marks part2)) u = true -> proper plane_predicates Y = true ->
+  in_plane f q w = true -> in_simplex plane_predicates Y (seen f q) w = true ->
+  in_plane f q' w' = true -> in_simplex plane_predicates Y (seen f q') w' = true -> 0 <= s <= 1 ->
+  polygon_points (polygon_of 3 D f) (between (place_over r q w) (place_over r q' w') s).
+Proof.
+  intros Sq Pw Sq' Pw' Pi K Pr Ip In_ Ip' In' Hs.
+  destruct (in_plane_seen q w Pw Ip) as [F Sh]. destruct (in_plane_seen q' w' Pw' Ip') as [F' Sh'].
+  assert (Fb : flat n o (between (place_over r q w) (place_over r q' w') s)).
+  { unfold flat, between in *. rewrite inner_plus_r, !inner_scale_r, F, F'. ring. }
+  apply (polygon_at c spots_of_mesh D eq_refl f shape _ Fb). rewrite shadow_between, Sh, Sh'.
+  unfold piece_of in Pi. rewrite find_id in Pi. destruct (numbered (simplices p2) u) as [e|] eqn:E; [|discriminate].
+  destruct (piece_framed u e Y E Pi Pr) as (g & G & Pl). exists (map (Definitions.spot 2 p2) (corners e)).
+  split; [apply kept_piece; eauto|]. rewrite <- Pl.
+  assert (S2 : forall y, well_shaped 3 y -> well_shaped 2 (seen f y)).
+  { intros y Sy. destruct (Polygons.polygon_parts c f shape) as (_ & _ & _ & Ax & _).
+    unfold well_shaped, seen, along_axis in *. cbn [coordinates].
+    destruct (coordinates y) as [|y1 [|y2 [|y3 [|? ?]]]]; try discriminate Sy.
+    destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia]. }
+  apply (conv_conv [place_over (unit_of p2) (seen f q) w; place_over (unit_of p2) (seen f q') w']); [|apply conv_two; eauto].
+  intros y [<-|[<-|[]]]; apply (in_simplex_conv M2 Y g G); auto.
 Qed.
 
 Lemma off_pieces_numbered points2 q w l : forall l', off_pieces points2 q w l l' = true ->

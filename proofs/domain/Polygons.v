@@ -268,6 +268,17 @@ Qed.
 
 End Shape.
 
+(** Its plane is one. *)
+Lemma polygon_normal D f : check_shape (whole_mesh D) (mesh_of (whole_mesh D)) f = Accepted ->
+  plane_normal (polygon_of 3 D f) <> origin.
+Proof.
+  intros Sh. destruct (polygon_parts _ f Sh) as (_ & _ & Ln & Ax & Nz & _).
+  cbn [polygon_of plane_normal]. destruct (normal f) as [|a [|b [|e [|? ?]]]]; try discriminate Ln.
+  intros E. apply Nz. pose proof (f_equal Vector.hd E) as E0. pose proof (f_equal Vector.tl E) as E'.
+  pose proof (f_equal Vector.hd E') as E1. pose proof (f_equal Vector.hd (f_equal Vector.tl E')) as E2.
+  cbn in E0, E1, E2. apply eq_IZR in E0, E1, E2. subst. destruct (axis f) as [|[|[|k]]]; [reflexivity..|lia].
+Qed.
+
 (** Its place in the mesh. *)
 Section Polygon.
 Variables (kind : domain_kind) (c : certificate) (p : part).

@@ -1,6 +1,9 @@
 """Refutations of claims about domains for make.py: for each rule evidence that shows it, and evidence that does not."""
 
-from domains import polygon_text, space_domain
+import copy
+
+from domains import NOTCH_AND_HOLE, NOTCHED, NOTCHED_MESH, NOTCHED_SEGMENTS, domain_text, plane_domain, polygon_text, \
+    space_domain
 
 
 def refutations_of_domains():
@@ -222,3 +225,104 @@ def refutations_by_the_whole_domain():
             whole_text("steiner-triangulation", 3, "domain.polygon-not-tiled", "enclosed", solid + more, simplices, given, because), \
             "verified: not steiner-triangulation, domain.polygon-not-tiled; domain: enclosed, 4 vertices" if is_shown else \
             "rejected: the evidence does not show domain.polygon-not-tiled"
+
+
+def refutations_of_hulls():
+    """Meshes that are to fill a hull, and what is wrong with their boundaries, right or not."""
+    points = [(-4, 0), (4, 0), (0, 1), (0, -1), (0, 4)]
+    hull = (points, [], [], [])
+    open_below, bow_tie = [[1, 3, 5], [2, 3, 5]], [[3, 1, 5], [3, 2, 4]]
+    dangles = dangling_text([(-5, 0)], [([1, 4], [6])])
+    cases = [
+        ("convex", "plc-triangulation", "hull", open_below, "1 2 2", True, "--of-a-hull", ()),
+        ("convex", "steiner-cdt", "hull", open_below, "1 2 2", True, "--of-a-hull--steiner", ()),
+        ("convex", "plc-triangulation", "hull", open_below, "1 2 5", False, "--of-a-hull--its-own-side", ()),
+        ("convex", "plc-triangulation", "hull", open_below, "1 1 2", False, "--of-a-hull--another-facet", ()),
+        ("convex", "plc-triangulation", "hull", open_below, "1 0 2", False, "--of-a-hull--no-boundary", ()),
+        ("convex", "plc-triangulation", "hull", open_below, "1 2 4", False, "--of-a-hull--no-vertex-of-the-mesh", ()),
+        ("convex", "plc-triangulation", "hull", open_below, "1 2 9", False, "--of-a-hull--no-point", ()),
+        ("convex", "plc-triangulation", "hull", open_below, "1 2 2", False, "--of-a-hull--dangling", dangles),
+        ("convex", "plc-triangulation", "enclosed", open_below, "1 2 2", False, "--enclosed", ()),
+        ("closed", "cdt", "hull", bow_tie, "1 2 1 1 2 2", True, "--of-a-hull", ()),
+        ("closed", "cdt", "hull", bow_tie, "1 2 1 0 2 2", False, "--of-a-hull--another-facet", ()),
+        ("closed", "cdt", "enclosed", bow_tie, "1 2 1 1 2 2", False, "--enclosed", ()),
+    ]
+    for what, claim, kind, simplices, because, is_shown, why, dangling in cases:
+        rule = "triangulation.hull-not-" + what
+        yield "%s--%s%s" % (rule, "shown" if is_shown else "not-shown", why), \
+            whole_text(claim, 2, rule, kind, points, simplices, hull, because, dangling), \
+            "verified: not %s, %s; domain: %s, 5 vertices" % (claim, rule, kind) if is_shown else \
+            "rejected: the evidence does not show " + rule
+
+
+def refutations_by_another_mesh():
+    """A mesh of a square without one triangle, in another unit than the mesh that has it; and a mesh that lacks nothing."""
+    square = [(0, 0), (4, 0), (4, 4), (0, 4), (2, 1)]
+    fan = [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+    whole = plane_domain("steiner-triangulation", "enclosed", square, fan, 4, {0, 1, 2, 3}, [(0, 1), (1, 2), (2, 3), (0, 3)])
+    notched = plane_domain("steiner-triangulation", "enclosed", NOTCHED, NOTCHED_MESH + NOTCH_AND_HOLE, 9,
+                           set(range(8)), NOTCHED_SEGMENTS, [(11, [8, 9], 2)])
+    filled = copy.deepcopy(notched)
+    filled["part"]["marks"][9] = ["+", filled["part"]["marks"][9][1]]
+    points, lacking = [tuple(2 * x for x in p) for p in square], [fan[0], fan[1], fan[3]]
+    dangles = dangling_text([(0, 9)], [([3, 4], [6])])
+    cases = [
+        ("", 2, points, lacking, whole, "3 2 3 1", True, ()),
+        ("--dangling", 2, points, lacking, whole, "3 2 3 1", True, dangles),
+        ("--no-point", 2, points, lacking, whole, "3 2 3 0", False, ()),
+        ("--not-in-it", 2, points, lacking, whole, "1 2 3 1", False, ()),
+        ("--no-simplex", 2, points, lacking, whole, "9 2 3 1", False, ()),
+        ("--covered", 2, points, lacking, whole, "1 6 1 3", False, ()),
+        ("--covered-in-this-unit", 1, points, lacking, whole, "3 2 3 1", False, ()),
+        ("--not-kept", 1, NOTCHED, NOTCHED_MESH, notched, "10 12 2 3", False, ()),
+        ("--no-certificate", 1, NOTCHED, NOTCHED_MESH, filled, "10 12 2 3", False, ()),
+    ]
+    for why, unit, points, simplices, domain, because, is_shown, dangling in cases:
+        lines = ["circumspect-refutation 2 steiner-cdt 2 domain.uncovered-inside enclosed", "scale 1 %d" % unit, "points %d" % len(points)]
+        lines += [" ".join(map(str, [*p, v])) for v, p in enumerate(points)]
+        lines += ["simplices %d" % len(simplices)] + [" ".join(map(str, [len(row)] + [v + 1 for v in row])) for row in simplices]
+        lines += ["spans 1 2 3", *dangling] + domain_text(domain).split("\n")[1:-2]
+        yield "domain.uncovered--%s--inside%s" % ("shown" if is_shown else "not-shown", why), \
+            "\n".join(lines + ["because " + because, "end"]) + "\n", \
+            "verified: not steiner-cdt, domain.uncovered; %sdomain: enclosed, 4 vertices" % ("1 dangling face; " if dangling else "") \
+            if is_shown else "rejected: the evidence does not show domain.uncovered"
+
+
+def refutations_of_dangling_triangles():
+    """A triangle in a triangular polygon, and what one sees from it."""
+    solid = [(0, 0, 0), (0, 0, 9), (0, 9, 0), (9, 0, 0)]
+    floor = space_domain("steiner-triangulation", "enclosed", solid, [(0, 1, 2, 3)], 1, [(0, 2, 3)], [])["polygons"]
+    points = solid + [(1, 1, 0), (3, 1, 0), (1, 3, 0), (2, 3, 0), (3, 3, 0), (7, 1, 0), (1, 7, 0), (6, 6, 0)]
+    given, bare = (solid, [(1, 3), (3, 4), (1, 4)], [], floor), (solid, [], [], floor)
+    twice = (solid, [(1, 3), (3, 4), (1, 4)], [], floor + floor)
+    apart = [[8, 1, 2, 3], [9, 1, 2, 3], [12, 1, 2, 3]]
+    small, large = [5, 6, 7], [5, 10, 11]
+    two = "1 0 0 0 0 1 0 0"
+    planes = two + " -1 -1 0 -9"
+    sees = "4 8 1 -1 -2 2 1 5 5 0 3 0 1 "
+    cases = [
+        ("", "steiner-cdt", "enclosed", apart, given, small, sees + planes),
+        ("--with-a-bend", "cdt", "enclosed", apart, given, small, "4 8 1 -1 -2 2 1 5 5 0 3 1 1 11 14 0 6 1 " + planes),
+        ("--without-segments", "cdt", "enclosed", apart, bare, small, sees + two),
+        ("--not-claimed", "plc-triangulation", "enclosed", apart, given, small, sees + planes),
+        ("--of-a-hull", "steiner-cdt", "hull", apart, given, small, sees + planes),
+        ("--a-segment-in-the-way", "steiner-cdt", "enclosed", apart, given, small, sees + two),
+        ("--another-polygon-in-the-way", "steiner-cdt", "enclosed", apart, twice, small, sees + planes),
+        ("--another-vertex", "steiner-cdt", "enclosed", apart, given, small, "4 4 1 -1 -2 2 1 5 5 0 3 0 1 " + planes),
+        ("--on-its-circle", "steiner-cdt", "enclosed", apart, given, small, "4 9 1 -1 -1 1 1 5 5 0 3 0 1 " + planes),
+        ("--on-its-edge", "steiner-cdt", "enclosed", apart, given, small, "4 8 1 -1 -2 2 1 2 1 0 1 0 1 " + planes),
+        ("--from-elsewhere", "steiner-cdt", "enclosed", apart, given, small, "4 8 1 -1 -2 2 1 4 5 0 2 0 1 " + planes),
+        ("--of-a-simplex", "steiner-cdt", "enclosed", apart[:2] + [[5, 6, 7, 2]], given, small, sees + planes),
+        ("--no-polygon", "steiner-cdt", "enclosed", apart, given, small, "4 8 1 -1 -2 2 2 5 5 0 3 0 1 " + planes),
+        ("--no-piece", "steiner-cdt", "enclosed", apart, given, small, "4 8 1 -1 -2 2 1 5 5 0 3 0 2 " + planes),
+        ("--bent", "steiner-cdt", "enclosed", apart, given, small, "4 8 1 -1 -2 2 1 5 5 0 3 1 1 12 14 0 6 1 " + planes),
+        ("--no-vertex-of-the-mesh", "steiner-cdt", "enclosed", [[1, 2, 3, 4]], given, small, "2" + sees[1:] + planes),
+        ("--out-of-the-polygon", "steiner-cdt", "enclosed", apart, bare, large, "4 12 4 -5 -5 6 1 3 3 0 1 0 1 " + two),
+    ]
+    for number, (why, claim, kind, simplices, domain, triangle, because) in enumerate(cases):
+        is_shown = number < 3
+        yield "cdt.dangling-not-delaunay--%s%s" % ("shown" if is_shown else "not-shown", why), \
+            whole_text(claim, 3, "cdt.dangling-not-delaunay", kind, points, simplices, domain, because,
+                       dangling_text([(1, 1, -1)], [(triangle, [13])])), \
+            "verified: not %s, cdt.dangling-not-delaunay; 1 dangling face; domain: enclosed, 4 vertices" % claim if is_shown else \
+            "rejected: the evidence does not show cdt.dangling-not-delaunay"

@@ -152,7 +152,7 @@ def plane_domain(claim, kind, points, simplices, kept, corners, chains, holes=()
                        points, simplices)
     walls = {frozenset(e): (k + 1, 1) for k, c in enumerate(chains) for e in zip(c, c[1:])}
     return {"claim": claim, "kind": kind, "mesh": mesh,
-            "part": part(mesh, kept, corners, chains, walls if kind == "enclosed" else {}, holes)}
+            "part": part(mesh, kept, corners, chains, walls if kind == "enclosed" or claim.endswith("cdt") else {}, holes)}
 
 
 def triangle_polygon(mesh, points, triangle, kept):
@@ -225,6 +225,18 @@ def domains(mutant, put, square_points, square_mesh):
         yield "facet-locally-delaunay--where-there-is-%s" % name, plane_domain(
             "cdt", "enclosed", long, [(0, 1, 2), (0, 2, 3), (3, 2, 4)], 3, {0, 1, 2, 3, 4},
             [(0, 1), (1, 2), (2, 4), (3, 4), (0, 3)] + inner), answer
+    for name, inner, answer in ("wall", [(0, 2)], "verified: cdt"), \
+            ("no-wall", [], "rejected: facet-locally-delaunay, simplex 1"):
+        walled = plane_domain("cdt", "hull", long, [(0, 1, 2), (0, 2, 3), (3, 2, 4)], 3, {0, 1, 2, 3, 4}, inner)
+        yield "facet-locally-delaunay--of-a-hull--where-there-is-%s" % name, walled, answer
+        if inner:
+            t, i = next((t, i) for t, mark in enumerate(walled["part"]["marks"]) for i, f in enumerate(mark[1]) if f != "-")
+            yield mutant(walled, put("part", "segments", []), "wall-shown, simplex 1, facet %d" % i, "wall-shown--of-a-hull--no-segment")
+            yield mutant(walled, put("part", "marks", t, 1, (i + 1) % 3, walled["part"]["marks"][t][1][i]),
+                         "wall-shown, simplex 1, facet %d" % ((i + 1) % 3), "wall-shown--of-a-hull--another-facet")
+            other = copy.deepcopy(walled)
+            other["part"]["marks"][t][1][i] = "-"
+            yield "facet-locally-delaunay--of-a-hull--flag-on-the-other-side", other, "rejected: facet-locally-delaunay, simplex 1"
     hull = plane_domain("steiner-triangulation", "hull", square_points, square_mesh, 4, {0, 1, 2, 3}, [])
     middle = next(k for k, row in enumerate(hull["mesh"]["points"]) if row[4] == 4)
     number = {row[4]: k + 1 for k, row in enumerate(hull["mesh"]["points"])}

@@ -134,8 +134,8 @@ let complex c polygons =
   let rec several n = if n = 0 then [] else let f = polygon () in f :: several (n - 1) in
   { faces; one_sided; polygon_parts = several polygons }
 
-(* The certificate, and the labels of its points; and what shows that the domain is a complex, if it says so. *)
-let read c domain_claimed kind ~is_complex =
+(* The mesh of a whole hull, and how the domain lies in it; and the labels of its points. *)
+let body c domain_claimed kind =
   let claimed = if domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
   let packed, labels = Certificate_file.body c claimed in
   let whole_mesh = unpacked (if c.d = 2 then Plane else Space) packed in
@@ -147,9 +147,19 @@ let read c domain_claimed kind ~is_complex =
       let rec several n = if n = 0 then [] else let f = polygon c in f :: several (n - 1) in
       several (List.hd counts)
     end in
-  let complex = if is_complex then Some (complex c (List.length polygons)) else None in
+  ({ domain_claimed; kind; whole_mesh; domain_part; polygons }, labels)
+
+(* The certificate, and the labels of its points; and what shows that the domain is a complex, if it says so. *)
+let read c domain_claimed kind ~is_complex =
+  let certificate, labels = body c domain_claimed kind in
+  let complex = if is_complex then Some (complex c (List.length certificate.polygons)) else None in
   ending c;
-  ({ domain_claimed; kind; whole_mesh; domain_part; polygons }, complex, labels)
+  (certificate, complex, labels)
+
+(* A domain with a mesh that is not the caller's, of which nothing is claimed but that it is one. *)
+let with_another_mesh c domain_claimed kind =
+  let certificate, _ = body { c with labels = Hashtbl.create 64 } SteinerTriangulation kind in
+  { certificate with domain_claimed }
 
 (* A vertex; a point on a segment; or one in a piece of a polygon. *)
 let domain_point c expected = function

@@ -190,7 +190,9 @@ let read_domain c domain_refuted rule =
 let read_whole c claimed rule kind =
   let mesh_against, labels = mesh c Delaunay in
   let dangling_against = dangling c mesh_against in
-  let about_domain = Domain_file.alone c claimed kind (mesh_against.unit_numerator, mesh_against.unit_denominator) in
+  let about_domain =
+    if rule = "domain.uncovered-inside" then Domain_file.with_another_mesh c claimed kind
+    else Domain_file.alone c claimed kind (mesh_against.unit_numerator, mesh_against.unit_denominator) in
   let expected = "what CERTIFICATE.md asks for as evidence of " ^ rule in
   let number = Domain_file.number c expected and integer = Domain_file.integer c expected in
   let place = Domain_file.place c expected and pair = Domain_file.pair in
@@ -239,6 +241,24 @@ let read_whole c claimed rule kind =
       let (t, (q, w)), rest = pair number point tokens in
       let l, rest = leg rest in
       (Gap (t, q, w, l), rest)
+    | "domain.uncovered-inside" ->
+      let t, rest = number tokens in
+      let (q, w), rest = point rest in
+      (CoveredElsewhere (t, q, w), rest)
+    | "cdt.dangling-not-delaunay" ->
+      let (u, v), rest = pair number number tokens in
+      let own, rest = take c Reading.integer 3 expected rest in
+      let other, rest = integer rest in
+      let (k, (q, w)), rest = pair number point rest in
+      let counts, rest = take c count 1 expected rest in
+      let rec bends n found tokens =
+        if n = 0 then (List.rev found, tokens)
+        else let one, rest = pair number point tokens in bends (n - 1) (one :: found) rest in
+      let bends, rest = bends (List.hd counts) [] rest in
+      let last, rest = number rest in
+      (DanglingSees (u, v, own, other, k, q, w, bends, last, Domain_file.all plane rest), [])
+    | "triangulation.hull-not-convex" | "triangulation.hull-not-closed" ->
+      (OfHull (evidence c Delaunay rule mesh_against.rows tokens), [])
     | _ -> Text.fail c.source "a rule of CERTIFICATE.md that speaks of the whole domain" (Text.quote rule) in
   no_more c expected rest;
   ending c;

@@ -139,6 +139,27 @@ Proof.
     + destruct (IH Y' eq_refl z p I) as (k' & q' & I' & H). exists k', q'. split; [now right|assumption].
 Qed.
 
+(** The simplex is none of the mesh, nor a face of one. *)
+Lemma in_no_row_alone X n : incl X PS -> in_no_row m (Table.of_list (site_for Delaunay) (sites (padded m x))) (firstn n X) = true ->
+  forall t, listed L t -> ~ incl (map (place_of r) (firstn n X)) t.
+Proof.
+  intros IX N t Lt It. apply in_map_iff in Lt. destruct Lt as (y & E & Iy). unfold in_no_row in N. rewrite forallb_forall in N.
+  specialize (N y Iy). apply negb_true_iff in N. apply (entries_padded m x y t) in E. rewrite <- padded_sites in E.
+  rewrite <- (map_ext _ _ (entry_site_for m (sites (padded m x)))) in E.
+  assert (T : forallb (fun p => lists (Table.of_list (site_for Delaunay) (sites (padded m x))) p y) (firstn n X) = true); [|congruence].
+  apply forallb_forall. intros p Ip.
+  apply (all_named_listed (M r unit_positive) PS (rows m) _ (Table.of_list id (rows m)) (padded_shaped M m x unit_positive delaunay shaped_sites)
+    (padded_found m x) (rows_found m) y t E); [now apply IX, (incl_firstn n)|]. apply It. now apply in_map.
+Qed.
+Lemma own_independent X g n : RefutationSigns.framed orient pr r X g -> affinely_independent (map (@place_of d r) (firstn n X)).
+Proof.
+  intros G. pose proof (vertices_independent g) as Iv. rewrite (framed_vertices X g G) in Iv. apply (face_independent g).
+  - rewrite (framed_vertices X g G). apply incl_map. intros p. apply incl_firstn.
+  - pose proof (independent_NoDup _ Iv) as Nd. rewrite <- (firstn_skipn n X), map_app in Nd. clear - Nd.
+    induction (map (place_of r) (firstn n X)) as [|a l IH]; [constructor|]. cbn [app] in Nd. inversion Nd as [|? ? Na Nl]. subst.
+    constructor; [|now apply IH]. intros I. apply Na, in_or_app. now left.
+Qed.
+
 Theorem no_empty_ball_found u own others : ball_shown pr m x u own others = true ->
   (forall k z, In (k, z) others -> exists y, numbered (sites m) k = Some y /\
     (In (place_of r y) (entries (L ++ U)) \/ In (place_of r y) (domain_vertices P))) ->
@@ -149,21 +170,10 @@ Proof.
   apply andb_prop in H. destruct H as [B N]. pose proof (framed_shaped X g G) as SX. rewrite Forall_forall in SX.
   pose proof (padded_shaped M m x unit_positive delaunay shaped_sites) as ShP. pose proof (M r unit_positive) as Mr.
   assert (In_ : forall p, In p (firstn n X) -> In p X) by (intros p; apply incl_firstn).
-  assert (Alone : forall t, listed L t -> ~ incl (map (place_of r) (firstn n X)) t).
-  { intros t Lt It. apply in_map_iff in Lt. destruct Lt as (y & E & Iy). unfold in_no_row in N. rewrite forallb_forall in N.
-    specialize (N y Iy). apply negb_true_iff in N. apply (entries_padded m x y t) in E. rewrite <- padded_sites in E.
-    rewrite <- (map_ext _ _ (entry_site_for m (sites (padded m x)))) in E.
-    assert (T : forallb (fun p => lists (Table.of_list (site_for Delaunay) (sites (padded m x))) p y) (firstn n X) = true); [|congruence].
-    apply forallb_forall. intros p Ip.
-    apply (all_named_listed Mr PS (rows m) _ (Table.of_list id (rows m)) ShP (padded_found m x) (rows_found m) y t E); [now apply IX, In_|].
-    apply It. now apply in_map. }
+  pose proof (in_no_row_alone X n IX N) as Alone.
   exists (map (place_of r) (firstn n X)). split; [|split; [|split; [assumption|]]].
   - unfold listed in *. apply in_app_or in LX. destruct LX as [LX|LX]; [|assumption]. destruct (Alone _ LX). apply incl_refl.
-  - pose proof (vertices_independent g) as Iv. rewrite (framed_vertices X g G) in Iv. apply (face_independent g).
-    + rewrite (framed_vertices X g G). apply incl_map. intros p. apply In_.
-    + pose proof (independent_NoDup _ Iv) as Nd. rewrite <- (firstn_skipn n X), map_app in Nd. clear - Nd.
-      induction (map (place_of r) (firstn n X)) as [|a l IH]; [constructor|]. cbn [app] in Nd. inversion Nd as [|? ? Na Nl]. subst.
-      constructor; [|now apply IH]. intros I. apply Na, in_or_app. now left.
+  - now apply (own_independent X g n).
   - intros c r2 Ci. destruct (no_ball_inside Mr unit_positive (combine own (firstn n X)) Y c r2 B) as (z & p & Ip & Dp).
     + rewrite map_app. apply Forall_app. split; apply Forall_forall; intros p Ip; apply in_map_iff in Ip; destruct Ip as ((z, q) & <- & Iq).
       * apply in_combine_r in Iq. now apply SX, In_.

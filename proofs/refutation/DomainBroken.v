@@ -1,7 +1,7 @@
 (** * A broken rule refutes the claim about a domain *)
 From Coq Require Import Rbase Rfunctions Lra Lia List Arith.
 From Circumspect Require Import WholeRefutation.
-From Circumspect Require Import Vectors Affine Frame Faces LiftingMap Breach.
+From Circumspect Require Import Vectors Affine Frame Faces LiftingMap Breach HullBreach.
 From Circumspect Require Import Combinations Necessary Visible ConstrainedLemma.
 From Circumspect Require Import Definitions Domains DomainRules.
 Import ListNotations.
@@ -160,6 +160,33 @@ Proof.
 Qed.
 End All.
 
+(** ** Hulls *)
+
+(** A mesh of a hull is one of its own vertices. *)
+Lemma hull_filled c P L : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull -> claims_of_domain c P L [] ->
+  claims_to_fill (entries L) L.
+Proof.
+  intros D Pr K H. destruct (claims_alone c P L H) as (T & -> & St & _).
+  assert (Ve : mesh_vertices T (concat T)) by (intros v; apply in_concat).
+  destruct (all_framed P T St) as (ts & are). pose proof (vertex_in_hull D P T (concat T) Pr St Ve ts are) as InHull.
+  exists T. split; [reflexivity|]. destruct St as (Dt & Di & Cx & Vx & _ & Un).
+  assert (In_ : forall t, In t T -> incl t (entries (map (map Some) T))).
+  { intros t It v Iv. unfold entries. apply in_flat_map. exists (map Some t). split; [now apply in_map|].
+    apply in_flat_map. exists (Some v). split; [now apply in_map|now left]. }
+  split; [assumption|]. split; [assumption|]. split; [assumption|]. split; [assumption|]. intros q. split.
+  - intros C. apply Un. exists (region P). split; [apply low_or_region; now right|]. unfold region. rewrite K.
+    apply (conv_conv (entries (map (map Some) T))); [|assumption]. intros p Ip. apply InHull; [now apply entries_concat|assumption].
+  - intros (t & It & C). apply (conv_incl t); [now apply In_|assumption].
+Qed.
+Lemma hull_rule_refutes c P L e : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull ->
+  match e with HullNotConvex _ _ _ | HullNotClosed _ _ _ _ _ _ => True | _ => False end ->
+  broken_of_domain P L [] (mesh_rule (rule_of e)) -> ~ claims_of_domain c P L [].
+Proof.
+  intros D Pr K E B H. apply (hull_filled c P L D Pr K) in H.
+  destruct e; try contradiction; cbn in B; rewrite ?app_nil_r in B;
+    [now apply (hull_not_convex_refutes (entries L) L)|now apply (hull_not_closed_refutes (entries L) L)].
+Qed.
+
 (** ** Constrained Delaunay *)
 
 Definition about_cdt (c : domain_claim) : bool := match c with Cdt | SteinerCdt => true | _ => false end.
@@ -189,6 +216,55 @@ Proof.
     cbn [length] in K. lia. }
   destruct (apex_of_neighbour D P T V Pr St Ve f s t v Nf Lf NW Ls Lt Fs Ft NS Iv Nvf) as (x & Xi & Vis).
   apply (Em v x); [apply Ve; eauto|assumption|assumption|]. now apply B.
+Qed.
+Lemma polygon_in_walls P f q : proper_domain P -> In f (domain_polygons P) -> polygon_points f q -> walls_of P q.
+Proof.
+  intros [N _] If C. unfold walls_of. destruct d as [|[|[|n]]]; try (exists f; now split).
+  rewrite N in If by reflexivity. destruct If.
+Qed.
+(** Of finitely many things each holds or does not: at least this cannot be refuted. *)
+Lemma decided {A} (Q : A -> Prop) (l : list A) : ((forall a, In a l -> Q a \/ ~ Q a) -> False) -> False.
+Proof.
+  induction l as [|a l IH]; intros H; [apply H; intros a []|]. apply IH. intros K.
+  apply H. intros b [<-|I]; [|now apply K]. right. intros Qa. apply H. intros b [<-|I]; [now left|now apply K].
+Qed.
+Lemma dangling_refutes c P L M : proper_domain P -> what_it_fills P = Enclosed -> about_cdt c = true ->
+  dangling_not_delaunay P L M -> ~ claims_of_domain c P L M.
+Proof.
+  intros Pr K A (s & v & x & f & Ls & Len & _ & Alone & Iv & Xi & If & Way & Others & B) (T & U & -> & -> & _ & C).
+  apply listed_in in Ls. rewrite <- map_app in Iv. apply entries_concat in Iv.
+  assert (Cw : exists V, In v V /\ constrained_with V P T U).
+  { destruct c; try discriminate.
+    - exists (domain_vertices P). split; [|apply C]. apply in_concat in Iv. destruct Iv as (t & It & Iv). now apply (proj1 C t).
+    - exists (concat (T ++ U)). now split. }
+  destruct Cw as (V & IV & Cw). destruct (Cw s) as (_ & _ & o & r2 & Ci & Em).
+  { right. split; [assumption|]. split; [assumption|]. intros t It. apply Alone. unfold listed. now apply in_map. }
+  apply (decided (fun X : point d -> Prop => X v) (low_cells P)). intros AtV.
+  apply (decided (fun X : point d -> Prop => X x) (low_cells P)). intros AtX.
+  apply (Em v x IV Xi); [|now apply B].
+  assert (IX : In (polygon_points f) (cells P)).
+  { unfold cells. apply in_or_app. right. apply in_or_app. right. apply in_or_app. left. now apply in_map. }
+  assert (All : forall q, conv [x; v] q -> polygon_points f q).
+  { intros q Cq. apply conv_two in Cq. destruct Cq as (e & He & ->). now apply Way. }
+  assert (Whole : forall X : point d -> Prop, (forall q, conv [x; v] q -> X q) -> union_of_faces (fun q => X q /\ conv [x; v] q) [x; v]).
+  { intros X H. exists [[x; v]]. split; [intros g [<-|[]]; apply incl_refl|]. intros q. split.
+    - intros [_ Cq]. exists [x; v]. split; [now left|assumption].
+    - intros (g & [<-|[]] & Cq). split; auto. }
+  split; [intros q Cq; exists (polygon_points f); split; auto|].
+  intros X JX. apply low_or_region in JX. destruct JX as [JX| ->].
+  - destruct (AtX X JX) as [Xx|Nx].
+    + rewrite (Others X 0 JX) by (try lra; now rewrite between_start). now apply Whole.
+    + assert (Only : forall q, X q -> conv [x; v] q -> q = v).
+      { intros q Xq Cq. apply conv_two in Cq. destruct Cq as (e & He & ->). destruct (Rlt_dec e 1) as [Le|Ne].
+        - destruct Nx. rewrite (Others X e JX); [|lra|assumption]. rewrite <- (between_start x v). apply Way. lra.
+        - replace e with 1 by lra. apply between_end. }
+      destruct (AtV X JX) as [Xv|Nv].
+      * exists [[v]]. split; [intros g [<-|[]] y [<-|[]]; right; now left|]. intros q. split.
+        { intros [Xq Cq]. rewrite (Only q Xq Cq). exists [v]. split; [now left|]. now apply conv_singleton. }
+        intros (g & [<-|[]] & Cq). apply conv_singleton in Cq. subst q. split; [assumption|]. apply conv_point. right. now left.
+      * exists []. split; [intros g []|]. intros q. split; [|intros (g & [] & _)].
+        intros [Xq Cq]. rewrite (Only q Xq Cq) in Xq. contradiction.
+  - apply Whole. intros q Cq. unfold region. rewrite K. split; [exact I|]. left. now apply (polygon_in_walls P f q Pr If), All.
 Qed.
 Lemma visible_vertex_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
   visible_vertex_in_ball P L -> ~ claims_of_domain c P L [].

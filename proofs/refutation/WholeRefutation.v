@@ -1,6 +1,6 @@
 (** * The checker of refutations that speak of the whole domain
 
-    [refute_whole] is extracted; [WholeRefuted.v] proves what its acceptance means. *)
+    [refute_whole] is extracted; [WholeSound.v] proves what its acceptance means. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export GivenDomain.
 Import ListNotations.
@@ -59,6 +59,39 @@ Definition is_outside (q : site) (w : Z) (legs : list leg) (out : way_off) : boo
   | _, _, _ => false
   end.
 
+(** The way from q / w to v, in pieces of the polygon: from bend to bend, and from the last one in the last piece. *)
+Definition is_in_piece (f : polygon_in_tables) (u : positive) (q : site) (w : Z) : bool :=
+  let '(f, pieces, marks2, points2) := f in
+  match piece_of pieces points2 u with
+  | Some Y => point_written pr q w && kept_at marks2 u && in_plane f q w && proper plane_predicates Y &&
+      in_simplex plane_predicates Y (seen f q) w
+  | None => false
+  end.
+Fixpoint stays (f : polygon_in_tables) (v q : site) (w : Z) (bends : list (positive * (site * Z))) (last : positive) : bool :=
+  match bends with
+  | [] => is_in_piece f last q w && is_in_piece f last v 1
+  | (u, (q', w')) :: rest =>
+      is_in_piece f u q w && is_in_piece f u q' w' && on_segment (times w' q) (times (w * w') v) (times w q') &&
+      stays f v q' w' rest last
+  end.
+(** The domain without polygon K. *)
+Definition other_polygons (k : positive) : list polygon_entry :=
+  firstn (pred (Pos.to_nat k)) (polygons D) ++ skipn (Pos.to_nat k) (polygons D).
+Definition without_polygon (k : positive) : domain_certificate :=
+  DomainCertificate (domain_claimed D) (kind D) (whole_mesh D) (domain_part D) (other_polygons k).
+Definition seen_in_polygon (k : positive) (p q : site) (w : Z) (bends : list (positive * (site * Z))) (last : positive)
+    (planes : list (list Z * Z)) : bool :=
+  match Table.find k (Table.of_list id given_polygons) with
+  | Some f => stays f p q w bends last &&
+      match check_about pr (without_polygon k) with Accepted => true | Rejected _ _ => false end &&
+      sees pr (without_polygon k) given_vertices p q w planes
+  | None => false
+  end.
+(** Three of the vertices of the simplex that the pads make of it are its own, and the point is inside their triangle. *)
+Definition in_dangling_triangle (X : list site) (n : nat) (q : site) (w : Z) : bool :=
+  Nat.eqb n 3 && Nat.eqb (length (firstn n X)) 3 && in_own pr X n q w && forallb (fun i => 0 <? coordinate_sign pr X q w i) [0; 1; 2]%nat &&
+  in_no_row m (Table.of_list (site_for Delaunay) (sites (padded m x))) (firstn n X).
+
 Definition whole_holds (e : whole_evidence) : bool :=
   match e with
   | FacetInNoWall t i u j q w =>
@@ -82,6 +115,17 @@ Definition whole_holds (e : whole_evidence) : bool :=
       match kind D with Enclosed => true | Hull => false end && point_written pr q w &&
       in_simplex_of_all t q w && clear_leg pr D given_vertices q w (leg_end a) (leg_w a) (leg_planes a) &&
       all_of (fun S => misses S (leg_end a) (leg_w a))
+  | OfHull e =>
+      match kind D with Hull => true | Enclosed => false end && nothing_dangles &&
+      match e with HullNotConvex _ _ p => lists_in_mesh m p | HullNotClosed _ _ _ _ _ _ => true | _ => false end &&
+      holds pr (site_table m) (Table.of_list id (rows m)) (rows m) e
+  | CoveredElsewhere _ _ _ => false
+  | DanglingSees u v own z k q w bends last planes =>
+      match domain_claimed D with Cdt | SteinerCdt => true | _ => false end && match kind D with Enclosed => true | Hull => false end &&
+      point_written pr q w && lists_in_mesh (as_listed m x) v &&
+      point_at (site_table m) v (fun p =>
+        own_simplex_at m x pr u (fun X n => in_dangling_triangle X n q w && no_ball pr (combine own (firstn n X)) [(z, p)]) &&
+        seen_in_polygon k p q w bends last planes)
   end.
 End Whole.
 
@@ -93,4 +137,34 @@ Definition refute_whole_in (pr : predicates) (x : whole_refutation) : bool :=
   (unit_numerator m =? numerator (whole_mesh D)) && (unit_denominator m =? denominator (whole_mesh D)) &&
   match check_about pr D with Accepted => true | Rejected _ _ => false end &&
   forallb (shaped pr) (sites (padded m (dangling_against x))) && whole_holds pr D m (dangling_against x) (shown_by x).
-Definition refute_whole (D : plane_or_space) (x : whole_refutation) : bool := refute_whole_in (predicates_of D) x.
+
+(** ** Another mesh
+
+    What is in a kept simplex of a certificate that is accepted is in its domain.  Its unit is its own. *)
+Definition as_steiner (D : domain_certificate) : domain_certificate :=
+  DomainCertificate SteinerTriangulation (kind D) (whole_mesh D) (domain_part D) (polygons D).
+Definition in_kept_simplex (pr : predicates) (D : domain_certificate) (t : positive) (q : site) (w : Z) : bool :=
+  match Table.find t (Table.of_list id (simplices (whole_mesh D))), Table.find t (Table.of_list id (marks (domain_part D))) with
+  | Some e, Some k =>
+      kept k && right_length pr (corners e) &&
+      match find_all (Table.of_list bare (points (whole_mesh D))) (corners e) with
+      | Some X => forallb (shaped pr) X && proper pr X && in_simplex pr X q w
+      | None => false
+      end
+  | _, _ => false
+  end.
+Definition covered_elsewhere (D : plane_or_space) (x : whole_refutation) (t : positive) (q : site) (w : Z) : bool :=
+  let m := mesh_against x in
+  let c := whole_mesh (about_domain x) in
+  match refuted m with Delaunay => true | _ => false end &&
+  (0 <? unit_numerator m) && (0 <? unit_denominator m) && (0 <? numerator c) && (0 <? denominator c) &&
+  forallb (shaped (predicates_of D)) (sites (padded m (dangling_against x))) && point_written (predicates_of D) q w &&
+  match check_domain D (as_steiner (about_domain x)) with Accepted => true | Rejected _ _ => false end &&
+  in_kept_simplex (predicates_of D) (about_domain x) t q w &&
+  all_of m (dangling_against x) (fun S => misses (predicates_of D) S (times (numerator c * unit_denominator m) q)
+    (w * (denominator c * unit_numerator m))).
+Definition refute_whole (D : plane_or_space) (x : whole_refutation) : bool :=
+  match shown_by x with
+  | CoveredElsewhere t q w => covered_elsewhere D x t q w
+  | _ => refute_whole_in (predicates_of D) x
+  end.

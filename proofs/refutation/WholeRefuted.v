@@ -1,9 +1,9 @@
-(** * What the acceptance of a refutation means that speaks of the whole domain *)
+(** * The evidence of a refutation that speaks of the whole domain shows the rule *)
 From Coq Require Import Rbase Rfunctions Lra Psatz Lia List Arith ZArith Bool.
 From Circumspect Require Import WholeRefutation Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Breach.
 From Circumspect Require Import Orientation Integers RefutationSigns CallerMesh EvidenceSound RefutationSound.
-From Circumspect Require Import Combinations Lists Accepted KeptMesh Necessary ConstrainedLemma DomainBroken Dangling Balls DomainRefuted PolygonPoints GivenSound.
+From Circumspect Require Import Combinations Lists Accepted KeptMesh Necessary ConstrainedLemma DomainBroken Dangling Balls DomainRefuted PolygonPoints GivenSound DanglingSeen.
 From Circumspect Require Import Definitions Domains DomainRules.
 Import ListNotations.
 Open Scope R_scope.
@@ -223,7 +223,7 @@ Notation dangles := (dangling_against x).
 Notation D := (about_domain x).
 Notation c := (whole_mesh D).
 Notation P := (domain_of_certificate d D).
-Hypothesis polygons_of_space : check_about pr D = Accepted -> polygons_known d D.
+Hypothesis polygons_of_space : forall D, check_about pr D = Accepted -> polygons_known d D.
 
 Theorem shown_whole_rule : refute_whole_in pr x = true ->
   broken_of_domain P (@caller_rows d (refuted_unit m) (sites m) (rows m))
@@ -232,7 +232,7 @@ Proof.
   intros H. unfold refute_whole_in in H. cbv zeta in H. rewrite !andb_true_iff in H. destruct H as [[[[[Rf Un] Ud] Ab] Shp] H].
   assert (R : refuted m = Delaunay) by (destruct (refuted m); try discriminate; reflexivity).
   assert (A : check_about pr D = Accepted) by (destruct (check_about pr D); [reflexivity|discriminate]). clear Ab Rf.
-  pose proof (polygons_of_space A) as known. split; [|exact (given_proper measured_all D A known)].
+  pose proof (polygons_of_space D A) as known. split; [|exact (given_proper measured_all D A known)].
   apply Z.eqb_eq in Un, Ud. assert (Eu : refuted_unit m = unit_of c) by (unfold refuted_unit, unit_of; now rewrite Un, Ud).
   pose proof (GivenSound.unit_positive D A) as Pr. pose proof (measured_all _ Pr) as M.
   assert (Prm : 0 < refuted_unit m) by (now rewrite Eu).
@@ -265,7 +265,7 @@ Proof.
   { intros p Ip. unfold PS in Ip. apply in_map_iff in Ip. destruct Ip as (y & <- & _). unfold height_of, site_for.
     cbn [weights_of weight]. ring. }
   assert (Shaped : forall p, In p PS -> well_shaped d p) by (apply Forall_forall; assumption).
-  unfold whole_rule_of. destruct (shown_by x) as [t i u j q w|t v q w planes|k u q w|z|t q w legs out|t q w a] eqn:Be;
+  unfold whole_rule_of. destruct (shown_by x) as [t i u j q w|t v q w planes|k u q w|z|t q w legs out|t q w a|e|t q w|u v own z k q w bends last planes] eqn:Be;
     cbn [broken_of_domain]; cbn [whole_holds] in H.
   - rewrite <- Rows. unfold site_table in H. fold S in H. rewrite !andb_true_iff in H. destruct H as [[[[_ Wr] _] H] Off]. apply (written M) in Wr. destruct Wr as [Sq Pw].
     apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & a & FX & IX & LX & H).
@@ -316,37 +316,35 @@ Proof.
     intros [NU NO]. apply NO. exists s, (place_over r q w). split; [assumption|]. split; [assumption|]. intros U. apply NU.
     exists (place_over r (leg_end a) (leg_w a)). split; [|now apply MissedBy].
     now apply (underlying_along D A known q w a Kd).
+  - rewrite !andb_true_iff in H. destruct H as [[[_ _] Li] H]. rewrite <- Rows. unfold site_table in H. fold S in H.
+    destruct e; try discriminate; cbn [holds] in H.
+    + assert (Pm : 0 < refuted_unit m) by (rewrite Eu; exact Pr).
+      destruct (listed_entry measured_all m p R Li Pm Sh) as (y & Ey & Iy). rewrite Eu in Iy.
+      apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & a & FX & IX & LX & H).
+      unfold point_at in H. rewrite Fs in H. unfold numbered in H, Ey. unfold PS in H. rewrite nth_error_map, Ey in H.
+      cbn [option_map] in H. apply andb_prop in H. destruct H as [Bo Be'].
+      assert (Ip : In (site_for Delaunay y) PS) by (apply in_map; now apply nth_error_In in Ey).
+      apply (boundary_breach M PS (rows m) S _ ShS Fs Fr X a i FX IX LX) in Bo. destruct Bo as [_ Bo].
+      apply (beyond_opposite M PS (rows m) S _ ShS Fs Fr X a i _ FX Ip) in Be'. destruct Be' as (v & Hv & _ & O).
+      exists (map (place_of r) X), (map (place_of r) (Checker.remove i X)), v, (place_of r (site_for Delaunay y)).
+      split; [assumption|]. split; [assumption|]. split; [|assumption].
+      unfold entries. rewrite flat_map_app. apply in_or_app. left. rewrite Rows. exact Iy.
+    + apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (X & a & FX & IX & LX & H).
+      apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (Y & b & FY & IY & LY & H).
+      apply (proper_at_in M PS (rows m) S _ ShS Fs Fr) in H. destruct H as (Z & g & FZ & IZ & LZ & H).
+      exact (closed_breach M PS (rows m) S _ ShS Fs Fr X Y Z a b g i j k FX FY FZ IX IY IZ LX LY LZ H).
+  - discriminate.
+  - rewrite !andb_true_iff in H. destruct H as [[[_ Wr] Li] H]. apply (written M) in Wr. destruct Wr as [Sq Pw].
+    assert (Pm : 0 < refuted_unit m) by (rewrite Eu; exact Pr).
+    assert (Sh' : forallb (shaped pr) (sites (as_listed m dangles)) = true) by exact Sh.
+    destruct (listed_entry measured_all (as_listed m dangles) v R Li Pm Sh') as (y & Ey & Iy).
+    change (refuted_unit (as_listed m dangles)) with (refuted_unit m) in Iy. rewrite (listed_rows (d := d) m dangles) in Iy.
+    unfold site_table in H. fold S in H. unfold point_at in H. rewrite Fs in H. unfold numbered in H, Ey. unfold PS in H.
+    cbn [as_listed with_rows sites] in Ey. rewrite nth_error_map, Ey in H. cbn [option_map] in H. apply andb_prop in H. destruct H as [Tr Se].
+    assert (Sp : well_shaped d (site_for Delaunay y)) by (apply Shaped; unfold PS; apply in_map; now apply nth_error_In in Ey).
+    destruct (triangle_shown measured_all m dangles Pm R Shp u own z _ q w Sp Sq Pw Tr) as (s & Ls & Len & Ind & Alone & In_ & B).
+    destruct (seen_in_polygon_spec measured_all D A known k _ q w bends last planes polygons_of_space Sp Sq Pw Se) as (f & If & Way & Oth).
+    rewrite Eu in *. exists s, (place_of r (site_for Delaunay y)), (place_over r q w), f.
+    do 4 (split; [assumption|]). split; [exact Iy|]. do 4 (split; [assumption|]). exact B.
 Qed.
 End Shown.
-
-(** ** The theorems *)
-
-Theorem refute_whole_rule D x : refute_whole D x = true ->
-  broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x)) (refuted_simplices D (mesh_against x))
-    (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
-Proof.
-  intros A. unfold refuted_simplices, dangling_simplices. destruct D; cbn [dimension_of] in *.
-  - now apply (shown_whole_rule measured_plane x (known_in_the_plane (about_domain x))).
-  - now apply (shown_whole_rule measured_space x (known_in_space (about_domain x))).
-Qed.
-Theorem refute_whole_sound D x : refute_whole D x = true ->
-  ~ claims_of_domain (domain_claimed (about_domain x)) (domain_of_certificate (dimension_of D) (about_domain x))
-      (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)).
-Proof.
-  intros A. pose proof (refute_whole_rule D x A) as B.
-  assert (Pr : proper_domain (domain_of_certificate (dimension_of D) (about_domain x))).
-  { destruct D; cbn [dimension_of] in *.
-    - now apply (shown_whole_rule measured_plane x (known_in_the_plane (about_domain x))).
-    - now apply (shown_whole_rule measured_space x (known_in_space (about_domain x))). }
-  assert (Two : (2 <= dimension_of D)%nat) by (destruct D; cbn; lia).
-  assert (Alone : nothing_dangles (dangling_against x) = true -> dangling_simplices D (mesh_against x) (dangling_against x) = [])
-    by (unfold nothing_dangles, dangling_simplices; now destruct (dangling _)).
-  unfold refute_whole, refute_whole_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
-  unfold whole_rule_of in B. destruct (shown_by x); cbn [broken_of_domain] in B; cbn [whole_holds] in A.
-  - rewrite !andb_true_iff in A. rewrite Alone by apply A. apply constrained_facet_refutes; try assumption. apply A.
-  - rewrite !andb_true_iff in A. rewrite Alone by apply A. apply visible_vertex_refutes; try assumption. apply A.
-  - now apply polygon_not_tiled_refutes.
-  - now apply uncovered_refutes.
-  - now apply outside_refutes.
-  - intros C. apply B. split; [intros U; exact (uncovered_refutes _ _ _ _ U C)|intros U; exact (outside_refutes _ _ _ _ U C)].
-Qed.
