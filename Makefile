@@ -37,16 +37,17 @@ deps-web: ; @cmake/packages.sh demo web
 
 # The command, and what `cmake --install` installs. A first build leaves the tests out; a build that has them
 # keeps them, so that going back and forth between `make demo` and `make test` compiles nothing twice.
+BUILT := circumspect_cli circumspect_archive
 build: deps-demo
 	@test -f build/release/build.ninja || $(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
-	@cmake --build --preset release --target circumspect_cli circumspect_archive -j $(JOBS)
+	@cmake --build --preset release --target $(BUILT) -j $(JOBS)
 
-# What comes before its first word goes to a log, but for a line each.
+# What comes before its first word goes to a log, but for a line each. It needs the command alone.
 demo:
 	@rm -f build/demo.log
 	@cmake/logged.sh build/demo.log "Installing the Debian packages that are missing" cmake/packages.sh demo
 	@cmake/logged.sh build/demo.log "Compiling, some minutes the first time" \
-	  $(MAKE) --no-print-directory build
+	  $(MAKE) --no-print-directory build BUILT=circumspect_cli
 	@rm -rf build/demo-campaign
 	@CIRCUMSPECT=$(COMMAND) CAMPAIGN_OUTPUT=build/demo-campaign bash corpus/demo.sh
 

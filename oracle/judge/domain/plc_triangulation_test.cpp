@@ -200,6 +200,12 @@ TEST_CASE("a dangling polygon is tiled by listed triangles") {
         std::set{Rule::kPolygonNotTiled});
   CHECK(rules(flag_mesh({{1, 8, 9}, {3, 1, 9}, {1, 8, 3}, {8, 9, 3}}), domain) ==
         std::set{Rule::kOverlap});
+  // Each edge inside the square is that of two triangles, but one of them is folded over.
+  std::vector<Point> points = cube_with_flag().points;
+  points.push_back({Rational(7, 2), 1, 0});
+  ExactMesh folded{PointSet(points), kCubeInFive};
+  folded.faces = {{1, 8, 9}, {1, 9, 10}, {3, 9, 10}, {1, 3, 10}};
+  CHECK(broken(Claim::kSteinerTriangulation, folded, domain) == std::set{Rule::kOverlap});
 }
 
 TEST_CASE("domain.polygon-not-tiled: each side of the square between two cubes has its own cut") {
