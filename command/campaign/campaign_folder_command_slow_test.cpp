@@ -198,6 +198,11 @@ TEST_CASE("campaign: untidy domains are held against their arrangement") {
   const std::string issue = one.finding(signature, "issue.md", "untidy");
   CHECK(has(issue, "Version: one 1.2\\x0abuilt by hand\n"));
   CHECK(has(issue, "What is promised: \"all are resolved\" (README)\n"));
+  CHECK(has(issue, "```\n\n![The first witness](picture.svg)\n"));
+  const std::string picture = one.finding(signature, "picture.svg", "untidy");
+  CHECK(begins_with(picture, "<svg xmlns="));
+  CHECK(has(picture, "Z\" fill="));
+  CHECK(!has(picture, "nan"));
   CHECK(has(issue, "```\n" + one.finding(signature, "minimal.poly", "untidy") + "```\n"));
   const std::string page = one.folder.path("page.html");
   const std::string script = one.output("untidy") + "/findings/" + signature + "/reproduce.sh";

@@ -126,7 +126,7 @@ std::string readme(const Subject& subject, const Origin& origin, const Input& fo
       "said.txt       and what it said\n"
       "verdict.json   the verdict, with exact witnesses\n"
       "reproduce.sh   runs the program on the small one and judges what it writes\n"
-      "issue.md       for the authors of the program\n\n"
+      "issue.md       for the authors of the program; picture.svg is its picture, if it has one\n\n"
       "{}{}{}",
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
       origin.seed, origin.case_number, origin.family, own, count_of(found), own, count_of(minimal),
@@ -159,7 +159,8 @@ std::string snippet(const Subject& subject, const PointsCase& set) {
 std::string stem_of(const Outcome& outcome) { return outcome.image ? "image" : "minimal"; }
 
 // What can be sent to the authors of the program.
-std::string issue(const Subject& subject, const Input& minimal, const Outcome& outcome) {
+std::string issue(const Subject& subject, const Input& minimal, const Outcome& outcome,
+                  bool has_picture) {
   const Input& shown = outcome.image ? *outcome.image : minimal;
   const bool comes_and_goes = std::holds_alternative<UpdatesCase>(minimal);
   const std::string own =
@@ -196,7 +197,7 @@ std::string issue(const Subject& subject, const Input& minimal, const Outcome& o
       "Claim: {3}, judged in exact arithmetic.\n\n"
       "What is promised: {10}\n\n"
       "## Input, {4}\n\n{5}\n"
-      "## What is wrong, exactly\n\n```\n{6}```\n\n"
+      "## What is wrong, exactly\n\n```\n{6}```\n\n{11}"
       "## To see it again\n\n"
       "`reproduce.sh` runs the program on `{7}` and judges what it writes; `reproduce.sh "
       "page.html` also shows\n"
@@ -204,7 +205,8 @@ std::string issue(const Subject& subject, const Input& minimal, const Outcome& o
       outcome.signature, outcome.text, on_one_line(command_line(subject)), name(subject.claim),
       count_of(minimal), input, outcome.explanation, own, by_hand,
       subject.about.empty() ? "to be added (`--about`)" : on_one_line(subject.about),
-      subject.promise.empty() ? "to be added (`--promise`)" : on_one_line(subject.promise));
+      subject.promise.empty() ? "to be added (`--promise`)" : on_one_line(subject.promise),
+      has_picture ? "![The first witness](picture.svg)\n\n" : "");
 }
 
 // "$(printf 'a\012b')": a word with control characters that shows none. The shell cuts off line ends at the end
@@ -283,7 +285,10 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   const report::Json document = verdict_document(subject, origin, found, minimal, outcome);
   write_durably(folder + "/verdict.json", report::document_text(document));
   write_durably(folder + "/README.txt", readme(subject, origin, found, minimal, outcome));
-  write_durably(folder + "/issue.md", issue(subject, minimal, outcome));
+  const std::string picture = witness_picture(outcome.verdict);
+  removed(folder + "/picture.svg");  // of what was minimal before
+  if (!picture.empty()) write_durably(folder + "/picture.svg", picture);
+  write_durably(folder + "/issue.md", issue(subject, minimal, outcome, !picture.empty()));
   write_durably(folder + "/reproduce.sh", reproduction(subject, minimal, outcome));
   fs::permissions(folder + "/reproduce.sh", fs::perms::owner_exec, fs::perm_options::add);
 }

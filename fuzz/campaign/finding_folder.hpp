@@ -26,7 +26,8 @@ std::string finding_folder(const std::string& output, const std::string& signatu
 // std::system_error, also if the folder holds what no campaign has begun. Links are not followed.
 void write_input(const std::string& folder, const Subject& subject, const Input& input);
 
-// Adds the smallest input (and its image, if it is on that one that the program fails), what the program made of it, the verdict, README.txt, issue.md and reproduce.sh.
+// Adds the smallest input (and its image, if it is on that one that the program fails), what the program made of it, the verdict, README.txt, issue.md and reproduce.sh,
+// and picture.svg if there is something to see.
 // `runner` has just run the program on it, with this outcome.
 void write_minimal(const std::string& folder, const Subject& subject, const Origin& origin,
                    const Input& found, const Input& minimal, const Outcome& outcome,
@@ -43,5 +44,13 @@ std::string quoted_for_shell(const std::string& text);
 
 // The name of the program and its arguments, as a person would type them.
 std::string command_line(const Subject& subject);
+
+// ---- Witness picture ----
+// What issue.md shows.
+
+// The first witness of a verdict as an SVG: its simplices, its face, the cell of the domain and, ringed, the vertices that it names, with the
+// user's indices. Places are relative to these, exactly, and rounded only then. Empty: no rule is broken, the points have neither two
+// nor three coordinates, or fewer than three of them, or more than a hundred, would be drawn.
+std::string witness_picture(const report::Json& verdict);
 
 }  // namespace circumspect::campaign

@@ -1,6 +1,7 @@
 #include "fuzz/campaign/input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "fuzz/campaign/domain_text.hpp"
@@ -135,7 +136,11 @@ std::string points_text(const PointsCase& set, const std::string& extension, Ver
   return text.str();
 }
 
-bool is_double(const Rational& value) { return exact_value(value.get_d()) == value; }
+// Making numbers small tries multiples of them that no double reaches.
+bool is_double(const Rational& value) {
+  const double rounded = value.get_d();
+  return std::isfinite(rounded) && exact_value(rounded) == value;
+}
 
 bool are_doubles(const std::vector<Rational>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), is_double);

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
+#include "fuzz/campaign/finding_folder.hpp"
 #include "inputs/scratch_folder_test.hpp"
 
 namespace circumspect::campaign {
@@ -100,6 +101,101 @@ TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {
     CHECK(journal.error().find("line 4: expected ") != std::string::npos);
     folder.write("journal.tsv", whole);
   }
+}
+
+}  // namespace
+
+// ---- Witness picture ----
+
+namespace {
+
+// Of one witness, which is told as JSON.
+std::string drawn(const std::string& witness) {
+  return witness_picture(report::Json::parse("{\"violations\": [" + witness + "]}"));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
+
+// Every number of the drawing lies on it.
+void check_numbers(const std::string& svg) {
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf") == std::string::npos);
+  for (std::size_t i = 0, digits = 0; i < svg.size(); ++i) {
+    digits = svg[i] >= '0' && svg[i] <= '9' ? digits + 1 : 0;
+    REQUIRE(digits <= 4);
+  }
+}
+
+TEST_CASE("a witness is drawn in the plane and, aslant, in space") {
+  const std::string plane = drawn(R"({"simplices": [[1, 2, 3]], "face": [1, 2], "vertices": [4],
+      "coordinates": {"1": ["0", "0"], "2": ["4", "0"], "3": ["0", "4"], "4": ["1", "1"]}})");
+  CHECK(plane.rfind("<svg xmlns=", 0) == 0);
+  // The lower left corner, the lower right one and the upper left one; the ring is around the fourth.
+  CHECK(plane.find("M30.00 330.00 L330.00 330.00 L30.00 30.00 Z") != std::string::npos);
+  CHECK(plane.find("M30.00 330.00 L330.00 330.00 Z\" fill=\"none\" stroke=\"black\"") !=
+        std::string::npos);
+  CHECK(plane.find("translate(105.00 255.00)\"><circle r=\"8\"") != std::string::npos);
+  CHECK(plane.find(">4</text>") != std::string::npos);
+  const std::string space = drawn(R"({"simplices": [[0, 1, 2, 3]],
+      "coordinates": {"0": ["0", "0", "0"], "1": ["2", "0", "0"], "2": ["0", "2", "0"], "3": ["0", "0", "2"]}})");
+  CHECK(count(space, "<path") == 4);
+  // A fifth of the way to the right, and an eighth up: 2/5 and 1/4 of two, of an extent of two.
+  CHECK(space.find("translate(150.00 255.00)\"><circle r=\"3\"") != std::string::npos);
+  check_numbers(plane);
+  check_numbers(space);
+}
+
+TEST_CASE("of what cannot be drawn there is no picture, or what can be drawn") {
+  CHECK(witness_picture(report::Json()).empty());
+  CHECK(witness_picture(report::Json{{"violations", report::Json::array()}}).empty());
+  CHECK(drawn(R"({"rule": "x"})").empty());
+  CHECK(drawn(R"({"coordinates": {"0": ["0"], "1": ["1"], "2": ["2"]}})").empty());
+  CHECK(drawn(R"({"coordinates": {"0": ["0", "0", "0", "0"], "1": ["1", "0", "0", "0"],
+      "2": ["0", "1", "0", "0"]}})")
+            .empty());
+  CHECK(drawn(R"({"coordinates": {"0": ["7", "7"], "1": ["7", "7"], "2": ["7", "7"]}})").empty());
+  CHECK(
+      drawn(
+          R"({"coordinates": {"0": ["0", "0", "x"], "1": ["1", "0", "0"], "2": ["0", "1", "0"]}})")
+          .empty());
+  // Vertex 9 is no point of the mesh: its simplex is left out, and the other is drawn.
+  const std::string missing = drawn(R"({"simplices": [[0, 1, 9], [0, 1, 2]], "vertices": [9],
+      "coordinates": {"0": ["0", "0"], "1": ["1", "0"], "2": ["0", "1"]}})");
+  CHECK(count(missing, "<path") == 1);
+  CHECK(count(missing, "r=\"8\"") == 0);
+  std::string many;
+  for (int i = 0; i < 200; ++i) {
+    const std::string index = std::to_string(i);
+    many += (i == 0 ? "\"" : ", \"") + index + "\": [\"" + index + "\", \"0\"]";
+  }
+  CHECK(drawn("{\"coordinates\": {" + many + "}}").empty());
+}
+
+TEST_CASE("exact places of thousands of digits are drawn, and labels that would hide each other") {
+  const std::string huge = "1" + std::string(3000, '0');
+  const std::string third = "1/3" + std::string(3000, '0');
+  const std::string far = drawn(R"({"simplices": [[0, 1, 2]], "coordinates": {"0": [")" + huge +
+                                R"(", "0"], "1": ["-)" + huge + R"(", ")" + third +
+                                R"("], "2": ["0", ")" + huge + R"("]}})");
+  CHECK(far.find("M330.00 255.00 L30.00 255.00 L180.00 105.00 Z") != std::string::npos);
+  check_numbers(far);
+  // The extent is the smallest there is, far from the origin.
+  const std::string near =
+      drawn(R"({"simplices": [[0, 1, 2]], "coordinates": {"0": [")" + huge + R"(", ")" + third +
+            R"("], "1": [")" + huge + R"(", "0"], "2": [")" + huge + R"(", "1/6)" +
+            std::string(3000, '0') + R"("]}})");
+  CHECK(near.find("M180.00 30.00 L180.00 330.00 L180.00 180.00 Z") != std::string::npos);
+  check_numbers(near);
+  const std::string equal =
+      drawn(R"({"point": ["0", "0"], "domain": {"segment": {"0<1>&": ["1", "1"],
+      "7": ["0", "0"]}, "polygon": "p"}, "coordinates": {"3": ["0", "0"], "4": ["1", "0"]}})");
+  CHECK(equal.find(">3, domain 7, point</text>") != std::string::npos);
+  CHECK(equal.find(">domain 0&lt;1&gt;&amp;</text>") != std::string::npos);
+  CHECK(equal.find("stroke-dasharray") != std::string::npos);
 }
 
 }  // namespace

@@ -54,6 +54,16 @@ TEST_CASE("what is flat is told apart, skipped or refused") {
   CHECK(Runner(subject).run(flat).kind == OutcomeKind::kRefused);
 }
 
+TEST_CASE("numbers that no double reaches, as making others small tries them, are skipped") {
+  const Subject subject = shell("exit 3");
+  const Rational huge("1" + std::string(400, '0'));
+  for (const Rational& far : {huge, Rational(-huge), Rational(1 / huge)}) {
+    PointsCase set = kTetrahedron;
+    set.points[0][0] = far;
+    CHECK(Runner(subject).run(set).kind == OutcomeKind::kSkipped);
+  }
+}
+
 // A worker: `script` is run for each case, when $count and $dimension have been read, and $points lines.
 Subject worker(const std::string& script) {
   Subject subject = shell(
