@@ -37,6 +37,11 @@ double nearest_double(const Rational& value) {
   return is_even(toward_zero) ? toward_zero : next;
 }
 
+bool is_double(const Rational& value) {
+  const double toward_zero = value.get_d();
+  return std::isfinite(toward_zero) && exact_value(toward_zero) == value;
+}
+
 PointsCase without_repeated_points(const PointsCase& set) {
   std::set<Point> seen;
   PointsCase once;

@@ -8,6 +8,9 @@ namespace circumspect::generators {
 // To nearest, ties to even. Requires: the result is finite.
 double nearest_double(const Rational& value);
 
+// False also of what lies beyond all doubles.
+bool is_double(const Rational& value);
+
 // Each coordinate and weight rounded to the nearest double (its exact value). What was exactly
 // cospherical need not be so afterwards. Of points that become equal the first stays, unless
 // `keep_repeated_points`.

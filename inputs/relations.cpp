@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "inputs/dice.hpp"
+#include "inputs/in_doubles.hpp"
 #include "inputs/set_parts.hpp"
 
 namespace circumspect::generators {
@@ -24,8 +25,6 @@ std::vector<std::size_t> shuffled(std::size_t count) {
   if (std::is_sorted(order.begin(), order.end())) std::reverse(order.begin(), order.end());
   return order;
 }
-
-bool is_double(const Rational& value) { return exact_value(value.get_d()) == value; }
 
 // Does the map take each of these to doubles?
 bool is_exact(const Map& map, const std::vector<Point>& points) {

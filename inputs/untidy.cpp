@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "inputs/in_doubles.hpp"
 #include "reference/kernel/piecewise_linear/arrangement.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
@@ -11,8 +12,7 @@ namespace {
 
 bool are_of_doubles(const std::vector<Point>& points) {
   return std::all_of(points.begin(), points.end(), [](const Point& point) {
-    return std::all_of(point.begin(), point.end(),
-                       [](const Rational& x) { return exact_value(x.get_d()) == x; });
+    return std::all_of(point.begin(), point.end(), is_double);
   });
 }
 

@@ -136,6 +136,9 @@ TEST_CASE("each relation changes the points exactly, and as it says") {
 TEST_CASE("where there is no exact image there is none") {
   CHECK(!image(Relation::kOrder, PointsCase{{{1, 2}}, {}}));
   CHECK(!image(Relation::kRepetition, PointsCase{}));
+  // Four times as far lies beyond the doubles, and so do all moves down to this one.
+  const PointsCase far{{{exact_value(0x1p1023), 0}, {0, 1}}, {}};
+  CHECK(image(Relation::kTranslation, far)->points[0][0] == exact_value(0x1.8p1023));
   CHECK(!image(Relation::kTranslation, PointsCase{}));
   // All 53 bits of one number, and one of another far below: whatever is added, a bit is lost.
   const Rational long_number = exact_value(0x1.ffffffffffffdp0);

@@ -1,10 +1,10 @@
 #include "fuzz/campaign/input.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "fuzz/campaign/domain_text.hpp"
+#include "inputs/in_doubles.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/lines.hpp"
 #include "oracle/formats/point_file.hpp"
@@ -137,10 +137,7 @@ std::string points_text(const PointsCase& set, const std::string& extension, Ver
 }
 
 // Making numbers small tries multiples of them that no double reaches.
-bool is_double(const Rational& value) {
-  const double rounded = value.get_d();
-  return std::isfinite(rounded) && exact_value(rounded) == value;
-}
+using generators::is_double;
 
 bool are_doubles(const std::vector<Rational>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), is_double);

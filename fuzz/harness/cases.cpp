@@ -28,7 +28,7 @@ std::string node_text(const PointArray& points) {
 }
 
 bool are_doubles(const generators::PointsCase& set) {
-  const auto is_double = [](const Rational& value) { return exact_value(value.get_d()) == value; };
+  using generators::is_double;
   return std::all_of(set.weights.begin(), set.weights.end(), is_double) &&
          std::all_of(set.points.begin(), set.points.end(), [&](const Point& point) {
            return std::all_of(point.begin(), point.end(), is_double);
