@@ -22,7 +22,7 @@ TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
 .PHONY: build demo docs page proofs check test test-style test-beside test-proofs test-release \
-        test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz soak-hunt mutants mutants-generated tsan \
+        test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
         coverage bench format clean deb dist fresh-root web web-soak deps deps-demo deps-docs deps-proofs deps-test deps-deb \
         deps-bench deps-web
 
@@ -173,11 +173,17 @@ mutants-generated: deps-test
 	@cmake/packages.sh mutants
 	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated
 
-# The fuzz targets on new inputs, in turn, for MINUTES altogether.
-soak-fuzz: deps-test
-	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON -DCIRCUMSPECT_VALUES_FROM=
-	@cmake --build --preset sanitize -j $(JOBS) --target $(patsubst fuzz/targets/%.cpp,%,$(FUZZ_TARGETS))
-	@SEED=$$RANDOM TOTALS=fuzz/targets/totals.tsv CORPUS=build/fuzz-corpus fuzz/targets/run.sh build/sanitize/fuzz 0 $$(( $(MINUTES) * 60 / $(words $(FUZZ_TARGETS)) ))
+# The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, which runs many times as
+# many inputs a second; then what was kept, and some more, under the sanitizers.
+SETTINGS_fuzz_sanitize := -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON -DCIRCUMSPECT_VALUES_FROM=
+SETTINGS_fuzz_fuzz     := -DCIRCUMSPECT_BUILD_TESTS=OFF
+SOAK_FUZZ := SEED=$$RANDOM TOTALS=fuzz/targets/totals.tsv CORPUS=build/fuzz-corpus fuzz/targets/run.sh
+build-fuzz-fuzz build-fuzz-sanitize: build-fuzz-%: deps-test
+	@$(CONFIGURE) --preset $* $(SETTINGS_fuzz_$*)
+	@cmake --build --preset $* -j $(JOBS) --target $(patsubst fuzz/targets/%.cpp,%,$(FUZZ_TARGETS))
+soak-fuzz: build-fuzz-fuzz build-fuzz-sanitize
+	@$(SOAK_FUZZ) build/fuzz/fuzz 0 $$(( $(MINUTES) * 50 / $(words $(FUZZ_TARGETS)) ))
+	@$(SOAK_FUZZ) build/sanitize/fuzz 0 $$(( $(MINUTES) * 10 / $(words $(FUZZ_TARGETS)) ))
 
 # Hunts every library of fuzz/hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
 # (5m). A signature that fuzz/hunt/runs.tsv does not have of a library is a failure.

@@ -195,7 +195,8 @@ Definition dangling_not_delaunay P L M : Prop := exists s v x f, listed M s /\ l
   (forall X e, In X (low_cells P) -> 0 <= e < 1 -> X (between x v e) -> X = polygon_points f) /\
   forall c r2, circumball s c r2 -> dist2 c v < r2.
 (** The rule is broken; of the mesh's own rules those of simplices alone are used, two about balls and, where the domain is a
-    hull, two about the boundary of the mesh.  (Its points are then the vertices of the mesh.) *)
+    hull, two about the boundary of the mesh.  (Its points are then the vertices of the mesh; what is in a ball may be a vertex of
+    the domain, too, which is to be one of the mesh.) *)
 Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   match r with
   | domain_vertex_missing => vertex_missing P (L ++ M)
@@ -211,6 +212,7 @@ Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   | cdt_visible_vertex_in_ball => visible_vertex_in_ball P L
   | cdt_dangling_not_delaunay => dangling_not_delaunay P L M
   | mesh_rule complex_overlap => overlap (L ++ M)
+  | mesh_rule delaunay_vertex_in_ball => vertex_in_ball (entries (L ++ M) ++ domain_vertices P) L
   | mesh_rule r => broken Delaunay norm2 (entries (L ++ M)) L r
   end.
 End Rules.

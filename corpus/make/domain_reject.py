@@ -138,6 +138,8 @@ def conforming():
                  [(0, 0), (8, 0), (4, 2), (4, -1), (14, -1)],
                  [(0, 1), (1, 2), (2, 0), (1, 3), (3, 4), (4, 1)], [(0, 1, 2), (1, 3, 4)], "conforming-delaunay",
                  claims=[("cdt", HOLD)])
+    yield reject("delaunay.vertex-in-ball--loose-vertex-2d", "a vertex that the domain has apart from its triangle, in that one's ball",
+                 [(0, 0), (4, 0), (0, 4), (3, 3)], [(0, 1), (1, 2), (2, 0)], [(0, 1, 2)], "conforming-delaunay")
     yield reject("delaunay.no-empty-ball", "the long diagonal of a kite that floats beside a cube: both triangles have the other's "
                  "apex in every ball", CUBE + FLAG, FLAG_CELLS, FIVE, "conforming-delaunay", listed=FLAG_HALVES)
     yield reject("delaunay.no-empty-ball--edge", "a segment beside a cube, and vertices on two sides of its middle", CUBE + FLAG,

@@ -4,7 +4,8 @@
 #   fuzz/targets/run.sh TARGET-OR-FOLDER RUNS [MAX_SECONDS]
 # TARGET is a fuzzer, FOLDER one that has them all, such as build/sanitize/fuzz. Exits 1 at the first
 # finding, which stays in a folder that is named, and says how to repeat it. SEED=… draws other inputs.
-# TOTALS=FILE adds to a table, a line a target: inputs run so far in all, and the most edges and features that a run came across.
+# TOTALS=FILE adds to a table, a line for each target of each build: inputs run so far in all, and the most edges and
+# features that a run came across.
 # CORPUS=FOLDER begins with the inputs that former runs kept there, and leaves there a smallest set that covers as much.
 set -euo pipefail
 
@@ -22,6 +23,7 @@ fi
 for target in "${targets[@]}"; do
   [ -x "$target" ] || { echo "fuzz/targets/run.sh: expected a fuzz target, found $target" >&2; exit 2; }
   name=$(basename "$target")
+  build=$(basename "$(dirname "$(dirname "$(realpath "$target")")")")  # build/sanitize/fuzz/NAME is of `sanitize`
   work=$(mktemp -d)
   mkdir "$work/corpus"
   kept=${CORPUS:+$CORPUS/$name}
@@ -42,12 +44,14 @@ for target in "${targets[@]}"; do
   edges=$(grep -o 'cov: [0-9]*' "$work/log" | tail -n 1 | grep -o '[0-9]*$' || echo 0)
   features=$(grep -o 'ft: [0-9]*' "$work/log" | tail -n 1 | grep -o '[0-9]*$' || echo 0)
   if [ -n "${TOTALS:-}" ]; then
-    [ -f "$TOTALS" ] || printf '# What make soak-fuzz has run: target, inputs, edges, features\n' >"$TOTALS"
-    awk -F '\t' -v OFS='\t' -v CONVFMT='%.0f' -v OFMT='%.0f' -v name="$name" -v inputs="$inputs" -v edges="$edges" \
+    [ -f "$TOTALS" ] || printf '# What make soak-fuzz has run: target, build, inputs, edges, features\n' >"$TOTALS"
+    awk -F '\t' -v OFS='\t' -v CONVFMT='%.0f' -v OFMT='%.0f' -v name="$name" -v build="$build" -v inputs="$inputs" -v edges="$edges" \
         -v features="$features" '
-      $1 == name { $2 += inputs; if (edges + 0 > $3) $3 = edges; if (features + 0 > $4) $4 = features; found = 1 }
+      $1 == name && $2 == build {
+        $3 += inputs; if (edges + 0 > $4) $4 = edges; if (features + 0 > $5) $5 = features; found = 1
+      }
       { print }
-      END { if (!found) print name, inputs, edges, features }' "$TOTALS" >"$work/totals"
+      END { if (!found) print name, build, inputs, edges, features }' "$TOTALS" >"$work/totals"
     cat "$work/totals" >"$TOTALS"
   fi
   if [ -n "$kept" ]; then

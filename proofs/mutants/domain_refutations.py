@@ -96,6 +96,7 @@ def refutations_where_something_dangles():
         ("complex.overlap", "steiner-cdt", half, down, [1, 3], "1 2 1 1 1", beside, "--a-common-face"),
         ("complex.overlap", "steiner-cdt", half, [(5, -1)], [7, 2], "1 2 5 3 2", beside, "--in-a-line"),
         ("delaunay.vertex-in-ball", "conforming-delaunay", half, left, [3, 7], "1 7", shown, ""),
+        ("delaunay.vertex-in-ball", "conforming-delaunay", [[1, 3, 7]], left, [3, 4], "1 2", shown, "--of-the-domain"),
         ("delaunay.vertex-in-ball", "conforming-delaunay", half, left, [3, 4], "1 7", beside, "--no-vertex"),
         ("delaunay.vertex-in-ball", "conforming-delaunay", half, left, [3, 4], "1 4", beside, "--on-it"),
         ("delaunay.vertex-in-ball", "steiner-cdt", half, left, [3, 7], "1 7", beside, "--not-claimed"),

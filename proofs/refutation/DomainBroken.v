@@ -148,10 +148,12 @@ Proof.
   - now apply (duplicate_simplex_refutes L).
   - now apply overlap_of_all_refutes.
   - now apply (covered_twice_refutes L).
-  - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
+  - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & (_ & _ & _ & _ & V & _) & De).
     destruct B as (s & v & [Ls _] & Iv & N). rewrite ET in Ls. apply listed_in in Ls.
     destruct (De s) as (o & r2 & Ci & Em); [apply in_or_app; now left|].
-    apply (Em v); [|exact (N o r2 Ci)]. rewrite ET, EU, <- map_app in Iv. now apply entries_concat.
+    apply (Em v); [|exact (N o r2 Ci)]. apply in_app_or in Iv. destruct Iv as [Iv|Iv].
+    + rewrite ET, EU, <- map_app in Iv. now apply entries_concat.
+    + destruct (V v Iv) as (y & Iy & I). apply in_concat. eauto.
   - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
     destruct B as (s1 & s2 & f1 & u1 & v1 & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N).
     rewrite ET in Hs, Ht. apply listed_in in Hs, Ht.

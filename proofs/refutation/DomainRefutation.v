@@ -175,7 +175,8 @@ Definition refute_domain_in (pr : predicates) (r : domain_refutation) : bool :=
       match because m with
       | Overlap t u q w => (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
           forallb (shaped pr) (sites (padded m x)) && overlap_of_all m x pr t u q w
-      | VertexInBall t p => refute_in pr m && lists_in_mesh (as_listed m x) p
+      | VertexInBall t p => refute_in pr m && (lists_in_mesh (as_listed m x) p ||
+          given_in_mesh m (vertices_given r) p && forallb (shaped pr) (vertices_given r))
       | _ => refute_in pr m
       end
   | SteinerForbidden _ _ => only_vertices (domain_refuted r) && shows_domain pr (as_listed m x) r

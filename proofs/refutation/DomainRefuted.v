@@ -257,6 +257,21 @@ Hypothesis segments_described : forall j k a b, In (j, k) (segments_given c) ->
 Notation L := (@caller_rows d r (sites m) (rows m)).
 Notation U := (@caller_rows d r (sites m) (map fst (dangling x))).
 
+(** A vertex of the domain. *)
+Lemma given_entry k : refuted m = Delaunay -> 0 < r -> forallb (shaped pr) (sites m) = true ->
+  forallb (shaped pr) (vertices_given c) = true -> given_in_mesh m (vertices_given c) k = true ->
+  exists y, numbered (sites m) k = Some y /\ In (place_of r y) (domain_vertices P).
+Proof.
+  intros Rd Pr Sh Sv Li. unfold given_in_mesh, point_at in Li. rewrite table_find in Li.
+  destruct (numbered (sites m) k) as [y|] eqn:Ey; [|discriminate]. exists y. split; [reflexivity|].
+  apply vertices_described. cbn [option_map] in Li. apply existsb_exists in Li. destruct Li as (v & Iv & E).
+  apply in_map_iff. exists v. split; [|assumption]. symmetry. rewrite <- (place_site_for (d := d) m y), Rd.
+  rewrite forallb_forall in Sv, Sh. apply (same_place_place (M r Pr)); [| |assumption]; unfold well_shaped.
+  - specialize (Sh y (numbered_in _ _ _ Ey)). unfold shaped in Sh. apply Nat.eqb_eq in Sh.
+    rewrite (dimension_d (M r Pr)) in Sh. exact Sh.
+  - specialize (Sv v Iv). unfold shaped in Sv. apply Nat.eqb_eq in Sv. now rewrite (dimension_d (M r Pr)) in Sv.
+Qed.
+
 Theorem accepted_rule : refute_domain_in pr c = true -> broken_of_domain P L U (domain_rule_of c).
 Proof.
   intros H. unfold refute_domain_in in H. cbv zeta in H. unfold domain_rule_of. apply andb_prop in H. destruct H as [R H].
@@ -281,14 +296,7 @@ Proof.
     assert (Sh' : forallb (shaped pr) (sites (as_listed m x)) = true).
     { rewrite padded_sites, forallb_app in Sh. now apply andb_prop in Sh. }
     apply orb_prop in Li. destruct Li as [Li|Li].
-    + unfold given_in_mesh, point_at in Li. rewrite table_find in Li. cbn [fst] in Li.
-      destruct (numbered (sites m) k) as [y|] eqn:Ey; [|discriminate]. exists y. split; [reflexivity|]. right.
-      apply vertices_described. cbn [option_map] in Li. apply existsb_exists in Li. destruct Li as (v & Iv & E).
-      apply in_map_iff. exists v. split; [|assumption]. symmetry. rewrite <- (place_site_for (d := d) m y), Rd.
-      rewrite forallb_forall in Sv, Sh'. apply (same_place_place (M r Pr)); [| |assumption]; unfold well_shaped.
-      * specialize (Sh' y (numbered_in _ _ _ Ey)). unfold shaped in Sh'. apply Nat.eqb_eq in Sh'.
-        rewrite (dimension_d (M r Pr)) in Sh'. exact Sh'.
-      * specialize (Sv v Iv). unfold shaped in Sv. apply Nat.eqb_eq in Sv. now rewrite (dimension_d (M r Pr)) in Sv.
+    + destruct (given_entry k Rd Pr Sh' Sv Li) as (y & Ey & Iy). exists y. split; [exact Ey|]. now right.
     + destruct (listed_entry M (as_listed m x) k Rd Li Pr Sh') as (y & Ey & Iy). exists y. split; [exact Ey|]. left.
       change (refuted_unit (as_listed m x)) with r in Iy. now rewrite Rows in Iy.
   - apply andb_prop in H. destruct H as [O H].
@@ -301,9 +309,13 @@ Proof.
     + apply andb_prop in H. destruct H as [A Li]. pose proof A as A'. unfold refute_in in A'. rewrite !andb_true_iff, Bm in A'.
       destruct A' as [[[[[_ Pn] Pd] Sh] _] Ho]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
       assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
-      destruct (listed_entry M (as_listed m x) p Rd Li Pr Sh) as (y & Ey & Iy).
-      change (refuted_unit (as_listed m x)) with r in Iy. rewrite Rows in Iy.
-      cbn [holds] in Ho.
+      assert (I : exists y, numbered (sites m) p = Some y /\ In (place_of r y) (entries (L ++ U) ++ domain_vertices P)).
+      { apply orb_prop in Li. destruct Li as [Li|Li].
+        - destruct (listed_entry M (as_listed m x) p Rd Li Pr Sh) as (y & Ey & Iy). exists y. split; [exact Ey|].
+          change (refuted_unit (as_listed m x)) with r in Iy. rewrite Rows in Iy. apply in_or_app. now left.
+        - apply andb_prop in Li. destruct Li as [Li Sv]. destruct (given_entry p Rd Pr Sh Sv Li) as (y & Ey & Iy).
+          exists y. split; [exact Ey|]. apply in_or_app. now right. }
+      destruct I as (y & Ey & Iy). cbn [holds] in Ho.
       pose proof (sites_shaped M m Pr Sh) as ShS. pose proof (sites_found m) as Fs.
       apply (proper_at_in (M r Pr) _ (rows m) _ _ ShS Fs (rows_found m)) in Ho. destruct Ho as (X & g & FX & IX & LX & Ho).
       unfold point_at in Ho. rewrite Fs in Ho. unfold numbered in Ho, Ey. rewrite nth_error_map in Ho.

@@ -1,0 +1,322 @@
+#!/usr/bin/env python3
+"""Holds circumspect-verified to the oracle, on drawn domains and point sets, and on forged files about them.
+
+    proofs/forgeries.py CIRCUMSPECT CIRCUMSPECT_VERIFIED [--domains N] [--impossible N] [--points N] [--forgeries N] [--seed S]
+
+Each domain and each point set is drawn by `circumspect generate` and meshed by `circumspect build`; half of the meshes are
+then broken. What `circumspect certify` writes of such a mesh has to be verified, and compared with the user's own files; so has
+the proof that `inspect --refutations` writes where a domain has no triangulation or no CDT.
+
+Each of these files is then forged: numbers, lines, sections and the claim are changed, or come from another file. A forgery may be
+verified, as not every number matters: then what it says has to be so. What is so is asked of the oracle by the definitions, of the
+user's own mesh and domain, with which the forgery is compared; one that is not compared with anything is asked for its mesh.
+
+It prints what it counted. Exit code 1: a file of ours is not verified, or a forgery is and should not be; the file is kept.
+"""
+import argparse
+import collections
+import json
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+CLAIMS_ABOUT_DOMAINS = ("plc-triangulation", "steiner-triangulation", "conforming-delaunay", "cdt", "steiner-cdt")
+CLAIMS = {"points": ("triangulation", "delaunay"), "domain": CLAIMS_ABOUT_DOMAINS}
+FAMILIES = {
+    "domain": ("planar-segments", "planar-grid", "furnished-boxes", "delaunay-polyhedra", "protected-solids", "glued-tetrahedra",
+               "coplanar-cells", "protected-polygons", "planar-segments+rotated", "delaunay-polyhedra+ulp", "planar-grid+moved"),
+    "impossible": ("twisted-prisms", "glued-tetrahedra", "named-complexes", "twisted-prisms+rotated"),
+    "points": ("uniform", "integers", "grid", "cube", "circle", "sphere", "clusters", "pyramid", "small-weights", "submerged")}
+KEPT = pathlib.Path("forgeries-failed")
+
+
+class Wrong(Exception):
+    """A file of ours that is not verified, or a forgery that is and should not be."""
+
+
+class Programs:
+    """The two programs, and what the oracle said before."""
+
+    def __init__(self, circumspect, verified):
+        self.circumspect, self.verified = circumspect, verified
+        self.truths = {}
+
+    def run(self, *arguments):
+        return subprocess.run([self.circumspect, *map(str, arguments)], capture_output=True, text=True)
+
+    def answer(self, *files):
+        """What circumspect-verified prints, and its exit code."""
+        ended = subprocess.run([self.verified, *map(str, files)], capture_output=True, text=True)
+        if ended.returncode not in (0, 1, 3):
+            raise Wrong(f"exit code {ended.returncode}: {ended.stdout}{ended.stderr}")
+        return ended.stdout.strip(), ended.returncode
+
+    def truth(self, claim, *arguments):
+        """The verdict by the definitions: its JSON."""
+        key = (claim, *map(str, arguments))
+        if key not in self.truths:
+            ended = self.run("check", *arguments, "--claim", claim, "--by", "definition", "--format", "json", "--max-errors", 0)
+            if ended.returncode not in (0, 1):
+                raise Wrong(f"check {key}: {ended.stderr}")
+            self.truths[key] = json.loads(ended.stdout)["results"][0]
+        return self.truths[key]
+
+
+def drawn(programs, kind, folder, number, dice):
+    """A point set or a domain, if the family has one of this seed."""
+    family = dice.choice(FAMILIES[kind])
+    path = folder / ("mesh.node" if kind == "points" else "domain.poly")
+    dimension = ["--dimension", dice.choice((2, 3))] if kind == "points" else []
+    ended = programs.run("generate", family, "--points", dice.randint(6, 10), "--seed", number, *dimension, "-o", path, "--quiet")
+    return path if ended.returncode == 0 else None
+
+
+def broken(mesh, dice):
+    """Changes one thing about the simplices of an .ele file."""
+    header, *rows = [line.split() for line in mesh.read_text().splitlines() if line and not line.startswith("#")]
+    if not rows:
+        return
+    row = dice.randrange(len(rows))
+    vertices = sorted({vertex for each in rows for vertex in each[1:]})
+    how = dice.randrange(4)
+    if how == 0:
+        del rows[row]
+    elif how == 1:
+        rows.append(rows[row])
+    elif how == 2:
+        rows[row][dice.randrange(1, len(rows[row]))] = dice.choice(vertices)
+    else:
+        other = dice.randrange(len(rows))
+        i, j = dice.randrange(1, len(rows[row])), dice.randrange(1, len(rows[other]))
+        rows[row][i], rows[other][j] = rows[other][j], rows[row][i]
+    first = int(rows[0][0]) if rows else 0
+    lines = [" ".join([str(len(rows)), *header[1:]])]
+    lines += [" ".join([str(first + i), *each[1:]]) for i, each in enumerate(rows)]
+    mesh.write_text("\n".join(lines) + "\n")
+
+
+class Subject:
+    """A file that circumspect-verified reads, the user's files it is about, and what is so of these."""
+
+    def __init__(self, programs, file, own, judge):
+        self.programs, self.file, self.own, self.judge = programs, file, own, judge
+
+    def hold(self):
+        line, code = self.programs.answer(self.file, *self.own)
+        if code != 0:
+            raise Wrong(f"{self.file} of {self.own}: {line}")
+        self.judge(line, self.own)
+
+
+def judged_mesh(programs, mesh, domain, kind):
+    """Is a line of circumspect-verified about this mesh, or about the one in a file, as it should be?"""
+    def judge(line, own):
+        about = [own[1]] if own else [mesh]
+        stated = re.match(r"verified: (not )?([a-z-]+)(?:, ([a-z.-]+(?: or [a-z.-]+)*);)?", line)
+        if stated is None or (domain is not None and f"domain: {kind}" not in line and "dangl" not in line and "not " not in line):
+            raise Wrong(line)
+        asked = about + (["--domain", domain, "--domain-kind", kind] if domain is not None else [])
+        truth = programs.truth(stated[2], *asked)
+        if (truth["verdict"] == "holds") != (stated[1] is None):
+            raise Wrong(f"{line} -- by the definitions it {truth['verdict']}: {truth['rules']}")
+        if domain is None and stated[1] is None:
+            for standing in ("unique", "canonical"):
+                if f", {standing}" in line and not truth[standing]:
+                    raise Wrong(f"{line} -- it is not {standing}")
+    return judge
+
+
+def certified(programs, kind, folder, number, dice, counts):
+    """What certify writes of a drawn mesh, whole or broken, if there is one."""
+    path = drawn(programs, kind, folder, number, dice)
+    if path is None:
+        counts[f"{kind}: not drawn"] += 1
+        return None
+    mesh = folder / "mesh.ele"
+    about, own_domain, which = [], [], None
+    if kind == "points":
+        weighted = path.read_text().split(None, 3)[2] == "1"
+        claim = "weighted-delaunay" if weighted else dice.choice(CLAIMS[kind])
+        ended = programs.run("build", "weighted-delaunay" if weighted else "delaunay", path, "-o", mesh, "--quiet")
+    else:
+        which = dice.choice(("enclosed", "enclosed", "hull"))
+        about = ["--domain", path, "--domain-kind", which]
+        own_domain = [path]
+        claim = dice.choice(CLAIMS[kind])
+        is_planar = path.read_text().split(None, 2)[1] == "2"
+        construction = "planar-cdt" if is_planar else dice.choice(("cdt", "steiner-cdt", "conforming-delaunay"))
+        ended = programs.run("build", construction, path, "--domain-kind", which, "-o", mesh, "--quiet", "--limit", "5s")
+    if ended.returncode != 0:
+        counts[f"{kind}: not meshed"] += 1
+        return None
+    if dice.random() < 0.5:
+        broken(mesh, dice)
+    file = folder / "file"
+    ended = programs.run("certify", mesh, *about, "--claim", claim, "--by", "definition", "--quiet", "-o", file, "--limit", "20s")
+    lacking = re.search("there is no (certificate|refutation) of this mesh: (.*)", ended.stderr)
+    if ended.returncode == 2 and lacking:
+        counts[f"{kind}: no {lacking[1]}: {re.sub('[0-9]+', 'N', lacking[2])}"] += 1
+        return None
+    if ended.returncode in (2, 3, 4):  # what no file can be about: points of a plane, equal points
+        counts[f"{kind}: refused"] += 1
+        return None
+    if ended.returncode not in (0, 1):
+        raise Wrong(f"certify {mesh} {about}: {ended.stderr}")
+    counts[f"{kind}: {'certificates' if ended.returncode == 0 else 'refutations'}"] += 1
+    return Subject(programs, file, [mesh.with_suffix(".node"), mesh, *own_domain], judged_mesh(programs, mesh, path if about else None, which))
+
+
+def impossible(programs, folder, number, dice, counts):
+    """The proof that a drawn domain has no triangulation or no CDT, if it has none."""
+    path = drawn(programs, "impossible", folder, number, dice)
+    if path is None:
+        counts["impossible: not drawn"] += 1
+        return None
+    found = {}
+
+    def lacks(what, kind):
+        if kind not in found:
+            found[kind] = programs.run("inspect", path, "--domain-kind", kind, "--refutations", folder / f"proof-{kind}", "--limit",
+                                       "60s").stdout
+        return f"{what}: none (proved)" in found[kind]
+
+    def judge(line, own):
+        stated = re.match("verified: no (triangulation|CDT) without Steiner points; domain: (enclosed|hull)", line)
+        names = {"CDT": "constrained Delaunay triangulation", "triangulation": "triangulation without Steiner points"}
+        if stated is None or not (lacks(names[stated[1]], stated[2]) or lacks(names["triangulation"], stated[2])):
+            raise Wrong(f"{line} -- {found}")
+
+    kind = dice.choice(("enclosed", "hull"))
+    lacks("triangulation", kind)
+    for name in ("triangulation", "cdt"):
+        file = folder / f"proof-{kind}-{name}.proof"
+        if file.exists():
+            counts["impossible: proofs"] += 1
+            return Subject(programs, file, [path], judge)
+    counts["impossible: there is one"] += 1
+    return None
+
+
+def changed_number(token, numbers, dice):
+    if token == "-":
+        return dice.choice(numbers)
+    value = int(token)
+    return str(dice.choice((value + 1, value - 1, -value, 0, 2 * value, int(dice.choice(numbers)))))
+
+
+def forged(text, others, dice):
+    """One to three changes, each of one place."""
+    lines = [line.split() for line in text.splitlines()]
+    for _ in range(dice.choice((1, 1, 1, 2, 3))):
+        heads = [i for i, line in enumerate(lines) if line and re.fullmatch("[a-z][a-z.-]*", line[0])]
+        numbers = [token for line in lines for token in line if re.fullmatch("-?[0-9]{1,30}", token)] or ["1"]
+        row = dice.randrange(len(lines))
+        line = lines[row]
+        how = dice.randrange(16)
+        if how <= 9 and line:  # a number
+            places = [i for i, token in enumerate(line) if re.fullmatch("-?[0-9]+|-", token)]
+            if places:
+                i = dice.choice(places)
+                line[i] = changed_number(line[i], numbers, dice)
+        elif how == 10 and len(line) > 1:  # two tokens of a line change places
+            i, j = dice.sample(range(len(line)), 2)
+            line[i], line[j] = line[j], line[i]
+        elif how == 11 and row + 1 < len(lines):  # two lines change places
+            lines[row], lines[row + 1] = lines[row + 1], line
+        elif how == 12:  # a line goes or comes twice, and is counted
+            begin = max((i for i in heads if i <= row), default=0)
+            more = dice.choice((-1, 1))
+            lines[row:row + 1] = [] if more < 0 else [line, list(line)]
+            if begin != row and len(lines[begin]) > 1 and lines[begin][-1].isdigit():
+                lines[begin][-1] = str(max(0, int(lines[begin][-1]) + more))
+        elif how == 13:  # kept, or not
+            signs = [(i, token) for i, token in enumerate(line[:1]) if token in "+-"]
+            if signs:
+                line[0] = "-" if line[0] == "+" else "+"
+        elif how == 14:  # what is claimed
+            first = lines[0]
+            place = dice.randrange(2, len(first) + 1) if len(first) > 2 else len(first)
+            word = dice.choice(("delaunay", "triangulation", "2", "3", "unique", "canonical", "plc", "enclosed", "hull",
+                                *CLAIMS_ABOUT_DOMAINS))
+            first[place:place + dice.randrange(2)] = [word]
+        elif others and heads:  # a section of another file
+            other = [each.split() for each in dice.choice(others).splitlines()]
+            section = lines[dice.choice(heads)][:1]
+            begins = [i for i, each in enumerate(other) if each[:1] == section]
+            if begins:
+                begin = begins[0]
+                end = next((i for i in range(begin + 1, len(other))
+                            if other[i] and re.fullmatch("[a-z][a-z.-]*", other[i][0])), len(other))
+                own = next(i for i, each in enumerate(lines) if each[:1] == section)
+                own_end = next((i for i in heads if i > own), len(lines))
+                lines[own:own_end] = other[begin:end]
+        if not lines:
+            return text
+    return "\n".join(" ".join(line) for line in lines) + "\n"
+
+
+def hold_forgeries(subject, count, others, folder, dice, counts):
+    """Forgeries of one file, each compared with the user's files or, now and then, with nothing."""
+    text = subject.file.read_text()
+    file = folder / "forgery"
+    for _ in range(count):
+        file.write_text(forged(text, others, dice))
+        own = subject.own
+        if not text.startswith("circumspect-impossibility") and len(own) == 2 and dice.random() < 0.3:
+            own = []
+        line, code = subject.programs.answer(file, *own)
+        word = line.split(":", 1)[0] if code != 0 else "verified, and so"
+        counts[f"forgeries: {word}"] += 1
+        if code != 0:
+            continue
+        if own:
+            subject.judge(line, own)
+            continue
+        mesh = folder / "forgery.json"
+        mesh.write_text(subprocess.run([subject.programs.verified, "--mesh", file], capture_output=True, text=True, check=True).stdout)
+        subject.programs.truths.clear()
+        judged_mesh(subject.programs, mesh, None, None)(line, [])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("circumspect")
+    parser.add_argument("verified")
+    for name, default in (("domains", 60), ("impossible", 12), ("points", 40), ("forgeries", 8), ("seed", 1)):
+        parser.add_argument(f"--{name}", type=int, default=default)
+    asked = parser.parse_args()
+    programs = Programs(str(pathlib.Path(asked.circumspect).resolve()), str(pathlib.Path(asked.verified).resolve()))
+    dice = random.Random(asked.seed)
+    counts, others = collections.Counter(), []
+    makers = {"domain": lambda *a: certified(programs, "domain", *a), "impossible": lambda *a: impossible(programs, *a),
+              "points": lambda *a: certified(programs, "points", *a)}
+    work = ["domain"] * asked.domains + ["impossible"] * asked.impossible + ["points"] * asked.points
+    dice.shuffle(work)
+    with tempfile.TemporaryDirectory() as scratch:
+        for number, kind in enumerate(work):
+            folder = pathlib.Path(scratch) / str(number)
+            folder.mkdir()
+            programs.truths.clear()
+            try:
+                subject = makers[kind](folder, asked.seed * 1000003 + number, dice, counts)
+                if subject is not None:
+                    subject.hold()
+                    hold_forgeries(subject, asked.forgeries, others, folder, dice, counts)
+                    others = (others + [subject.file.read_text()])[-30:]
+            except Wrong as wrong:
+                shutil.rmtree(KEPT, ignore_errors=True)
+                shutil.copytree(folder, KEPT)
+                print(f"{kind} {number} of seed {asked.seed}, kept in {KEPT}: {wrong}", file=sys.stderr)
+                return 1
+            shutil.rmtree(folder)
+    for what, count in sorted(counts.items()):
+        print(f"{what}: {count}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
