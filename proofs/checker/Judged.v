@@ -7,7 +7,7 @@ Import ListNotations.
 Open Scope Z_scope.
 
 Section Tetrahedron.
-Variables (p : packed) (s : Word.t) (X0 Y0 Z0 : Z).
+Variables (p : packed) (s : Word.t) (asked : option standing) (X0 Y0 Z0 : Z).
 Notation c := (frame p).
 Notation pr := space_predicates.
 Notation m := (packed_mesh Space p).
@@ -149,9 +149,9 @@ Proof. now intros [= E]. Qed.
 (** The four walls are those of [entry_of].  (Nothing here is to be computed.) *)
 Opaque wrap add sub mul of_pos up down size leb ltb eqb get.
 Lemma simplex_here t : Zpos t <= simplex_count p ->
-  quick_simplex m (simplex_count p) N rows places s here w t = true ->
+  quick_simplex m (simplex_count p) N rows places s here w asked t = true ->
   check_simplex pr m t (entry_of Space rows t) = Accepted /\
-  (delaunay_claimed m = true -> forall st, settled_simplex pr m st t (entry_of Space rows t) = true).
+  (delaunay_claimed m = true -> forall st, asked = Some st -> settled_simplex pr m st t (entry_of Space rows t) = true).
 Proof.
   intros Ht H. cbv delta [quick_simplex] in H. cbv beta in H. open_lets H. rename c into c0. rename w into ew'.
   assert (Ka : known N a = true) by assumption. assert (Kb : known N b = true) by assumption.
@@ -182,20 +182,28 @@ Proof.
   assert (Deep : forall sl, (delaunay_claimed m = true -> sl = slope pr [qa; qb; qc; qd]) ->
     forall u v q, below u v = true -> Table.find (to_pos v) (points_of m) = Some q ->
     rounded s q (Quick.place_of places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
-    depth pr [qa; qb; qc; qd] sl q < 0).
+    depth pr [qa; qb; qc; qd] sl q <= 0 /\ forall st, asked = Some st ->
+      settled pr st [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl (to_pos v) q = true).
   { intros sl Sl u1 v1 q B Fq Rq Q1 Q2. rewrite (Sl Q1). unfold below in B. rewrite Q1, Q2 in B. cbn [negb orb] in B.
-    exact (below_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw q _ Rq B). }
+    unfold settled. apply orb_prop in B. destruct B as [B|B].
+    - pose proof (below_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw q _ Rq B) as L.
+      split; [now apply Z.lt_le_incl|]. intros st _. apply Z.ltb_lt in L. now rewrite L.
+    - unfold Table.once, exactly_below, exact_plane in B. rewrite <- Co, Fs, Fq, Co in B.
+      set (z := depth pr _ _ q) in *. clearbody z. clear - B. apply orb_prop in B. destruct B as [B|B].
+      + split; [apply Z.ltb_lt in B; now apply Z.lt_le_incl|]. intros st _. now rewrite B.
+      + apply andb_prop in B. destruct B as [B D]. split; [apply Z.eqb_eq in B; now rewrite B|].
+        intros st E. rewrite B, E in *. destruct st; [now rewrite D, orb_true_r|discriminate]. }
   assert (Pa := known_positive a Ka). assert (Pb := known_positive b Kb).
   assert (Pc := known_positive c0 Kc). assert (Pd := known_positive d Kd).
   assert (R : forall k, - 2 ^ 62 <= get rows k < 2 ^ 62) by apply get_range.
-  pose proof (quick_wall_sound p s in_words t) as Wall.
+  pose proof (quick_wall_sound p s asked in_words t) as Wall.
   clear Or Ou Iu Iv Iw. clearbody below. clearbody a b c0 d r.
   assert (H00 : 0 <= zero <= 3) by (split; discriminate). assert (H01 : 0 <= one <= 3) by (split; discriminate).
   assert (H02 : 0 <= two <= 3) by (split; discriminate). assert (H03 : 0 <= three <= 3) by (split; discriminate).
   assert (Walls : forall sl, (delaunay_claimed m = true -> sl = slope pr [qa; qb; qc; qd]) ->
     forall i f, nth_error (walls (entry_of Space rows t)) i = Some f ->
     check_wall pr m t [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl i f = Accepted /\
-    (delaunay_claimed m = true -> forall st,
+    (delaunay_claimed m = true -> forall st, asked = Some st ->
        settled_wall pr m st t [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl f = true)).
   { intros sl Sl i f E. rewrite Wa in E.
     destruct i as [|[|[|[|i]]]]; cbn [nth_error] in E.
@@ -212,9 +220,9 @@ Proof.
     clearbody sl. specialize (Walls sl Sl). rewrite Wa in *. cbn [each_index].
     destruct (Walls 0%nat _ eq_refl) as [-> _]. destruct (Walls 1%nat _ eq_refl) as [-> _].
     destruct (Walls 2%nat _ eq_refl) as [-> _]. now destruct (Walls 3%nat _ eq_refl) as [-> _].
-  - intros Cl st. unfold settled_simplex. rewrite Fs, Co. specialize (Walls _ (fun _ => eq_refl)). rewrite Wa in *.
-    cbn [forallb]. destruct (Walls 0%nat _ eq_refl) as [_ ->]; [|exact Cl]. destruct (Walls 1%nat _ eq_refl) as [_ ->]; [|exact Cl].
-    destruct (Walls 2%nat _ eq_refl) as [_ ->]; [|exact Cl]. now destruct (Walls 3%nat _ eq_refl) as [_ ->]; [|exact Cl].
+  - intros Cl st As. unfold settled_simplex. rewrite Fs, Co. specialize (Walls _ (fun _ => eq_refl)). rewrite Wa in *.
+    cbn [forallb]. destruct (Walls 0%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As]. destruct (Walls 1%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As].
+    destruct (Walls 2%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As]. now destruct (Walls 3%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As].
 Qed.
 End Tetrahedron.
 
@@ -272,9 +280,9 @@ Proof.
   { intros t Ht. unfold all in Al. rewrite forallb_forall in Al. specialize (Al t (proj2 (upto_spec _ _) Ht)). cbv beta in Al.
     apply orb_prop in Al. destruct Al as [Q|Q].
     - rewrite W in Q. unfold sample_arrow in Q. rewrite Co in Q. unfold shifted at 2 3 4 in Q. rewrite F1, F2, F3 in Q.
-      destruct (simplex_here p s X0 Y0 Z0 (Build_within_words p s Un Shapes Fit Mp Ms) Co (conj F1 (conj F2 F3))
+      destruct (simplex_here p s standing X0 Y0 Z0 (Build_within_words p s Un Shapes Fit Mp Ms) Co (conj F1 (conj F2 F3))
         (conj Pw (Z.le_trans _ _ _ (Z.eq_le_incl _ _ (eq_sym W)) Sw)) t Ht Q) as [A B].
-      split; [exact A|]. intros st E. rewrite E in St. exact (B St st).
+      split; [exact A|]. intros st E. apply B; [now rewrite E in St|exact E].
     - cbv zeta in Q. apply andb_prop in Q. destruct Q as [Q1 Q2]. apply is_accepted_spec in Q1.
       split; [exact Q1|]. intros st E. exact (settled_as_some _ _ _ _ _ Q2 E). }
   pose proof (packed_mesh_is p) as M.
