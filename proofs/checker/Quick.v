@@ -191,6 +191,62 @@ Definition quick_simplex (t : positive) : bool :=
   quick_wall t one true a c d (get rows (add r five)) below &&
   quick_wall t two false a b d (get rows (add r six)) below &&
   quick_wall t three true a b c (get rows (add r seven)) below.
+
+(** ** Hull facets
+
+    As [check_hull] has it, but at ridges orientations are estimated first. *)
+
+Definition quick_positive (pa pb pc pd : arrow) : bool :=
+  let eu := arrow_from pa pd in
+  let ev := arrow_from pb pd in
+  let ew := arrow_from pc pd in
+  let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
+  let most := up one n in
+  fine n && inside most eu && inside most ev && inside most ew &&
+  ltb orientation_margin (dot (leveled n eu) (crossed (leveled n ev) (leveled n ew))).
+Definition placed (k : positive) : bool := known points_count (of_pos k) && Pos.eqb (to_pos (of_pos k)) k.
+Definition place_at (k : positive) : arrow := place_of (of_pos k).
+(** With vertex [v] in place of number [i] the tetrahedron is positive, too. *)
+Definition quick_side (E : list positive) (i : nat) (v : positive) : bool :=
+  match replace i v E with
+  | [a; b; c; d] => placed a && placed b && placed c && placed d &&
+      quick_positive (place_at a) (place_at b) (place_at c) (place_at d)
+  | _ => false
+  end.
+
+Definition quick_ridge (h : positive) (i : nat) (E K : list positive) (X : list site) (a : nat) (r : positive * nat) : bool :=
+  let '(g, b) := r in
+  match Table.find g (hull_of m) with
+  | None => false
+  | Some f =>
+      match Table.find (carrier f) (simplices_of m) with
+      | None => false
+      | Some u =>
+          let L := remove (apex f) (corners u) in
+          matched_ridge K L i (apex f) a b && ridge_points_back h a f b &&
+          match nth_error L b with
+          | None => false
+          | Some v => match Table.find v (points_of m) with
+                      | None => false
+                      | Some p => quick_side E i v || locally_convex space_predicates i X p
+                      end
+          end
+      end
+  end.
+Fixpoint every_index {A} (f : nat -> A -> bool) (k : nat) (l : list A) : bool :=
+  match l with [] => true | a :: l' => f k a && every_index f (S k) l' end.
+Definition quick_hull (h : positive) (f : hull_entry) : bool :=
+  match Table.find (carrier f) (simplices_of m) with
+  | None => false
+  | Some e =>
+      named_by_facet h (apex f) e &&
+      match find_all (points_of m) (corners e) with
+      | None => false
+      | Some X =>
+          inside_hull_facet space_predicates m (apex f) X && Nat.eqb (length (ridges f)) 3 &&
+          every_index (quick_ridge h (apex f) (corners e) (remove (apex f) (corners e)) X) 0 (ridges f)
+      end
+  end.
 End Quick.
 
 (** ** The whole *)
@@ -236,8 +292,8 @@ Definition quick (p : packed) (standing : option standing) (s : Word.t) : bool :
    all (simplex_count p) (fun t =>
      quick_simplex m (simplex_count p) points_count (rows_of p) places s here w standing t ||
      let e := entry_of Space (rows_of p) t in
-     is_accepted (check_simplex pr m t e) && settled_as standing m t e)) &&
-  is_accepted (each (check_hull pr m) 1 (hull c)).
+     is_accepted (check_simplex pr m t e) && settled_as standing m t e) &&
+   is_accepted (each (fun h f => if quick_hull m points_count places s h f then Accepted else check_hull pr m h f) 1 (hull c))).
 
 (** ** The verdict *)
 
