@@ -4,7 +4,8 @@ From Circumspect Require Import MainTheorems BookTheorems.
 (* Everything that MainTheorems.v and BookTheorems.v state, as one term: so its assumptions are those
    of all. *)
 Definition everything := (@verified, @verified_packed, @verified_not, @verified_rule, @verified_domain, @verified_complex,
-  @verified_not_domain, @verified_domain_rule, @verified_not_whole_domain, @verified_whole_domain_rule, @verified_impossible,
+  @verified_not_domain, @verified_domain_rule, @verified_not_whole_domain, @verified_whole_domain_rule,
+  @rules_of_points, @rules_of_domains, @rules_of_whole_domains, @verified_impossible,
   @verified_unique, @verified_canonical, @verified_generic,
   @verified_complete, @certificate_exists,
   @lifting_lemma, @delaunay_lemma, @proposition_4_2, @proposition_4_3, @theorem_4_4, @canonical, @canonical_once,

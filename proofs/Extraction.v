@@ -19,6 +19,7 @@ Extract Constant Table.t "'a" => "'a Table.t".
 Extract Constant Table.of_list => "Table.of_list".
 Extract Constant Table.find => "Table.find".
 Extract Constant Table.tabulate => "Table.tabulate".
+Extract Constant Table.once => "Table.once".
 
 Extract Inlined Constant Word.t => "int".
 Extract Inlined Constant Word.zero => "0".

@@ -11,6 +11,7 @@
       so is what a domain is, with [DOMAIN.poly] too;
     - which of several Delaunay triangulations it is, unless it adds [unique] or [canonical];
     - that a domain is a piecewise linear complex, unless it adds [plc];
+    - that each point in your list is a vertex, if the claim is about a domain: only simplices are looked at;
     - anything within a tolerance: nothing is proved of [check --within], which moves points; what is
       verified is of the coordinates in the file, as they are;
     - anything of a mesh in which something dangles, unless it is refuted: no certificate is about one;
@@ -20,8 +21,9 @@
       within another, nor beyond 48 vertices;
     - that the program does what these functions do: this rests on Coq's kernel and extraction,
       on OCaml, GMP and Zarith, and on the reader of files in [ocaml/].
-    Rules and claims without a proof are listed in README.md, "What is not covered". *)
-From Coq Require Import Rbase Rfunctions List ZArith.
+    Every claim and every rule of the program stands in docs/certificates.md beside its theorem, or with the
+    reason why it has none; more is in README.md, "What is not covered". *)
+From Coq Require Import String Rbase Rfunctions List ZArith.
 From Circumspect Require Import Quick Honest.
 From Circumspect Require Import Checker Settling ComplexChecker DomainRefutation WholeRefutation ImpossibleChecker.
 From Circumspect Require Import Definitions Domains DomainRules.
@@ -116,6 +118,33 @@ Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
   broken_of_domain (domain_of_certificate (dimension_of D) (about_domain x))
     (refuted_simplices D (mesh_against x)) (dangling_simplices D (mesh_against x) (dangling_against x)) (whole_rule_of x).
 Proof. apply WholeSound.refute_whole_rule. Qed.
+
+(** Which rules these can be, by the names that are printed. *)
+Theorem rules_of_points D c : refute D c = true -> In (rule_name (rule_of (because c)))
+  ["simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
+   "complex.duplicate-simplex"; "complex.facet-overused"; "complex.overlap"; "triangulation.covered-twice";
+   "triangulation.unused-point"; "triangulation.hull-not-convex"; "triangulation.hull-not-closed";
+   "delaunay.vertex-in-ball"; "delaunay.facet-not-local"; "weighted.point-below-plane"; "weighted.vertex-submerged"]%string.
+Proof. intros _. destruct (because c); cbn; tauto. Qed.
+Theorem rules_of_domains D c : refute_domain D c = true -> In (domain_rule_name (domain_rule_of c))
+  ["domain.vertex-missing"; "domain.steiner-forbidden"; "domain.segment-missing"; "domain.vertex-in-edge"; "delaunay.no-empty-ball";
+   "simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
+   "complex.duplicate-simplex"; "complex.overlap"; "triangulation.covered-twice";
+   "delaunay.vertex-in-ball"; "delaunay.facet-not-local"]%string.
+Proof.
+  intros A. unfold refute_domain, refute_domain_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
+  unfold domain_rule_of. destruct (domain_because c); try (cbn; tauto).
+  apply andb_prop in A. destruct A as [A _]. destruct (because (mesh_refuted c)); try discriminate; cbn; tauto.
+Qed.
+Theorem rules_of_whole_domains D x : refute_whole D x = true -> In (domain_rule_name (whole_rule_of x))
+  ["cdt.facet-not-local"; "cdt.visible-vertex-in-ball"; "cdt.dangling-not-delaunay"; "domain.polygon-not-tiled"; "domain.uncovered";
+   "domain.outside"; "domain.uncovered or domain.outside"; "triangulation.hull-not-convex"; "triangulation.hull-not-closed"]%string.
+Proof.
+  intros A. unfold whole_rule_of. unfold refute_whole, refute_whole_in in A. cbv zeta in A.
+  destruct (shown_by x) as [| | | | | |e| |]; try (cbn; tauto). apply andb_prop in A. destruct A as [_ A].
+  cbn [whole_holds] in A. apply andb_prop in A. destruct A as [A _]. apply andb_prop in A. destruct A as [_ A].
+  destruct e; try discriminate; cbn; tauto.
+Qed.
 
 (** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT
     (Definition 4.7): it has none. *)

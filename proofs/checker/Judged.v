@@ -7,7 +7,7 @@ Import ListNotations.
 Open Scope Z_scope.
 
 Section Tetrahedron.
-Variables (p : packed) (s : Word.t) (X0 Y0 Z0 : Z).
+Variables (p : packed) (s : Word.t) (asked : option standing) (X0 Y0 Z0 : Z).
 Notation c := (frame p).
 Notation pr := space_predicates.
 Notation m := (packed_mesh Space p).
@@ -140,6 +140,77 @@ Proof.
 Qed.
 End Edges.
 
+(** ** Hull facets *)
+
+Lemma placed_at k q : placed N k = true -> Table.find k (points_of m) = Some q -> rounded s q (place_at places k).
+Proof.
+  intros H F. apply andb_prop in H. destruct H as [K E]. apply Pos.eqb_eq in E.
+  destruct (point_known p s in_words (of_pos k) K) as (q' & F' & R). rewrite E, F in F'. now injection F' as ->.
+Qed.
+Lemma positive_quickly qa qb qc qd pa pb pc pd : rounded s qa pa -> rounded s qb pb -> rounded s qc pc -> rounded s qd pd ->
+  quick_positive s pa pb pc pd = true -> 0 < orientation pr [qa; qb; qc; qd].
+Proof.
+  intros Ra Rb Rc Rd H. cbv delta [quick_positive] in H. cbv beta in H. open_lets H.
+  apply Z.ltb_lt. change (positive_simplex pr [qa; qb; qc; qd] = true).
+  assert (Fi : fine s n = true) by assumption. assert (Iu : inside most eu = true) by assumption.
+  assert (Iv : inside most ev = true) by assumption. assert (Iw : inside most ew = true) by assumption.
+  exact (positive_here n qa qb qc qd pa pb pc pd Ra Rb Rc Rd Fi Iu Iv Iw H).
+Qed.
+Lemma side_quickly E i v X q : find_all (points_of m) E = Some X -> Table.find v (points_of m) = Some q ->
+  quick_side N places s E i v = true -> 0 <= side pr i X q 1.
+Proof.
+  intros Fe Fv H. unfold quick_side in H.
+  destruct (replace i v E) as [|a [|b [|c0 [|d [|? ?]]]]] eqn:R; try discriminate H.
+  apply andb_prop in H. destruct H as [H Q]. apply andb_prop in H. destruct H as [H Pd].
+  apply andb_prop in H. destruct H as [H Pc]. apply andb_prop in H. destruct H as [Pa Pb].
+  assert (F : forall k, placed N k = true -> forall z, Table.find k (points_of m) = Some z -> rounded s z (place_at places k))
+    by (intros k K z; now apply placed_at).
+  destruct E as [|a0 [|b0 [|c1 [|d0 [|? ?]]]]]; destruct i as [|[|[|[|[|i]]]]]; cbn [replace] in R; try discriminate R.
+  all: injection R; intros; subst; cbn [find_all] in Fe.
+  all: repeat match type of Fe with context [match Table.find ?k ?T with _ => _ end] =>
+    let G := fresh "G" in destruct (Table.find k T) eqn:G; [|discriminate Fe] end.
+  all: injection Fe as <-.
+  5-6: reflexivity.
+  all: apply Z.lt_le_incl.
+  all: lazymatch type of Q with quick_positive _ (place_at _ ?ka) (place_at _ ?kb) (place_at _ ?kc) (place_at _ ?kd) = true =>
+    match goal with Ga : Table.find ka _ = Some ?qa, Gb : Table.find kb _ = Some ?qb, Gc : Table.find kc _ = Some ?qc,
+      Gd : Table.find kd _ = Some ?qd |- _ =>
+      let Ra := fresh "Ra" in pose proof (F ka ltac:(assumption) qa Ga) as Ra;
+      let Rb := fresh "Rb" in pose proof (F kb ltac:(assumption) qb Gb) as Rb;
+      let Rc := fresh "Rc" in pose proof (F kc ltac:(assumption) qc Gc) as Rc;
+      let Rd := fresh "Rd" in pose proof (F kd ltac:(assumption) qd Gd) as Rd;
+      pose proof (positive_quickly _ _ _ _ _ _ _ _ Ra Rb Rc Rd Q) as O;
+      apply rounded_site in Ra; apply rounded_site in Rb; apply rounded_site in Rc; apply rounded_site in Rd;
+      destruct Ra as (xa & ya & za & ->), Rb as (xb & yb & zb & ->), Rc as (xc & yc & zc & ->), Rd as (xd & yd & zd & ->)
+    end end.
+  all: cbn [side orientation space_predicates side3 orientation3] in *; unfold det3, inner3, cross3, from3, minus3 in *;
+    cbn [coordinates] in *; clear - O; lia.
+Qed.
+
+Lemma every_index_each {A} (f : nat -> A -> bool) (g : nat -> A -> result) (l : list A) :
+  (forall k a, f k a = true -> g k a = Accepted) -> forall k, every_index f k l = true -> each_index g k l = Accepted.
+Proof.
+  intros H. induction l as [|a l IH]; intros k E; cbn [every_index each_index] in *; [reflexivity|].
+  apply andb_prop in E. destruct E as [E E']. now rewrite (H k a E), IH.
+Qed.
+Lemma hull_here h f : quick_hull m N places s h f = true -> check_hull pr m h f = Accepted.
+Proof.
+  unfold quick_hull, check_hull. destruct (Table.find (carrier f) (simplices_of m)) as [e|]; [|discriminate].
+  intros H. apply andb_prop in H. destruct H as [-> H].
+  destruct (find_all (points_of m) (corners e)) as [X|] eqn:Fe; [|discriminate].
+  apply andb_prop in H. destruct H as [H R]. apply andb_prop in H. destruct H as [-> L].
+  cbn [dimension space_predicates]. rewrite L.
+  revert R. apply every_index_each. intros a [g b] Q. unfold quick_ridge in Q. unfold check_ridge.
+  destruct (Table.find g (hull_of m)) as [f'|]; [|discriminate].
+  destruct (Table.find (carrier f') (simplices_of m)) as [u|]; [|discriminate]. cbv zeta in *.
+  apply andb_prop in Q. destruct Q as [Q V]. apply andb_prop in Q. destruct Q as [-> ->].
+  destruct (nth_error (remove (apex f') (corners u)) b) as [v|]; [|discriminate].
+  destruct (Table.find v (points_of m)) as [q|] eqn:Fv; [|discriminate].
+  assert (G : locally_convex pr (apex f) X q = true).
+  { apply orb_prop in V. destruct V as [V|V]; [|exact V]. apply Z.leb_le. exact (side_quickly _ _ _ _ _ Fe Fv V). }
+  now rewrite G.
+Qed.
+
 Lemma known_positive v : known N v = true -> 0 < v.
 Proof. intros K. apply known_spec in K. clear - K. lia. Qed.
 
@@ -149,9 +220,9 @@ Proof. now intros [= E]. Qed.
 (** The four walls are those of [entry_of].  (Nothing here is to be computed.) *)
 Opaque wrap add sub mul of_pos up down size leb ltb eqb get.
 Lemma simplex_here t : Zpos t <= simplex_count p ->
-  quick_simplex m (simplex_count p) N rows places s here w t = true ->
+  quick_simplex m (simplex_count p) N rows places s here w asked t = true ->
   check_simplex pr m t (entry_of Space rows t) = Accepted /\
-  (delaunay_claimed m = true -> forall st, settled_simplex pr m st t (entry_of Space rows t) = true).
+  (delaunay_claimed m = true -> forall st, asked = Some st -> settled_simplex pr m st t (entry_of Space rows t) = true).
 Proof.
   intros Ht H. cbv delta [quick_simplex] in H. cbv beta in H. open_lets H. rename c into c0. rename w into ew'.
   assert (Ka : known N a = true) by assumption. assert (Kb : known N b = true) by assumption.
@@ -182,20 +253,28 @@ Proof.
   assert (Deep : forall sl, (delaunay_claimed m = true -> sl = slope pr [qa; qb; qc; qd]) ->
     forall u v q, below u v = true -> Table.find (to_pos v) (points_of m) = Some q ->
     rounded s q (Quick.place_of places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
-    depth pr [qa; qb; qc; qd] sl q < 0).
+    depth pr [qa; qb; qc; qd] sl q <= 0 /\ forall st, asked = Some st ->
+      settled pr st [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl (to_pos v) q = true).
   { intros sl Sl u1 v1 q B Fq Rq Q1 Q2. rewrite (Sl Q1). unfold below in B. rewrite Q1, Q2 in B. cbn [negb orb] in B.
-    exact (below_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw q _ Rq B). }
+    unfold settled. apply orb_prop in B. destruct B as [B|B].
+    - pose proof (below_here n qa qb qc qd pa (Quick.place_of places b) (Quick.place_of places c0) pd Ra Rb Rc Rd Fi Iu Iv Iw q _ Rq B) as L.
+      split; [now apply Z.lt_le_incl|]. intros st _. apply Z.ltb_lt in L. now rewrite L.
+    - unfold Table.once, exactly_below, exact_plane in B. rewrite <- Co, Fs, Fq, Co in B.
+      set (z := depth pr _ _ q) in *. clearbody z. clear - B. apply orb_prop in B. destruct B as [B|B].
+      + split; [apply Z.ltb_lt in B; now apply Z.lt_le_incl|]. intros st _. now rewrite B.
+      + apply andb_prop in B. destruct B as [B D]. split; [apply Z.eqb_eq in B; now rewrite B|].
+        intros st E. rewrite B, E in *. destruct st; [now rewrite D, orb_true_r|discriminate]. }
   assert (Pa := known_positive a Ka). assert (Pb := known_positive b Kb).
   assert (Pc := known_positive c0 Kc). assert (Pd := known_positive d Kd).
   assert (R : forall k, - 2 ^ 62 <= get rows k < 2 ^ 62) by apply get_range.
-  pose proof (quick_wall_sound p s in_words t) as Wall.
+  pose proof (quick_wall_sound p s asked in_words t) as Wall.
   clear Or Ou Iu Iv Iw. clearbody below. clearbody a b c0 d r.
   assert (H00 : 0 <= zero <= 3) by (split; discriminate). assert (H01 : 0 <= one <= 3) by (split; discriminate).
   assert (H02 : 0 <= two <= 3) by (split; discriminate). assert (H03 : 0 <= three <= 3) by (split; discriminate).
   assert (Walls : forall sl, (delaunay_claimed m = true -> sl = slope pr [qa; qb; qc; qd]) ->
     forall i f, nth_error (walls (entry_of Space rows t)) i = Some f ->
     check_wall pr m t [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl i f = Accepted /\
-    (delaunay_claimed m = true -> forall st,
+    (delaunay_claimed m = true -> forall st, asked = Some st ->
        settled_wall pr m st t [to_pos a; to_pos b; to_pos c0; to_pos d] [qa; qb; qc; qd] sl f = true)).
   { intros sl Sl i f E. rewrite Wa in E.
     destruct i as [|[|[|[|i]]]]; cbn [nth_error] in E.
@@ -212,9 +291,9 @@ Proof.
     clearbody sl. specialize (Walls sl Sl). rewrite Wa in *. cbn [each_index].
     destruct (Walls 0%nat _ eq_refl) as [-> _]. destruct (Walls 1%nat _ eq_refl) as [-> _].
     destruct (Walls 2%nat _ eq_refl) as [-> _]. now destruct (Walls 3%nat _ eq_refl) as [-> _].
-  - intros Cl st. unfold settled_simplex. rewrite Fs, Co. specialize (Walls _ (fun _ => eq_refl)). rewrite Wa in *.
-    cbn [forallb]. destruct (Walls 0%nat _ eq_refl) as [_ ->]; [|exact Cl]. destruct (Walls 1%nat _ eq_refl) as [_ ->]; [|exact Cl].
-    destruct (Walls 2%nat _ eq_refl) as [_ ->]; [|exact Cl]. now destruct (Walls 3%nat _ eq_refl) as [_ ->]; [|exact Cl].
+  - intros Cl st As. unfold settled_simplex. rewrite Fs, Co. specialize (Walls _ (fun _ => eq_refl)). rewrite Wa in *.
+    cbn [forallb]. destruct (Walls 0%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As]. destruct (Walls 1%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As].
+    destruct (Walls 2%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As]. now destruct (Walls 3%nat _ eq_refl) as [_ ->]; [|exact Cl|exact As].
 Qed.
 End Tetrahedron.
 
@@ -232,11 +311,18 @@ Lemma settled_as_some standing m t e st : settled_as standing m t e = true -> st
   settled_simplex space_predicates m st t e = true.
 Proof. intros H E. rewrite E in H. exact H. Qed.
 
+Lemma each_weaker {A} (f g : positive -> A -> result) (l : list A) : (forall k a, f k a = Accepted -> g k a = Accepted) ->
+  forall k, each f k l = Accepted -> each g k l = Accepted.
+Proof.
+  intros H. induction l as [|a l IH]; intros k E; cbn [each] in *; [reflexivity|].
+  destruct (f k a) eqn:Fa; [|discriminate]. rewrite (H k a Fa). now apply IH.
+Qed.
+
 Theorem quick_sound p standing s : quick p standing s = true ->
   check Space (unpacked Space p) = Accepted /\
   forall st, standing = Some st -> settle Space (unpacked Space p) st = Settled.
 Proof.
-  intros H. cbv delta [quick] in H. cbv beta in H. open_lets H. subst c pr m.
+  intros H. cbv delta [quick] in H. cbv beta in H. open_lets H. subst places here w points_count c pr m.
   assert (Un : negb (weights_of (claimed (frame p))) = true) by assumption. apply negb_true_iff in Un.
   assert (St : match standing with None => true | Some _ => delaunay_of (claimed (frame p)) end = true) by assumption.
   assert (Sc : scaled (frame p) = true) by assumption.
@@ -249,8 +335,7 @@ Proof.
   assert (Mp : leb (count_of (points (frame p))) many = true) by assumption.
   assert (Ep : is_accepted (each (check_point space_predicates (packed_mesh Space p)) 1 (points (frame p))) = true) by assumption.
   assert (In_ : inside_sample space_predicates (packed_mesh Space p) = true) by assumption.
-  assert (Eh : is_accepted (each (check_hull space_predicates (packed_mesh Space p)) 1 (hull (frame p))) = true) by assumption.
-  match goal with A : (let places := _ in _) = true |- _ => rename A into Al end. cbv zeta in Al.
+  match goal with A : all _ _ = true |- _ => rename A into Al end. rename H into Eh.
   apply is_accepted_spec in Cp, Ep, Eh. apply leb_le' in Ms, Mp, Sw. rewrite many_is in Ms, Mp.
   assert (W : shifted zero (sample_denominator (frame p)) = sample_denominator (frame p))
     by (unfold shifted; rewrite Fw; apply Z.shiftr_0_r).
@@ -272,17 +357,20 @@ Proof.
   { intros t Ht. unfold all in Al. rewrite forallb_forall in Al. specialize (Al t (proj2 (upto_spec _ _) Ht)). cbv beta in Al.
     apply orb_prop in Al. destruct Al as [Q|Q].
     - rewrite W in Q. unfold sample_arrow in Q. rewrite Co in Q. unfold shifted at 2 3 4 in Q. rewrite F1, F2, F3 in Q.
-      destruct (simplex_here p s X0 Y0 Z0 (Build_within_words p s Un Shapes Fit Mp Ms) Co (conj F1 (conj F2 F3))
-        (conj Pw (Z.le_trans _ _ _ (Z.eq_le_incl _ _ (eq_sym W)) Sw)) t Ht Q) as [A B].
-      split; [exact A|]. intros st E. rewrite E in St. exact (B St st).
+      destruct (simplex_here p s standing X0 Y0 Z0 (Build_within_words p s Un Shapes Fit Mp Ms) Co (conj F1 (conj F2 F3))
+        (conj Pw (Z.le_trans _ _ _ (Z.eq_le_incl _ _ (eq_sym W)) Sw)) t Ht Q) as [Ac Be].
+      split; [exact Ac|]. intros st E. apply Be; [now rewrite E in St|exact E].
     - cbv zeta in Q. apply andb_prop in Q. destruct Q as [Q1 Q2]. apply is_accepted_spec in Q1.
       split; [exact Q1|]. intros st E. exact (settled_as_some _ _ _ _ _ Q2 E). }
+  assert (Eh' : each (check_hull space_predicates (packed_mesh Space p)) 1 (hull (frame p)) = Accepted).
+  { revert Eh. apply each_weaker. intros h f E. destruct (quick_hull _ _ _ _ h f) eqn:Q; [|exact E].
+    exact (hull_here p s (Build_within_words p s Un Shapes Fit Mp Ms) h f Q). }
   pose proof (packed_mesh_is p) as M.
   split.
   - change (check Space (unpacked Space p)) with (check_in space_predicates (unpacked Space p)). unfold check_in. rewrite <- M.
     change (scaled (unpacked Space p)) with (scaled (frame p)). rewrite Sc.
     change (points (unpacked Space p)) with (points (frame p)). rewrite Cp, Ep, In_.
-    change (hull (unpacked Space p)) with (hull (frame p)). rewrite Eh.
+    change (hull (unpacked Space p)) with (hull (frame p)). rewrite Eh'.
     change (simplices (unpacked Space p)) with (map (entry_of Space (rows_of p)) (upto (simplex_count p))).
     rewrite each_upto; [reflexivity|]. intros t Ht. now apply Each.
   - intros st E. change (settle Space (unpacked Space p) st) with (settle_in space_predicates (unpacked Space p) st). unfold settle_in. rewrite <- M.

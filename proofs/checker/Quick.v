@@ -4,7 +4,8 @@
     said, and the checker proper decides.  A tetrahedron is looked at in words alone.  Its
     determinants are estimated: all edges are scaled so that the longest has about 27 binary digits, and of
     products no more than 31 are kept; the margins are what that can amount to ([Estimates.v]).
-    A tetrahedron whose signs are not certain, or of whose conditions one fails, goes to
+    Where it is not certain on which side of a circumball an apex is, integers tell, of this apex alone.
+    A tetrahedron of which another sign is not certain, or of whose conditions one fails, goes to
     [check_simplex]. *)
 From Coq Require Import ZArith List Bool.
 From Circumspect Require Export Settling Packed.
@@ -61,6 +62,8 @@ Section Quick.
 Variables (m : mesh) (count points_count : Word.t) (rows places : Word.words) (s : Word.t).
 (** The sample point the same way, and its denominator. *)
 Variables (sample_place : arrow) (w : Word.t).
+(** What is asked of the certificate besides that it is accepted. *)
+Variable asked : option standing.
 
 (** Digits that were left out are none of those that are kept. *)
 Definition fine (n : Word.t) : bool := leb zero n && leb n c60 && (eqb s zero || leb c30 n).
@@ -129,6 +132,22 @@ Definition quick_below (n : Word.t) (pd slope : arrow) (det : Word.t) (p : arrow
   let e' := leveled n e in
   ltb (add (dot slope e') depth_margin) (mul det (down26 (dot e' e'))).
 
+(** The same in integers.  The witness plane is that of one tetrahedron for all of its walls. *)
+Definition exact_plane (a b c d : Word.t) : option (list positive * list site * list Z) :=
+  let K := [to_pos a; to_pos b; to_pos c; to_pos d] in
+  match find_all (points_of m) K with Some X => Some (K, X, slope space_predicates X) | None => None end.
+Definition exactly_below (plane : option (list positive * list site * list Z)) (k : positive) : bool :=
+  match plane, Table.find k (points_of m) with
+  | Some (K, X, n), Some p =>
+      let z := depth space_predicates X n p in
+      (z <? 0)%Z || (z =? 0)%Z && match asked with
+                                  | None => true
+                                  | Some Unique => false
+                                  | Some Canonical => decided space_predicates K X k p
+                                  end
+  | _, _ => false
+  end.
+
 Definition slope_of (f g h : Word.t) (vw wu uv : arrow) : arrow :=
   let sum x y z := down28 (add (add (mul f x) (mul g y)) (mul h z)) in
   Arrow (sum (along_x vw) (along_x wu) (along_x uv)) (sum (along_y vw) (along_y wu) (along_y uv))
@@ -164,13 +183,70 @@ Definition quick_simplex (t : positive) : bool :=
     if delaunay_claimed m then
       let slope := slope_of (down26 (dot u u)) (down26 (dot v v)) (down26 (dot w w)) vw wu uv in
       let det' := down28 det in
+      let plane := Table.once (fun _ => exact_plane a b c d) in
       fun u v => negb (Pos.ltb t (to_pos u)) ||
-        quick_below n pd slope det' (place_of v)
+        quick_below n pd slope det' (place_of v) || exactly_below (plane tt) (to_pos v)
     else fun _ _ => true in
   quick_wall t zero false b c d (get rows (add r four)) below &&
   quick_wall t one true a c d (get rows (add r five)) below &&
   quick_wall t two false a b d (get rows (add r six)) below &&
   quick_wall t three true a b c (get rows (add r seven)) below.
+
+(** ** Hull facets
+
+    As [check_hull] has it, but at ridges orientations are estimated first. *)
+
+Definition quick_positive (pa pb pc pd : arrow) : bool :=
+  let eu := arrow_from pa pd in
+  let ev := arrow_from pb pd in
+  let ew := arrow_from pc pd in
+  let n := size (larger (largest eu) (larger (largest ev) (largest ew))) in
+  let most := up one n in
+  fine n && inside most eu && inside most ev && inside most ew &&
+  ltb orientation_margin (dot (leveled n eu) (crossed (leveled n ev) (leveled n ew))).
+Definition placed (k : positive) : bool := known points_count (of_pos k) && Pos.eqb (to_pos (of_pos k)) k.
+Definition place_at (k : positive) : arrow := place_of (of_pos k).
+(** With vertex [v] in place of number [i] the tetrahedron is positive, too. *)
+Definition quick_side (E : list positive) (i : nat) (v : positive) : bool :=
+  match replace i v E with
+  | [a; b; c; d] => placed a && placed b && placed c && placed d &&
+      quick_positive (place_at a) (place_at b) (place_at c) (place_at d)
+  | _ => false
+  end.
+
+Definition quick_ridge (h : positive) (i : nat) (E K : list positive) (X : list site) (a : nat) (r : positive * nat) : bool :=
+  let '(g, b) := r in
+  match Table.find g (hull_of m) with
+  | None => false
+  | Some f =>
+      match Table.find (carrier f) (simplices_of m) with
+      | None => false
+      | Some u =>
+          let L := remove (apex f) (corners u) in
+          matched_ridge K L i (apex f) a b && ridge_points_back h a f b &&
+          match nth_error L b with
+          | None => false
+          | Some v => match Table.find v (points_of m) with
+                      | None => false
+                      | Some p => quick_side E i v || locally_convex space_predicates i X p
+                      end
+          end
+      end
+  end.
+Fixpoint every_index {A} (f : nat -> A -> bool) (k : nat) (l : list A) : bool :=
+  match l with [] => true | a :: l' => f k a && every_index f (S k) l' end.
+Definition quick_hull (h : positive) (f : hull_entry) : bool :=
+  match Table.find (carrier f) (simplices_of m) with
+  | None => false
+  | Some e =>
+      named_by_facet h (apex f) e &&
+      match find_all (points_of m) (corners e) with
+      | None => false
+      | Some X =>
+          inside_hull_facet space_predicates m (apex f) X && Nat.eqb (length (ridges f)) 3 &&
+          every_index (quick_ridge h (apex f) (corners e) (remove (apex f) (corners e)) X) 0 (ridges f)
+      end
+  end.
 End Quick.
 
 (** ** The whole *)
@@ -186,7 +262,7 @@ Definition packed_mesh (D : plane_or_space) (p : packed) : mesh :=
     (Table.of_list id (hull c))
     (sample_simplex c) (sample c) (sample_denominator c).
 
-(** What is asked of the certificate besides that it is accepted. *)
+(** What is asked of a tetrahedron besides that it is accepted. *)
 Definition settled_as (standing : option standing) (m : mesh) (t : positive) (e : simplex_entry) : bool :=
   match standing with None => true | Some s => settled_simplex space_predicates m s t e end.
 
@@ -214,10 +290,10 @@ Definition quick (p : packed) (standing : option standing) (s : Word.t) : bool :
    let w := shifted zero (sample_denominator c) in
    let points_count := count_of (points c) in
    all (simplex_count p) (fun t =>
-     quick_simplex m (simplex_count p) points_count (rows_of p) places s here w t ||
+     quick_simplex m (simplex_count p) points_count (rows_of p) places s here w standing t ||
      let e := entry_of Space (rows_of p) t in
-     is_accepted (check_simplex pr m t e) && settled_as standing m t e)) &&
-  is_accepted (each (check_hull pr m) 1 (hull c)).
+     is_accepted (check_simplex pr m t e) && settled_as standing m t e) &&
+   is_accepted (each (fun h f => if quick_hull m points_count places s h f then Accepted else check_hull pr m h f) 1 (hull c))).
 
 (** ** The verdict *)
 

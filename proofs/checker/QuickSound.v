@@ -96,7 +96,7 @@ Record within_words (p : packed) (s : Word.t) : Prop := {
 }.
 
 Section Simplices.
-Variables (p : packed) (s : Word.t).
+Variables (p : packed) (s : Word.t) (asked : option standing).
 Hypothesis in_words : within_words p s.
 Notation c := (frame p).
 Notation pr := space_predicates.
@@ -148,10 +148,10 @@ Lemma quick_wall_sound t i i_is_odd k0 k1 k2 x apex_ok K X n a :
   - 2 ^ 62 <= x < 2 ^ 62 ->
   (forall u v q, apex_ok u v = true -> Table.find (to_pos v) (points_of m) = Some q ->
      rounded s q (Quick.place_of places v) -> delaunay_claimed m = true -> Pos.ltb t (to_pos u) = true ->
-     depth pr X n q < 0) ->
+     depth pr X n q <= 0 /\ forall st, asked = Some st -> settled pr st K X n (to_pos v) q = true) ->
   quick_wall m (simplex_count p) N rows t i i_is_odd k0 k1 k2 x apex_ok = true ->
   check_wall pr m t K X n (Z.to_nat i) (wall_of x) = Accepted /\
-  (delaunay_claimed m = true -> forall st, settled_wall pr m st t K X n (wall_of x) = true).
+  (delaunay_claimed m = true -> forall st, asked = Some st -> settled_wall pr m st t K X n (wall_of x) = true).
 Proof.
   intros Ht Hi Odd P0 P1 P2 N01 N02 N12 -> Rx Deep H. cbv delta [quick_wall] in H. cbv beta in H. unfold wall_of.
   destruct (ltb x zero) eqn:Lx.
@@ -219,10 +219,8 @@ Proof.
   - unfold check_wall. rewrite F, Mf. unfold points_back. rewrite Bw, Pos.eqb_refl, Nat.eqb_refl. cbn [andb].
     destruct (delaunay_claimed m && Pos.ltb t (to_pos u)) eqn:Q; [|reflexivity].
     apply andb_prop in Q. destruct Q as [Q1 Q2]. rewrite Nv, Fq. unfold Checker.locally_delaunay.
-    pose proof (Deep u v q H Fq Rq Q1 Q2) as Z. assert (G : (depth pr X n q <=? 0) = true) by (apply Z.leb_le; clear - Z; lia).
-    now rewrite G.
-  - intros Q1 st. unfold settled_wall. destruct (Pos.ltb t (to_pos u)) eqn:Q2; [|reflexivity]. cbn [negb orb].
-    rewrite F, Nv, Fq. unfold settled. pose proof (Deep u v q H Fq Rq Q1 Q2) as Z.
-    assert (G : (depth pr X n q <? 0) = true) by (apply Z.ltb_lt; clear - Z; lia). now rewrite G.
+    destruct (Deep u v q H Fq Rq Q1 Q2) as [Z _]. apply Z.leb_le in Z. now rewrite Z.
+  - intros Q1 st As. unfold settled_wall. destruct (Pos.ltb t (to_pos u)) eqn:Q2; [|reflexivity]. cbn [negb orb].
+    rewrite F, Nv, Fq. exact (proj2 (Deep u v q H Fq Rq Q1 Q2) st As).
 Qed.
 End Simplices.

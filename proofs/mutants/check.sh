@@ -36,6 +36,8 @@ content() {  # what is expected of a certificate
   [ "$found" = "$1" ] || { echo "quick-test $2: expected '$1', found '$found'" >&2; failures=$((failures + 1)); }
 }
 content "8 of 8, content" sound--space.cert
+# Where an apex is on a circumball, integers tell.
+content "6 of 6, content" canonical--cube.cert
 content "1 of 2, not content" facet-locally-delaunay--space.cert
 content "6 of 8, not content" facet-matched--wrong-neighbour.cert
 content "13 of 14, not content" sample-outside--doubly-winding-fan-in-space.cert

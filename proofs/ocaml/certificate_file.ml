@@ -16,20 +16,20 @@ let unless_dash c expected =
 (* Things are read in their order, however the list is built. *)
 let rec listed n read = if n = 0 then [] else let thing = read () in thing :: listed (n - 1) read
 
-(* `NAME COUNT`, and that many lines, each by [read]: how many. *)
-let counted_lines c name expected read =
+(* `NAME COUNT`, and that many lines, each by what [reader] makes of how many there are. *)
+let counted_lines c name expected reader =
   let header, tokens = line c name "COUNT" in
   let counts, rest = take c count 1 header tokens in
   no_more c header rest;
+  let read = reader (List.hd counts) in
   for _ = 1 to List.hd counts do
     Text.start_line c.source expected;
     read ();
     Text.end_line c.source expected
-  done;
-  List.hd counts
+  done
 let section c name expected read =
   let things = ref [] in
-  let (_ : int) = counted_lines c name expected (fun () -> things := read () :: !things) in
+  counted_lines c name expected (fun _ () -> things := read () :: !things);
   List.rev !things
 
 (* The row of a simplex, as checker/Packed.v describes it. *)
@@ -58,8 +58,14 @@ let body c claimed =
       labels := new_label c (integer ()) :: !labels;
       { position = { coordinates; weight }; home; home_vertex }) in
   let expected = "the vertices of a simplex, what is across its facets, and a facet or '-'" in
-  let rows = Words.growing () in
-  let simplex_count = counted_lines c "simplices" expected (fun () -> simplex c expected rows) in
+  let simplex_count = ref 0 and rows = ref (Words.growing 0) in
+  counted_lines c "simplices" expected (fun count ->
+      (* Every word takes two bytes of text at least. *)
+      let most = String.length c.source.text / 2 in
+      simplex_count := count;
+      rows := Words.growing (min most (min most count * (2 * c.d + 3)));
+      let rows = !rows in
+      fun () -> simplex c expected rows);
   let expected = "a simplex, a facet, and what is across the ridges" in
   let ridge () = let g = number c expected in (g, index c expected) in
   let hull = section c "hull" expected (fun () ->
@@ -73,7 +79,7 @@ let body c claimed =
   no_more c expected rest;
   let frame = { claimed; numerator; denominator; points; simplices = []; hull;
                 sample_simplex = List.hd simplex; sample; sample_denominator = List.hd sample_denominator } in
-  ({ frame; simplex_count; rows_of = Words.grown rows }, List.rev !labels)
+  ({ frame; simplex_count = !simplex_count; rows_of = Words.grown !rows }, List.rev !labels)
 
 let read c claimed =
   let read = body c claimed in

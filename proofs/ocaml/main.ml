@@ -17,6 +17,7 @@ polygons and hole points. Decimals mean the nearest double, unless they are take
 --mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
 checks nothing."
 
+(* What a channel has left. *)
 let read_all channel =
   let buffer = Buffer.create 65536 in
   let chunk = Bytes.create 65536 in
@@ -26,11 +27,21 @@ let read_all channel =
   go ();
   Buffer.contents buffer
 
+(* A buffer that grows would hold a file twice: what has a length is read into as much. *)
+let read_known channel =
+  let length = try in_channel_length channel with Sys_error _ -> 0 in
+  let length = if length > Sys.max_string_length then 0 else length in
+  let bytes = Bytes.create length in
+  let rec filled at = match input channel bytes at (length - at) with 0 -> at | n -> filled (at + n) in
+  let known = filled 0 in
+  let rest = read_all channel in
+  if known = length && rest = "" then Bytes.unsafe_to_string bytes else Bytes.sub_string bytes 0 known ^ rest
+
 let read_file name =
   if name = "-" then (set_binary_mode_in stdin true; read_all stdin)
   else begin
     let channel = open_in_bin name in
-    Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> read_all channel)
+    Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> read_known channel)
   end
 
 let condition = function
@@ -305,8 +316,8 @@ let of_users_files ~exactly mesh poly content =
   | answer -> answer
 
 let () =
-  (* Little of what is read becomes garbage: collect seldom. *)
-  Gc.set { (Gc.get ()) with Gc.space_overhead = 400; minor_heap_size = 1 lsl 20 };
+  (* Little of what is read becomes garbage: collect seldom, and move nothing. *)
+  Gc.set { (Gc.get ()) with Gc.space_overhead = 400; max_overhead = 1_000_000; minor_heap_size = 1 lsl 20 };
   let answer, name = match List.tl (Array.to_list Sys.argv) with
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print (Lazy.force content.mesh); exit 0), name)

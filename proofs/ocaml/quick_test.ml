@@ -47,10 +47,13 @@ let words () =
                 && not (Word.all 4 (fun k -> k < 4)) && Word.all 0 (fun _ -> false));
   let listed = Words.of_list (fun x -> x + 1) [ 5; 6; max_int - 1 ] in
   expect "get" (List.map (Words.get listed) [ -1; 0; 1; 2; 3; min_int; max_int ] = [ 0; 6; 7; max_int; 0; 0; 0 ]);
-  let grown = Words.growing () in
+  let grown = Words.growing 0 in
   for k = 0 to 9999 do Words.add grown (k * k) done;
   let grown = Words.grown grown in
   expect "growing" (List.for_all (fun k -> Words.get grown k = k * k) [ 0; 1023; 1024; 1025; 9999 ] && Words.get grown 10000 = 0);
+  let made = ref 0 in
+  let once = Table.once (fun () -> incr made; !made) in
+  expect "once" (!made = 0 && once () = 1 && once () = 1 && !made = 1);
   let both table = List.map (fun k -> Table.find k table) [ -1; 0; 1; 3; 4 ] in
   expect "tables" (both (Table.of_list (fun x -> x * x) [ 1; 2; 3 ]) = [ None; None; Some 1; Some 9; None ]
                    && both (Table.tabulate 3 (fun k -> k * k)) = [ None; None; Some 1; Some 9; None ])
@@ -67,7 +70,7 @@ let () =
     let places = Words.of_list (Word.shifted s) (List.concat_map (fun e -> e.position.coordinates) points) in
     let content = List.filter
         (quick_simplex (packed_mesh Space packed) packed.simplex_count (List.length points) packed.rows_of places s
-           (sample_arrow s packed.frame.sample) (Word.shifted 0 packed.frame.sample_denominator))
+           (sample_arrow s packed.frame.sample) (Word.shifted 0 packed.frame.sample_denominator) None)
         (Word.upto packed.simplex_count) in
     Printf.printf "%d of %d, %s\n" (List.length content) packed.simplex_count
       (if quick packed None s then "content" else "not content")

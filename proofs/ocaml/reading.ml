@@ -15,7 +15,7 @@ let of_natural n =
 let count c token = Text.count c.source token
 (* A number greater than any thing that the file can list names nothing, and is replaced by the least
    such. *)
-let named c n = let beyond = c.source.Text.lines + 1 in if n < 1 || n > beyond then beyond else n
+let named c n = let beyond = c.source.Text.most + 1 in if n < 1 || n > beyond then beyond else n
 let number c token = named c (count c token)
 let integer c token = Text.integer c.source token
 (* An entry of a simplex as its author wrote it: there are no more than bytes in the file. *)

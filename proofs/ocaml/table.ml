@@ -8,4 +8,6 @@ let of_list f l =
 
 let tabulate n f = { size = n; thing = fun k -> Some (f k) }
 
+let once f = let made = lazy (f ()) in fun () -> Lazy.force made
+
 let find k table = if k >= 1 && k <= table.size then table.thing k else None

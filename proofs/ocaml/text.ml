@@ -7,15 +7,10 @@ type t = {
   text : string;
   mutable at : int;    (* the first byte not yet read *)
   mutable line : int;  (* the number of the line that is being read, from 1 *)
-  lines : int;         (* how many there are: no valid number is greater *)
+  most : int;          (* lines there are no more: no valid number is greater *)
 }
 
-let of_string text =
-  let lines = ref 1 in
-  for i = 0 to String.length text - 1 do
-    if String.unsafe_get text i = '\n' then incr lines
-  done;
-  { text; at = 0; line = 0; lines = !lines }
+let of_string text = { text; at = 0; line = 0; most = String.length text + 1 }
 
 let fail source expected found =
   raise (Malformed (source.line, Printf.sprintf "expected %s, found %s" expected found))
@@ -25,12 +20,12 @@ let quote token =
   let cut n s = if String.length s <= n then s else String.sub s 0 n ^ "..." in
   "'" ^ cut 60 (String.escaped (cut 60 token)) ^ "'"
 
-let is_blank c = c = ' ' || c = '\t' || c = '\r'
-let ends_token c = is_blank c || c = '#' || c = '\n'
+let is_blank c = c = ' ' || c = '\t' || c = '\r' [@@inline]
+let ends_token c = is_blank c || c = '#' || c = '\n' [@@inline]
 
 (* The byte at i; the end of the text is the end of a line. *)
 let byte source i =
-  if i < String.length source.text then String.unsafe_get source.text i else '\n'
+  if i < String.length source.text then String.unsafe_get source.text i else '\n' [@@inline]
 
 (* The first byte of the next token of this line, or what ends the line. *)
 let rec skip_blanks source =

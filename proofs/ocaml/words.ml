@@ -11,7 +11,7 @@ let of_list word things =
   words
 
 type growing = { mutable held : t; mutable count : int }
-let growing () = { held = Array1.create Int C_layout 1024; count = 0 }
+let growing expected = { held = Array1.create Int C_layout (max 1024 expected); count = 0 }
 let add grown word =
   if grown.count = Array1.dim grown.held then begin
     let larger = Array1.create Int C_layout (grown.count + grown.count / 2) in

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""Every rule of the program and every claim is among what is proved, or among what is said not to be: docs/certificates.md has the tables.
+
+    proved.py             what is not as it should be, one line each; exit 1 if there is something
+    proved.py --update    write the table of rules anew
+
+A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = "docs/certificates.md"
+HEADER = "| rule | of points | of domains |"
+CLAIMS = "| claim | that it holds | that it does not | what is not proved |"
+OF_POINTS = {"triangulation", "delaunay", "weighted-delaunay"}
+LISTING = "no: about how the simplices are listed, not about a claim (`%s`)"
+# Why there is no proof.
+UNPROVED = {
+    ("simplex.orientation", "points"): LISTING % "--oriented",
+    ("simplex.orientation", "domains"): LISTING % "--oriented",
+    ("complex.wrong-neighbor", "points"): LISTING % "--neighbors",
+    ("complex.wrong-neighbor", "domains"): LISTING % "--neighbors",
+    ("triangulation.unused-point", "domains"): "no: the definitions speak of simplices, not of a list of points",
+    ("domain.images-meet", "domains"): "no: nothing is proved of `--within`",
+}
+# Rules that are judged of points alone, or of domains alone.
+POINTS_ALONE = {"complex.facet-overused", "weighted.vertex-submerged", "weighted.point-below-plane"}
+DOMAINS_ALONE = re.compile(r"domain\.|cdt\.|delaunay\.no-empty-ball")
+
+
+def text(path):
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
+def rules():
+    """The one vocabulary."""
+    return re.findall(r'RuleEntry\{\s*Rule::\w+,\s*"([^"]+)"', text("oracle/model/rule.cpp"))
+
+
+def shown():
+    """The theorems of each rule, of points and of domains, by the refutations that must be accepted."""
+    theorems = {}
+    for path in sorted((ROOT / "proofs" / "mutants").glob("*--shown*.cert")):
+        words = next(line for line in path.read_text(encoding="utf-8").splitlines() if line[0] != "#").split()
+        claim, rule, kind = words[2], words[4], words[5:]
+        rule = {"domain.uncovered-inside": "domain.uncovered"}.get(rule, rule)
+        if claim in OF_POINTS:
+            theorems.setdefault((rule, "points"), set()).add("verified_rule")
+        else:
+            theorem = "verified_whole_domain_rule" if kind else "verified_domain_rule"
+            theorems.setdefault((rule, "domains"), set()).add(theorem)
+    return theorems
+
+
+def is_judged(rule, of):
+    return rule not in POINTS_ALONE if of == "domains" else not DOMAINS_ALONE.match(rule)
+
+
+def cell(rule, of, theorems):
+    if (rule, of) in UNPROVED:
+        return UNPROVED[rule, of]
+    return ", ".join(f"`{name}`" for name in sorted(theorems.get((rule, of), ()))) or "–"
+
+
+def rows(theorems):
+    return [f"| `{rule}` | {cell(rule, 'points', theorems)} | {cell(rule, 'domains', theorems)} |" for rule in rules()]
+
+
+def table(lines, header):
+    """Where the rows of the table with this header begin and end."""
+    begin = end = lines.index(header) + 2
+    while end < len(lines) and lines[end].startswith("|"):
+        end += 1
+    return begin, end
+
+
+def failing_rows():
+    """What the corpus says fails: the rules, and of what, without options that nothing is proved of."""
+    for path, of in (("corpus/expected.tsv", "points"), ("corpus/domains/expected.tsv", "domains")):
+        for line in text(path).splitlines():
+            fields = line.split("\t")
+            if fields[-1] != "holds" and "--within" not in line:
+                yield from ((rule, of) for rule in fields[-1].split(",") if rule in rules())
+
+
+def faults_of_rules(theorems):
+    named = set(re.findall(r'"([a-z]+\.[a-z-]+)"', text("proofs/MainTheorems.v")))
+    for rule in rules():
+        for of in ("points", "domains"):
+            ways = [(rule, of) in theorems, (rule, of) in UNPROVED, not is_judged(rule, of)]
+            if sum(ways) != 1:
+                yield f"tidy/proved.py: {rule} of {of} is to be proved (a refutation in proofs/mutants/ is accepted), in UNPROVED, or not judged"
+        if (rule in named) != any((rule, of) in theorems for of in ("points", "domains")):
+            yield f"proofs/MainTheorems.v: {rule} is to be named if and only if a refutation in proofs/mutants/ names it"
+    for rule in sorted(named - set(rules())):
+        yield f"proofs/MainTheorems.v: {rule} is no rule of oracle/model/rule.cpp"
+    for rule, of in sorted({row for row in failing_rows() if not is_judged(*row)}):
+        yield f"tidy/proved.py: {rule} is judged of {of}: the corpus has such a mesh"
+
+
+def faults_of_claims(lines):
+    claims = set(re.search(r"--claim ([a-z|-]+)", text("docs/command-line.md"))[1].split("|"))
+    begin, end = table(lines, CLAIMS)
+    listed = set(re.findall(r"`([a-z-]+)`", " ".join(line.split("|")[1] for line in lines[begin:end])))
+    if listed != claims:
+        yield f"{PAGE}: the table has the claims {sorted(listed)}, and check {sorted(claims)}"
+    theorems = set(re.findall(r"^Theorem (\w+)", text("proofs/MainTheorems.v"), re.MULTILINE))
+    used = set(re.findall(r"`(\w+_\w+|verified)`", "\n".join(lines)))
+    for name in sorted(used - theorems):
+        yield f"{PAGE}: proofs/MainTheorems.v has no theorem {name}"
+    for name in sorted(theorems - used):
+        yield f"{PAGE}: no table has the theorem {name}"
+
+
+def main(arguments):
+    lines = text(PAGE).splitlines()
+    theorems = shown()
+    begin, end = table(lines, HEADER)
+    if arguments == ["--update"]:
+        lines[begin:end] = rows(theorems)
+        (ROOT / PAGE).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    found = [*faults_of_rules(theorems), *faults_of_claims(lines)]
+    if lines[begin:end] != rows(theorems) and not arguments:
+        found.append(f"{PAGE}: the table of rules is another: run tidy/proved.py --update")
+    print("\n".join(found) if found else "every rule and every claim is proved, or said not to be")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
