@@ -105,6 +105,11 @@ rlim_t tasks_for(const Limits& limits, Containment containment) {
   return tasks;
 }
 
+unsigned all_processors() {
+  static const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  return processors;
+}
+
 }  // namespace
 
 int opened_empty(const std::string& path) {
@@ -130,8 +135,7 @@ pid_t start_program(const Request& request, const Limits& limits, const Surround
   }
   arguments.push_back(nullptr);
   // Threads share the limit on processor time; it matters only if the supervisor is gone.
-  static const auto processors = std::max(1U, std::thread::hardware_concurrency());
-  const double seconds = limits.seconds * processors * static_cast<double>(cases);
+  const double seconds = limits.seconds * all_processors() * static_cast<double>(cases);
   const auto cpu = static_cast<std::uint64_t>(std::ceil(std::min(seconds, 1e9))) + 1;
   Start start = {request.folder.c_str(),
                  arguments.data(),
@@ -177,20 +181,19 @@ std::vector<pid_t> numbers_in(const std::string& folder) {
   return numbers;
 }
 
-// How long each task of some processes could have run and had no processor, in nanoseconds; nothing where the
-// kernel does not say so.
-std::map<pid_t, std::uint64_t> waits_of(const std::vector<pid_t>& processes) {
-  std::map<pid_t, std::uint64_t> waits;
+// What the kernel has counted for each task of some processes; nothing where it does not count.
+std::map<pid_t, Stalls::Task> tasks_of(const std::vector<pid_t>& processes) {
+  std::map<pid_t, Stalls::Task> counted;
   for (const pid_t process : processes) {
     const std::string tasks = "/proc/" + std::to_string(process) + "/task/";
     for (const pid_t task : numbers_in(tasks)) {
       const std::string text = text_of(tasks + std::to_string(task) + "/schedstat");
       char* end = nullptr;
-      std::strtoull(text.c_str(), &end, 10);  // how long it ran
-      waits[task] = std::strtoull(end, nullptr, 10);
+      counted[task].ran = std::strtoull(text.c_str(), &end, 10);
+      counted[task].waited = std::strtoull(end, nullptr, 10);
     }
   }
-  return waits;
+  return counted;
 }
 
 }  // namespace
@@ -208,26 +211,47 @@ Watch::~Watch() {
 
 double Watch::seconds() const { return seconds_since(start_); }
 
-// On a loaded machine a program waits for a processor, which is not its fault. What a task waited before it was first
-// looked at is not known, and counts as its own time.
-double Watch::seconds_without_processor() {
-  constexpr std::size_t kMostProcesses = 64;
-  const std::map<pid_t, std::uint64_t> now = waits_of(descendants(kMostProcesses));
-  if (!waited_) waited_ = now;
+// Tasks that run side by side need as long as the one that ran longest, or as all of them on all processors. The kernel adds
+// a wait to its counter when the wait ends, so that a wait explains time before this look as well in which nothing ran, but no
+// time to come.
+void Stalls::look(std::chrono::nanoseconds passed, const std::map<pid_t, Task>& tasks,
+                  unsigned processors) {
+  const auto now = static_cast<std::uint64_t>(passed.count());
   std::uint64_t longest = 0;
-  for (const auto& [task, wait] : now) {
-    const auto before = waited_->find(task);
-    longest = std::max(longest, wait - (before == waited_->end() ? 0 : before->second));
+  std::uint64_t ran = 0;
+  std::uint64_t waited = 0;
+  for (const auto& [number, task] : tasks) {
+    Task since = task;
+    // A number may belong to another task by now, which has counted less.
+    const auto known = before_.find(number);
+    if (known != before_.end() && known->second.ran <= task.ran &&
+        known->second.waited <= task.waited) {
+      since = {task.ran - known->second.ran, task.waited - known->second.waited};
+    }
+    longest = std::max(longest, since.ran);
+    ran += since.ran;
+    waited += since.waited;
   }
-  return 1e-9 * static_cast<double>(longest);
+  if (has_looked_) {
+    const std::uint64_t length = now - passed_;
+    idle_ += length - std::min(length, std::max(longest, ran / processors));
+    const std::uint64_t explained = std::min(waited, idle_);
+    idle_ -= explained;
+    stalled_ += explained;
+  }
+  before_ = tasks;
+  has_looked_ = true;
+  passed_ = now;
 }
 
 std::optional<Ending> Watch::exceeded() {
   constexpr double kLongest = 20;  // times the limit, whatever the load
-  if (!waited_) seconds_without_processor();
-  const double passed = seconds();
-  if (passed >= limits_.seconds && (passed >= kLongest * limits_.seconds ||
-                                    passed - seconds_without_processor() >= limits_.seconds)) {
+  constexpr std::size_t kMostProcesses = 64;
+  const Clock::duration now = Clock::now() - start_;
+  stalls_.look(now, tasks_of(descendants(kMostProcesses)), all_processors());
+  const double passed = std::chrono::duration<double>(now).count();
+  if (passed >= limits_.seconds &&
+      (passed >= kLongest * limits_.seconds || passed - stalls_.seconds() >= limits_.seconds)) {
     return Ending::kTimeLimit;
   }
   if (bytes_in(request_.folder, limits_.output) >= limits_.output) return Ending::kOutputLimit;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -42,6 +43,30 @@ int killed(pid_t process, Containment containment);
 // What became of a program that has this exit status. `ending`: kExited, or why it was killed.
 Ended described(Ending ending, int status, const Request& request, const Limits& limits);
 
+// How long a program could have run and had no processor, from looks at the counters of the kernel for each of its tasks.
+// Others took the processors then. Tasks that take them from each other are no excuse, and neither is sleep.
+class Stalls {
+ public:
+  // Nanoseconds since it began.
+  struct Task {
+    std::uint64_t ran = 0;
+    std::uint64_t waited = 0;  // for a processor; a wait that has not ended is not in it
+  };
+
+  // `passed`: since the program began. What happened before the first look is not known, and counts as its own time.
+  void look(std::chrono::nanoseconds passed, const std::map<pid_t, Task>& tasks,
+            unsigned processors);
+
+  double seconds() const { return 1e-9 * static_cast<double>(stalled_); }
+
+ private:
+  std::map<pid_t, Task> before_;
+  bool has_looked_ = false;
+  std::uint64_t passed_ = 0;
+  std::uint64_t idle_ = 0;  // none of its tasks ran, and no wait has explained it yet
+  std::uint64_t stalled_ = 0;
+};
+
 // Looks at a program that runs.
 class Watch {
  public:
@@ -65,16 +90,13 @@ class Watch {
   static constexpr double kTick = 0.02;  // seconds between two looks at what it uses
 
  private:
-  double seconds_without_processor();
-
   const Request& request_;
   const Limits& limits_;
   int lifeline_;
   pid_t number_;
   int process_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  // How long each of its tasks had waited for a processor at the first look, in nanoseconds.
-  std::optional<std::map<pid_t, std::uint64_t>> waited_;
+  Stalls stalls_;
 };
 
 // Runs one program to its end and kills all that is left of it.

@@ -1,9 +1,15 @@
 // Workers: what they answer case after case, and what becomes of one that does not do as it should.
 #include "fuzz/process/worker.hpp"
 
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -174,21 +180,85 @@ TEST_CASE("a worker is interrupted") {
   interrupting.join();
 }
 
+// ---- A loaded machine ----
+// A hang is judged by the time in which a program could run, so that others who take the processors make none.
+
+// How long a program had no processor by these looks, each a tenth of a second after the one before, on two processors.
+double stalled(const std::vector<std::map<pid_t, Stalls::Task>>& looks) {
+  Stalls stalls;
+  std::chrono::milliseconds passed{100};
+  for (const auto& tasks : looks) {
+    stalls.look(passed, tasks, 2);
+    passed += std::chrono::milliseconds(100);
+  }
+  return stalls.seconds();
+}
+
+constexpr std::uint64_t kMs = 1000000;
+
+TEST_CASE(
+    "a task that waits for a processor, and another one after it, has no time of its own then") {
+  CHECK(stalled({{{1, {0, 0}}}, {{1, {10 * kMs, 90 * kMs}}}}) == doctest::Approx(0.09));
+  // One task ends, and the next one waits.
+  CHECK(stalled({{{1, {0, 0}}},
+                 {{1, {10 * kMs, 90 * kMs}}, {2, {0, 0}}},
+                 {{2, {10 * kMs, 90 * kMs}}},
+                 {{3, {10 * kMs, 90 * kMs}}}}) == doctest::Approx(0.27));
+  // A wait is told when it has ended.
+  CHECK(stalled({{{1, {0, 0}}}, {{1, {0, 0}}}, {{1, {0, 0}}}, {{1, {50 * kMs, 250 * kMs}}}}) ==
+        doctest::Approx(0.25));
+  // Two run side by side, as long as one of them alone.
+  CHECK(stalled({{{1, {0, 0}}, {2, {0, 0}}},
+                 {{1, {30 * kMs, 70 * kMs}}, {2, {30 * kMs, 70 * kMs}}}}) == doctest::Approx(0.07));
+  // What it waited before is not known to have been in this case; and a number may be another task's.
+  CHECK(stalled({{{1, {700 * kMs, 900 * kMs}}}, {{1, {790 * kMs, 900 * kMs}}}}) == 0);
+  CHECK(stalled({{{1, {700 * kMs, 900 * kMs}}}, {{1, {20 * kMs, 80 * kMs}}}}) ==
+        doctest::Approx(0.08));
+}
+
+TEST_CASE("tasks that wait for each other, or sleep, are no excuse") {
+  // Eight compute on two processors, which are theirs alone.
+  std::map<pid_t, Stalls::Task> before;
+  std::map<pid_t, Stalls::Task> after;
+  for (pid_t task = 1; task <= 8; ++task) {
+    before[task] = {};
+    after[task] = {25 * kMs, 75 * kMs};
+  }
+  CHECK(stalled({before, after}) == 0);
+  // Neither do they excuse that they sleep later.
+  CHECK(stalled({before, after, after, after}) == 0);
+  CHECK(stalled({{{1, {0, 0}}}, {{1, {0, 0}}}, {{1, {kMs, 0}}}}) == 0);
+}
+
 TEST_CASE("time in which no processor is free is not a program's own") {
-  // Thirty-one that compute on one processor, of which the first is done after a sixteenth of a second of its own.
-  WorkerTrial trial;
-  trial.limits.seconds = 1;
-  Request request;
-  request.folder = trial.folder.path("work");
-  request.command = {
-      "/bin/sh", "-c",
-      "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30; "
-      "do "
-      "(while :; do :; done) & done; i=0; while [ $i -lt 50000 ]; do i=$((i+1)); done"};
   const std::string pinned = "/usr/bin/taskset";
-  if (find_program(pinned).empty()) return;
-  request.command.insert(request.command.begin(), {pinned, "-c", "0"});
-  const Ended ended = trial.supervisor.run(request, trial.limits);
+  const std::string apart = "/usr/bin/setsid";
+  if (find_program(pinned).empty() || find_program(apart).empty()) return;
+  const auto on_one_processor = [&pinned](WorkerTrial& trial, const std::string& script) {
+    Request request;
+    request.folder = trial.folder.path("work");
+    request.command = {pinned, "-c", "0", "/bin/sh", "-c", script};
+    return trial.supervisor.run(request, trial.limits);
+  };
+  // Twelve that compute, each in a session of its own: some systems share a processor among sessions.
+  WorkerTrial others;
+  others.limits.seconds = 100;
+  std::thread load([&] {
+    on_one_processor(others,
+                     "for i in 1 2 3 4 5 6 7 8 9 10 11 12; do setsid sh -c 'while :; do :; done' & "
+                     "done; touch begun; wait");
+  });
+  while (!std::filesystem::exists(others.folder.path("work/begun"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  // Six processes one after the other, a fifth of a second together.
+  WorkerTrial trial;
+  trial.limits.seconds = 0.6;
+  const Ended ended = on_one_processor(
+      trial,
+      "for i in 1 2 3 4 5 6; do sh -c 'i=0; while [ $i -lt 25000 ]; do i=$((i+1)); done'; done");
+  others.supervisor.interrupt();
+  load.join();
   CAPTURE(ended.seconds);
   CHECK(ended.ending == Ending::kExited);
   CHECK(ended.seconds > trial.limits.seconds);
