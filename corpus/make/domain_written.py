@@ -2,7 +2,8 @@
 triangles that are one polygon to the mesher, hollows, what dangles, labels of cells, rounded coordinates.
 
 They stand in corpus/domains/written/, with the command lines and verdicts in written.tsv: the arguments of
-`circumspect check`, the verdict (`holds`, the rules that are broken, or `input`), and what is shown.
+`circumspect check`, the verdict (`holds`, the rules that are broken, or `input`), and what is shown. Rows that somebody wrote
+there by hand, of surfaces that are not made here, stay as they are.
 """
 import itertools
 
@@ -277,7 +278,10 @@ def write():
     for part in (merged, solid, dangling, labelled, rounded):
         part()
     header = "# arguments of `circumspect check`, in the folder above\tverdict\twhat is shown\n"
-    (FOLDER / "written.tsv").write_text(header + "".join("\t".join(r) + "\n" for r in ROWS))
+    table = FOLDER / "written.tsv"
+    made = {arguments for arguments, _, _ in ROWS}
+    by_hand = [line for line in table.read_text().splitlines() if line.split("\t")[0] not in made and not line.startswith("#")]
+    table.write_text(header + "".join("\t".join(r) + "\n" for r in ROWS) + "".join(line + "\n" for line in by_hand))
 
 
 if __name__ == "__main__":
