@@ -325,6 +325,34 @@ TEST_CASE("each kind of untidiness is what it says, and its arrangement is valid
   }
 }
 
+TEST_CASE("in space: each kind of untidiness, and an arrangement that is valid and of doubles") {
+  const std::map<Untidiness, std::set<BreachKind>> expected = {
+      {Untidiness::kTouching, {BreachKind::kVertexInSegment}},
+      {Untidiness::kCrossing, {BreachKind::kCrossingSegments, BreachKind::kSegmentPiercesPolygon}},
+      {Untidiness::kOverlapping, {BreachKind::kVertexInSegment, BreachKind::kDuplicateVertex}},
+      {Untidiness::kRepetition, {BreachKind::kDuplicateVertex}}};
+  // A tetrahedron with a slit in its floor.
+  ComplexCase whole;
+  whole.input.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {1, 1, 0}, {2, 1, 0}};
+  whole.input.polygons = {
+      {{{0, 1, 2}, {4, 5}}, {}}, {{{0, 1, 3}}, {}}, {{{0, 2, 3}}, {}}, {{{1, 2, 3}}, {}}};
+  for (const auto& [kind, breaches] : expected) {
+    std::set<BreachKind> met;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      Dice dice(seed);
+      const ComplexCase untidy = untidied(dice, whole, {kind});
+      CHECK(untidy.input.polygons.size() == 4);
+      const PiecewiseLinearInput tidy = arranged(untidy.input);
+      CHECK(!breach(tidy));
+      for (const Point& point : tidy.points)
+        CHECK(std::all_of(point.begin(), point.end(), is_double));
+      if (const auto found = breach(untidy.input)) met.insert(*found);
+    }
+    CAPTURE(name(kind));
+    for (const BreachKind one : breaches) CHECK(met.count(one) == 1);
+  }
+}
+
 TEST_CASE("a domain without segments stays as it is") {
   ComplexCase whole;
   whole.input.points = {{0, 0}, {1, 0}};

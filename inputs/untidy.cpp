@@ -1,6 +1,7 @@
 #include "inputs/untidy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "inputs/in_doubles.hpp"
@@ -25,18 +26,44 @@ const Point& some_vertex(Dice& dice, const PiecewiseLinearInput& input) {
   return input.points[dice.below(input.points.size())];
 }
 
+// The two places in a domain where the ends of a segment, or of an edge of a polygon, stand.
+using Ends = std::array<Vertex*, 2>;
+
+std::vector<Ends> all_ends(PiecewiseLinearInput& input) {
+  std::vector<Ends> all;
+  for (std::vector<Vertex>& segment : input.segments) all.push_back({&segment[0], &segment[1]});
+  for (PolygonLines& polygon : input.polygons) {
+    for (std::vector<Vertex>& line : polygon.lines) {
+      for (std::size_t i = line.size() == 2 ? 1 : 0; i < line.size() && line.size() > 1; ++i) {
+        all.push_back({&line[i], &line[(i + 1) % line.size()]});
+      }
+    }
+  }
+  return all;
+}
+
 // A point of the line of a segment; inside it where 0 < quarters < 4.
-Point on_line(const PiecewiseLinearInput& input, std::size_t segment, long quarters) {
-  const std::vector<Vertex>& ends = input.segments[segment];
-  const Point& a = input.points[static_cast<std::size_t>(ends[0])];
-  const Point& b = input.points[static_cast<std::size_t>(ends[1])];
+Point on_line(const PiecewiseLinearInput& input, const Ends& ends, long quarters) {
+  const Point& a = input.points[static_cast<std::size_t>(*ends[0])];
+  const Point& b = input.points[static_cast<std::size_t>(*ends[1])];
   const Rational part = Rational(quarters) / 4;  // in lowest terms
   return a + part * (b - a);
 }
 
+// Half way from a point inside an edge of a polygon to a vertex of it: often inside the polygon.
+// Requires: a polygon with an edge.
+Point about_inside(Dice& dice, const PiecewiseLinearInput& input, const Point& on_edge) {
+  const PolygonLines& polygon = input.polygons[dice.below(input.polygons.size())];
+  const std::vector<Vertex> vertices = vertices_of(polygon);
+  const Vertex v = vertices[dice.below(vertices.size())];
+  const Point& corner = input.points[static_cast<std::size_t>(v)];
+  return on_edge + Rational(1, 2) * (corner - on_edge);
+}
+
 // Requires: there is a segment.
 void make_untidy(Dice& dice, Untidiness kind, PiecewiseLinearInput& input) {
-  const std::size_t segment = dice.below(input.segments.size());
+  const std::vector<Ends> segments = all_ends(input);
+  const Ends& segment = segments[dice.below(segments.size())];
   const long quarters = dice.within(1L, 3L);
   switch (kind) {
     case Untidiness::kTouching: {
@@ -46,9 +73,12 @@ void make_untidy(Dice& dice, Untidiness kind, PiecewiseLinearInput& input) {
       return;
     }
     case Untidiness::kCrossing: {
-      // From a vertex through a point inside the segment, as far again.
+      // From a vertex through a point inside the segment, or inside a polygon, as far again.
       const Point from = some_vertex(dice, input);
-      const Point through = on_line(input, segment, quarters);
+      Point through = on_line(input, segment, quarters);
+      if (!input.polygons.empty() && dice.below(2) == 0) {
+        through = about_inside(dice, input, through);
+      }
       const auto a = std::find(input.points.begin(), input.points.end(), from);
       const auto start = static_cast<Vertex>(a - input.points.begin());
       const Vertex end = added(input, through + (through - from));
@@ -64,9 +94,8 @@ void make_untidy(Dice& dice, Untidiness kind, PiecewiseLinearInput& input) {
       return;
     }
     case Untidiness::kRepetition: {
-      std::vector<Vertex>& ends = input.segments[segment];
-      const std::size_t end = dice.below(2);
-      ends[end] = added(input, input.points[static_cast<std::size_t>(ends[end])]);
+      Vertex& end = *segment[dice.below(2)];
+      end = added(input, Point(input.points[static_cast<std::size_t>(end)]));
       return;
     }
   }
@@ -89,7 +118,7 @@ std::string_view name(Untidiness kind) {
 }
 
 ComplexCase untidied(Dice& dice, ComplexCase whole, const std::set<Untidiness>& kinds) {
-  if (whole.input.segments.empty()) return whole;
+  if (all_ends(whole.input).empty()) return whole;
   const std::vector<Untidiness> asked(kinds.begin(), kinds.end());
   const std::size_t wanted = 1 + dice.below(4);
   constexpr int kTries = 20;

@@ -278,7 +278,8 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   if (subject.is_untidy) {
     const auto& whole = std::get<ComplexCase>(outcome.image ? *outcome.image : minimal);
     write_durably(folder + "/arranged.poly",
-                  file_text(tidy(subject, whole), ".poly", subject.first_index, 2).value_or(""));
+                  file_text(tidy(subject, whole), ".poly", subject.first_index, subject.dimension)
+                      .value_or(""));
   }
   copy_output(folder, subject, runner);
   write_durably(folder + "/said.txt", on_lines(runner.said()));

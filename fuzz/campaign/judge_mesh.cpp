@@ -194,6 +194,9 @@ std::string reason_to_skip_domain(const Subject& subject, const ComplexCase& who
   if (!is_of_doubles(ComplexCase{whole.family, input})) return "segments cross in no double";
   input.kind = kind_of(subject.fill);
   const auto complex = validated(input, 1);
+  if (!complex && subject.is_untidy) {
+    return "its arrangement is not valid: " + std::string(meaning(complex.error().front().kind));
+  }
   if (!complex) return "the domain is not valid";
   if (input.kind == DomainKind::kEnclosed && Regions(*complex).size() < 2) {
     return "the domain encloses nothing";

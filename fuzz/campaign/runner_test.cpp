@@ -253,6 +253,36 @@ TEST_CASE("the mesh of an untidy domain is held against the arrangement") {
   CHECK(Runner(subject).run(whole).text == "segments cross in no double");
 }
 
+TEST_CASE(
+    "in space: each triangle has its own vertices, and the mesh is held against their "
+    "arrangement") {
+  ComplexCase soup;
+  const std::vector<Point> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const std::vector<std::size_t>& triangle :
+       {std::vector<std::size_t>{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}) {
+    const auto first = static_cast<Vertex>(soup.input.points.size());
+    for (const std::size_t v : triangle) soup.input.points.push_back(corners[v]);
+    soup.input.polygons.push_back({{{first, first + 1, first + 2}}, {}});
+  }
+  Subject subject =
+      shell("printf '4 vertices\\n1 tets\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n4 0 1 2 3\\n' > x.tet");
+  subject.input_name = "x.poly";
+  subject.mesh_name = "x.tet";
+  subject.claim = Claim::kCdt;
+  CHECK(Runner(subject).run(soup).text == "the domain is not valid");
+  subject.is_untidy = true;
+  CHECK(Runner(subject).run(soup).kind == OutcomeKind::kHolds);
+  // A segment from the inside through the floor, half of which is in the domain: both halves are wanted.
+  soup.input.points.insert(soup.input.points.end(), {{0.25, 0.25, 0.25}, {0.25, 0.25, -0.25}});
+  soup.input.segments = {{12, 13}};
+  CHECK(Runner(subject).run(soup).signature == "domain.vertex-missing");
+  // Polygons that cross are told by name.
+  soup.input.points.push_back({0.5, 0.25, 0.25});
+  soup.input.polygons.push_back({{{12, 13, 14}}, {}});
+  CHECK(Runner(subject).run(soup).text ==
+        "its arrangement is not valid: two polygons cross where they share no segment");
+}
+
 TEST_CASE("looking at a domain has the limits of judging, and flat domains can be skipped") {
   ComplexCase whole;
   whole.input.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
