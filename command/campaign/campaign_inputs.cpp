@@ -107,10 +107,8 @@ tl::expected<campaign::Input, std::string> domain_input(const campaign::Subject&
   if (subject.is_untidy) {
     auto raw = formats::read_domain(path, NumberReading::kDouble);
     if (!raw) return tl::unexpected(raw.error().to_string());
-    if (raw->dimension == 2) {
-      generators::ComplexCase whole{path, std::move(raw->input)};
-      return campaign::Input(generators::in_doubles(std::move(whole)));
-    }
+    generators::ComplexCase whole{path, std::move(raw->input)};
+    return campaign::Input(generators::in_doubles(std::move(whole)));
   }
   // Polygons are joined for the judge, not for the program.
   auto loaded = load_domain(path, {}, DomainOptions{.fill = subject.fill});

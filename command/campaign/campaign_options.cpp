@@ -108,9 +108,11 @@ void add_comparisons(CLI::App& command, SubjectOptions& options) {
                                                    {"overlapping", Untidiness::kOverlapping},
                                                    {"repetition", Untidiness::kRepetition}};
   command
-      .add_option("--untidy", options.untidiness,
-                  "Of domains in the plane: segments touch, cross and overlap inside, and vertices "
-                  "come twice. Their meshes are held against the exact arrangement of the segments")
+      .add_option(
+          "--untidy", options.untidiness,
+          "Of domains: segments touch, cross and overlap inside or go through polygons, and "
+          "vertices come twice. Their meshes are held against the exact arrangement. No "
+          "polygons cross")
       ->delimiter(',')
       ->transform(one_of(kinds))
       ->option_text("touching,crossing,overlapping,repetition");
@@ -231,8 +233,8 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
   if (domains && options.dimension != 2 && options.dimension != 3) {
     return "expected --dimension 2 or 3 for domains";
   }
-  if (subject.is_untidy && (!domains || options.dimension != 2)) {
-    return "expected --untidy with {domain} or --domain and --dimension 2, found another input";
+  if (subject.is_untidy && !domains) {
+    return "expected --untidy with {domain} or --domain, found another input";
   }
   if (!options.said.holes.empty() || !options.said.regions.empty()) {
     return "expected no --hole and no --region, which are points of one domain, found one: domains "
