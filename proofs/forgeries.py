@@ -112,24 +112,31 @@ class Subject:
         line, code = self.programs.answer(self.file, *self.own)
         if code != 0:
             raise Wrong(f"{self.file} of {self.own}: {line}")
-        self.judge(line, self.own)
+        truth = self.judge(line, self.own)
+        rules = re.match("verified: not [a-z-]+, ([a-z.-]+(?: or [a-z.-]+)*)", line)
+        broken_rules = {each["rule"] for each in truth["rules"]} if truth else set()
+        if truth and rules and broken_rules.isdisjoint(rules[1].split(" or ")):
+            raise Wrong(f"{line} -- by the definitions other rules are broken: {broken_rules}")
 
 
 def judged_mesh(programs, mesh, domain, kind):
-    """Is a line of circumspect-verified about this mesh, or about the one in a file, as it should be?"""
+    """Asks whether a line of circumspect-verified is so, of the user's files or, without them, of this mesh: the oracle's verdict."""
     def judge(line, own):
         about = [own[1]] if own else [mesh]
-        stated = re.match(r"verified: (not )?([a-z-]+)(?:, ([a-z.-]+(?: or [a-z.-]+)*);)?", line)
-        if stated is None or (domain is not None and f"domain: {kind}" not in line and "dangl" not in line and "not " not in line):
+        stated = re.match("verified: (not )?([a-z-]+)", line)
+        if stated is None:
             raise Wrong(line)
-        asked = about + (["--domain", domain, "--domain-kind", kind] if domain is not None else [])
-        truth = programs.truth(stated[2], *asked)
+        if domain is not None:  # a refutation that looks at vertices and segments alone names no kind
+            filled = re.search("domain: (enclosed|hull)", line)
+            about += ["--domain", domain, "--domain-kind", filled[1] if filled else kind]
+        truth = programs.truth(stated[2], *about)
         if (truth["verdict"] == "holds") != (stated[1] is None):
             raise Wrong(f"{line} -- by the definitions it {truth['verdict']}: {truth['rules']}")
         if domain is None and stated[1] is None:
             for standing in ("unique", "canonical"):
                 if f", {standing}" in line and not truth[standing]:
                     raise Wrong(f"{line} -- it is not {standing}")
+        return truth
     return judge
 
 
