@@ -317,7 +317,7 @@ let of_users_files ~exactly mesh poly content =
 
 let () =
   (* Little of what is read becomes garbage: collect seldom, and move nothing. *)
-  Gc.set { (Gc.get ()) with Gc.space_overhead = 400; max_overhead = 1_000_000; minor_heap_size = 1 lsl 20 };
+  Gc.set { (Gc.get ()) with Gc.space_overhead = 400; max_overhead = 1_000_000; minor_heap_size = 1 lsl 18 };
   let answer, name = match List.tl (Array.to_list Sys.argv) with
     | [ ("-h" | "--help") ] -> print_endline usage; exit 0
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print (Lazy.force content.mesh); exit 0), name)
