@@ -36,6 +36,12 @@ class Campaign {
     given_ = registered_ = result_.cases_before = result_.cases;
   }
 
+  // What became of a case, and how many points it had.
+  struct Ended {
+    Outcome outcome;
+    std::size_t points = 0;
+  };
+
   // The life of a thread.
   void work(Runner& runner) {
     try {
@@ -47,8 +53,8 @@ class Campaign {
         Outcome outcome = runner.run(input);
         if (is_new(outcome)) outcome = runner.confirmed(input, outcome);
         if (is_known(outcome)) outcome.kind = OutcomeKind::kKnown;
-        note(input, outcome);
-        add(*number, std::move(outcome), runner);
+        note(outcome);
+        add(*number, {std::move(outcome), point_count(input)}, runner);
       }
     } catch (const std::system_error& error) {
       // The disk takes no more, or the like: what is on it is good, and the campaign can go on later.
@@ -165,14 +171,10 @@ class Campaign {
                                                  outcome.signature) != plan_.known.end();
   }
 
-  // What the report says of all cases, whatever became of them.
-  void note(const Input& input, const Outcome& outcome) {
+  // Why cases were skipped or refused.
+  void note(const Outcome& outcome) {
     constexpr std::size_t kMostReasons = 100;
-    const std::size_t points = point_count(input);
     const std::lock_guard lock(mutex_);
-    if (!result_.points) result_.points = {points, points};
-    result_.points->first = std::min(result_.points->first, points);
-    result_.points->second = std::max(result_.points->second, points);
     const bool says_why = outcome.kind == OutcomeKind::kSkipped ||
                           outcome.kind == OutcomeKind::kRefused ||
                           (outcome.kind == OutcomeKind::kHolds && !outcome.text.empty());
@@ -183,19 +185,21 @@ class Campaign {
 
   // Registers the outcome of a case, and of those after it that waited for it. A thread that registers
   // new signatures makes their inputs small.
-  void add(std::size_t number, Outcome outcome, Runner& runner) {
+  void add(std::size_t number, Ended ended, Runner& runner) {
     std::vector<FindingRecord> fresh;
     {
       const std::lock_guard lock(mutex_);
-      if (outcome.kind == OutcomeKind::kInterrupted) return;
-      if (outcome.kind == OutcomeKind::kNotRun) {
-        not_run_ = outcome.text;
+      if (ended.outcome.kind == OutcomeKind::kInterrupted) return;
+      if (ended.outcome.kind == OutcomeKind::kNotRun) {
+        not_run_ = ended.outcome.text;
         return;
       }
-      waiting_.emplace(number, std::move(outcome));
+      waiting_.emplace(number, std::move(ended));
       for (auto next = waiting_.begin(); next != waiting_.end() && next->first == registered_;
            next = waiting_.erase(next)) {
-        if (register_next(next->second)) fresh.push_back({next->second.signature, next->first});
+        if (register_next(next->second)) {
+          fresh.push_back({next->second.outcome.signature, next->first});
+        }
       }
       minimising_ += fresh.size();
     }
@@ -203,7 +207,8 @@ class Campaign {
   }
 
   // Is it the first with its signature? Then its input is on the disk before the journal says so.
-  bool register_next(const Outcome& outcome) {
+  bool register_next(const Ended& ended) {
+    const Outcome& outcome = ended.outcome;
     const std::size_t number = registered_;
     const bool finds = is_finding(outcome.kind);
     if (outcome.kind == OutcomeKind::kFlaky && result_.first_flaky.empty()) {
@@ -217,7 +222,7 @@ class Campaign {
       first_[outcome.signature] = number;
     }
     const CaseRecord record{family_of(number), finds ? outcome.signature : word(outcome.kind),
-                            finds};
+                            finds, ended.points};
     journal_.add_case(number, record);
     count(record);
     ++registered_;
@@ -227,6 +232,11 @@ class Campaign {
   void count(const CaseRecord& record) {
     ++result_.cases;
     ++result_.statistics[record.family][record.what];
+    if (!record.points) return;
+    auto& points = result_.points;
+    if (!points) points = {*record.points, *record.points};
+    points->first = std::min(points->first, *record.points);
+    points->second = std::max(points->second, *record.points);
   }
 
   // An equal part, for each that waits, of the time that is left, but no more than the plan gives one.
@@ -296,7 +306,7 @@ class Campaign {
   std::size_t working_ = 0;
   std::size_t given_ = 0;
   std::size_t registered_ = 0;
-  std::map<std::size_t, Outcome> waiting_;
+  std::map<std::size_t, Ended> waiting_;
   std::map<std::string, std::size_t> first_;
   std::vector<FindingRecord> unfinished_;
   std::size_t minimising_ = 0;  // those, and what is being made small

@@ -70,7 +70,7 @@ struct Result {
   // signature.
   std::map<std::string, std::map<std::string, std::size_t>> statistics = {};
   std::string first_flaky = {};  // of this call: which case was wrong once, and how
-  // Of this call: the least and the largest number of points of the cases, and how often each reason was given for
+  // The least and the largest number of points of all cases; of this call, how often each reason was given for
   // what was skipped or refused, or done otherwise by another program; of the first reasons.
   std::optional<std::pair<std::size_t, std::size_t>> points = {};
   std::map<std::string, std::map<std::string, std::size_t>> reasons = {};

@@ -179,10 +179,15 @@ std::string Journal::parse_line(const std::vector<std::string>& fields) {
     for (FindingRecord& finding : findings_) {
       if (finding.signature == fields[1]) finding.is_cut_off = true;
     }
-  } else if (kind == "case" && fields.size() == 5) {
+  } else if (kind == "case" && (fields.size() == 5 || fields.size() == 6)) {
     if (number_of(fields[1]) != cases_.size()) return "case " + std::to_string(cases_.size());
     if (!is_signature(fields[4])) return "what became of the case, of letters, digits, - and .";
-    cases_.push_back({fields[2], fields[4], fields[3] == "finding"});
+    CaseRecord record{fields[2], fields[4], fields[3] == "finding"};
+    if (fields.size() == 6) {
+      record.points = number_of(fields[5]);
+      if (!record.points) return "the number of points of a case";
+    }
+    cases_.push_back(std::move(record));
   } else {
     return "a setting, a finding or a case";
   }
@@ -217,7 +222,8 @@ void Journal::add_cut_off(const std::string& signature) {
 void Journal::add_case(std::size_t number, const CaseRecord& record) {
   const std::string kind = record.is_finding ? "finding" : record.what;
   write("case\t" + std::to_string(number) + "\t" + field(record.family) + "\t" + kind + "\t" +
-            field(record.what) + "\n",
+            field(record.what) + (record.points ? "\t" + std::to_string(*record.points) : "") +
+            "\n",
         false);
 }
 

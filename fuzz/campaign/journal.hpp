@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ struct CaseRecord {
   std::string family;
   std::string what;
   bool is_finding = false;
+  std::optional<std::size_t> points = {};  // that it had; older journals do not say
 };
 
 // The first case with a signature.
@@ -34,7 +36,7 @@ struct FindingRecord {
 //   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete, but for the
 //   minimised ⇥ SIGNATURE            smallest input, which comes with this line
 //   cut-off ⇥ SIGNATURE              or with this one, if there was no time to make it smaller
-//   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|known|finding ⇥ WHAT
+//   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|known|finding ⇥ WHAT ⇥ POINTS
 //
 // A line that an interrupt cut off is dropped: that case is run again. Lines about findings are forced
 // to the disk (fsync), those about cases outlive this process but may be lost when the machine fails.

@@ -27,7 +27,7 @@ TEST_CASE("a journal goes on where it ended") {
   {
     auto journal = Journal::open(folder.path("out"), kSettings);
     REQUIRE(journal);
-    journal->add_case(0, {"grid", "holds", false});
+    journal->add_case(0, {"grid", "holds", false, 7});
     journal->add_finding("hang", 1);
     journal->add_case(1, {"sphere", "hang", true});
     journal->add_finding("no-mesh", 2);
@@ -40,6 +40,8 @@ TEST_CASE("a journal goes on where it ended") {
   REQUIRE(journal->cases().size() == 2);
   CHECK(journal->cases()[1].family == "sphere");
   CHECK(journal->cases()[1].is_finding);
+  CHECK(journal->cases()[0].points == 7);
+  CHECK(!journal->cases()[1].points);
   REQUIRE(journal->findings().size() == 2);
   CHECK(journal->findings()[0].is_minimised);
   CHECK(!journal->findings()[1].is_minimised);
@@ -52,7 +54,7 @@ TEST_CASE("whatever byte a journal is cut off at, it goes on from the last whole
   std::string whole;
   {
     auto journal = Journal::open(folder.path("out"), kSettings);
-    for (std::size_t i = 0; i < 3; ++i) journal->add_case(i, {"grid", "holds", false});
+    for (std::size_t i = 0; i < 3; ++i) journal->add_case(i, {"grid", "holds", false, 12});
     whole = text_of(folder.path("out/journal.tsv"));
   }
   for (std::size_t size = 0; size <= whole.size(); ++size) {
@@ -61,7 +63,7 @@ TEST_CASE("whatever byte a journal is cut off at, it goes on from the last whole
     CAPTURE(size);
     REQUIRE(journal);
     for (std::size_t i = journal->cases().size(); i < 3; ++i) {
-      journal->add_case(i, {"grid", "holds", false});
+      journal->add_case(i, {"grid", "holds", false, 12});
     }
     CHECK(text_of(folder.path("out/journal.tsv")) == whole);
   }

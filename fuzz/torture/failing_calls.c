@@ -1,7 +1,8 @@
 // Makes one system call of the program fail, or all from one on: for LD_PRELOAD, on Linux on x86-64.
 //
 //   FAILING_CALL   "GROUP FIRST LAST ERRNO": of the calls of this group, in all processes that the program forks,
-//                  those from FIRST to LAST fail. The group is one of those in kGroups, or "memory".
+//                  those from FIRST to LAST fail. The group is one of those in kGroups, or "memory". Where ERRNO is 0, the
+//                  calls of the first process alone are counted, and it is killed at such a call, after half of a write.
 //   FAILING_COUNT  a file of 8 bytes, in which the calls are counted
 //
 // The kernel hands each call that libc makes to `on_call` (seccomp), so no call is missed that libc makes of itself.
@@ -56,9 +57,10 @@ static const char* group = "";
 static uint64_t none;
 static uint64_t* count = &none;
 static int counting;  // from main on
+static pid_t first_process;
 
 static int to_fail(void) {
-  if (!counting) return 0;
+  if (!counting || (error == 0 && getpid() != first_process)) return 0;
   const long n = (long)__atomic_add_fetch(count, 1, __ATOMIC_RELAXED);
   return first <= n && n <= last;
 }
@@ -81,6 +83,10 @@ static void on_call(int number, siginfo_t* info, void* context) {
   // Where a disk is full, an error can still be told.
   const int told = info->si_syscall == SYS_write && r[REG_RDI] == STDERR_FILENO && last != first;
   const int fails = !told && to_fail();
+  if (fails && error == 0) {
+    if (info->si_syscall == SYS_write) call(SYS_write, r[REG_RDI], r[REG_RSI], r[REG_RDX] / 2, 0, 0, 0);
+    call(SYS_kill, first_process, SIGKILL, 0, 0, 0, 0);
+  }
   // A file that could not be closed is closed, as Linux has it.
   if (!fails || info->si_syscall == SYS_close) {
     const long result =
@@ -157,6 +163,7 @@ static void begin(char** argv) {
   close(file);
   count = shared;
   group = name;
+  first_process = getpid();
   for (size_t i = 0; i < sizeof(kGroups) / sizeof(kGroups[0]); ++i) {
     if (strcmp(kGroups[i].name, name) != 0) continue;
     if (kGroups[i].calls[0] >= 0) trap(kGroups[i].calls, argv);

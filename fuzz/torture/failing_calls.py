@@ -12,6 +12,9 @@ The n-th call of a group fails, for n = 1, 2, 3, ... until there is no n-th; of 
   - where it gives none, it says why in one line for each file, and an output has all its bytes, or its former ones, or is not there;
   - of unfinished files, scratch folders and processes nothing is left.
 
+A small campaign is also killed (kill -9) at each of its writes, half of which is then done, and at each rename and fsync. It goes on
+when it is begun again, and ends as one that nobody killed; no process is left.
+
 It prints each breach, with the command that shows it again, and a table of how the runs ended.
 """
 import argparse
@@ -23,6 +26,7 @@ import random
 import re
 import shlex
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -81,6 +85,8 @@ RUNS = [
     Run("campaign-worker", CAMPAIGN[:1] + ["--worker"] + CAMPAIGN[1:] + ["/bin/sh", "-c", WORKER]),
     Run("campaign-finding", CAMPAIGN + ["/bin/sh", "-c", "exit 9", "sh", "{points}", "{mesh}"],
         in_slice={("pipe", "EMFILE", False)})]
+# At which calls a campaign is killed; 0 is no error.
+KILLS = [("write", None, False), ("name", None, False), ("sync", None, False)]
 BEFORE = b"what was there before\n"
 
 
@@ -101,7 +107,8 @@ class Torture:
     def environment(self, failure, first):
         group, error, all_from = failure
         last = FOR_EVER if all_from else first
-        return {"FAILING_CALL": f"{group} {first} {last} {getattr(errno, error)}", "FAILING_COUNT": str(self.count),
+        number = getattr(errno, error) if error else 0
+        return {"FAILING_CALL": f"{group} {first} {last} {number}", "FAILING_COUNT": str(self.count),
                 "LD_PRELOAD": str(self.library), "TMPDIR": str(self.scratch)}
 
     def prepare(self, run):
@@ -188,6 +195,48 @@ class Torture:
         return faults
 
 
+def findings(torture):
+    """What a campaign found, and with which input."""
+    folder = torture.out / "campaign" / "findings"
+    return {path.name: (path / "minimal.node").read_bytes() for path in sorted(folder.iterdir())} if folder.is_dir() else {}
+
+
+def faults_after_kill(torture, run, undisturbed, found):
+    """What is wrong when the campaign that was killed is begun again."""
+    for _ in range(100):  # what looks after the program ends it, once nobody looks after it
+        if not hostile_programs.processes_in(str(torture.folder)):
+            break
+        time.sleep(0.05)
+    faults = ["left processes"] if hostile_programs.processes_in(str(torture.folder)) else []
+    again = subprocess.run(torture.arguments(run), capture_output=True, timeout=TIME_LIMIT, check=False,
+                           stdin=subprocess.DEVNULL, env={**os.environ, "TMPDIR": str(torture.scratch)})
+    if again.returncode != undisturbed[0]:
+        faults.append(f"then ended with {again.returncode}: {again.stderr[-300:].decode(errors='replace')}")
+    elif again.stdout.splitlines()[-1:] != undisturbed[1].splitlines()[-1:]:
+        faults.append("then said something else: " + again.stdout[-300:].decode(errors="replace"))
+    if findings(torture) != found:
+        faults.append(f"then found {sorted(findings(torture))}, not {sorted(found)}, or with another input")
+    return faults
+
+
+def kill(torture, slice_only):
+    """Kills campaigns: how many runs, and how many breaches."""
+    runs = breaches = 0
+    for run in (run for run in RUNS if run.name in ("campaign", "campaign-finding")):
+        for failure in KILLS:
+            undisturbed = torture.run(run, failure, FOR_EVER)
+            found = findings(torture)
+            for n in range(1, undisturbed[4] + 1, 5 if slice_only else 1):
+                ended = torture.run(run, failure, n)
+                if ended[4] < n:
+                    break
+                faults = ["was not killed"] if ended[0] != -signal.SIGKILL else faults_after_kill(torture, run, undisturbed, found)
+                runs, breaches = runs + 1, breaches + len(faults)
+                if faults:
+                    print(f"{run.name}: killed at call {n} of {failure[0]} of {undisturbed[4]}: {'; '.join(faults)}", flush=True)
+    return runs, breaches
+
+
 def positions(failure, calls):
     """Which calls are to fail, when an undisturbed run has so many: all of them, and of allocations a sample."""
     if failure[0] != "memory" or calls <= 150:
@@ -246,7 +295,10 @@ def main():
                               f"of {undisturbed[4]} fails with {error}: {'; '.join(faults)}", flush=True)
                         print("  " + " ".join(f"{key}={shlex.quote(value)}" for key, value
                                               in torture.environment(failure, n).items()), flush=True)
+        killed, unkept = kill(torture, options.slice) if "campaign".startswith(options.only[:8]) else (0, 0)
+    breaches += unkept
     print("\n".join(table(ends)))
+    print(f"{killed} campaigns killed, {unkept} breaches")
     print(f"{sum(map(len, ends.values()))} runs, {breaches} breaches, {time.time() - begin:.0f} s")
     return 1 if breaches else 0
 
