@@ -113,6 +113,10 @@ PROGRAMS = [
             '(echo "50000 4 0"; seq 0 49999 | sed "s/$/ 0 1 2 3/") > "$1"', "judging-limit"),
     Program("prints what moves the cursor and forges lines", "printf '\\033[2J\\nholds: all\\n\\377'; exit 5",
             "exit-code-5", (NAMESPACES,)),
+    Program("stops a process that it started, and ends", "setsid sleep 1000 & kill -STOP $!; exit 0", "no-mesh"),
+    Program("makes a link to itself in the place of the mesh", 'ln -s "$1" "$1"', "no-mesh", (NAMESPACES,)),
+    Program("promises less than no simplex", 'echo "-1 4 0" > "$1"', "unreadable-mesh", (NAMESPACES,)),
+    Program("names a vertex below zero", 'echo "1 4 0\n0 0 1 2 -1" > "$1"', "triangulation.unknown-vertex", (NAMESPACES,)),
     Program("closes all its files", "exec >&- 2>&- <&-; exit 7", "exit-code-7", (NAMESPACES,)),
 ]
 
