@@ -35,6 +35,7 @@ class Opened {
     const opened = new Opened();
     opened.faults = [];
     opened.page = await browser.newPage({ viewport: { width: 1000, height: 900 }, ...options });
+    opened.page.setDefaultTimeout(120_000); // pictures in space are drawn without a graphics card, and the machine may be busy
     opened.page.on('pageerror', (error) => opened.faults.push(String(error.stack)));
     opened.page.on('console', (message) => {
       // How fast a software renderer is asked for its pixels is a matter of screenshots.
@@ -241,6 +242,7 @@ async function withoutWebGl() {
   const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--disable-3d-apis'] });
   const file = join(folder, 'space.html');
   const page = await browser.newPage();
+  page.setDefaultTimeout(120_000);
   await page.goto(pathToFileURL(file).href);
   await page.waitForSelector('body.no-webgl[data-ready]');
   const image = page.locator('.view svg').first();
