@@ -173,8 +173,8 @@ mutants-generated: deps-test
 	@cmake/packages.sh mutants
 	@/usr/bin/python3 properties/generated_mutants.py build/mutants-generated
 
-# The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, which runs many times as
-# many inputs a second; then what was kept, and some more, under the sanitizers.
+# The fuzz targets on new inputs, in turn, for MINUTES altogether: five sixths of them with libFuzzer alone, where the readers take many
+# times as many inputs a second; then what was kept, and some more, under the sanitizers.
 SETTINGS_fuzz_sanitize := -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON -DCIRCUMSPECT_VALUES_FROM=
 SETTINGS_fuzz_fuzz     := -DCIRCUMSPECT_BUILD_TESTS=OFF
 SOAK_FUZZ := SEED=$$RANDOM TOTALS=fuzz/targets/totals.tsv CORPUS=build/fuzz-corpus fuzz/targets/run.sh

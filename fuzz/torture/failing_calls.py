@@ -226,14 +226,15 @@ def kill(torture, slice_only):
         for failure in KILLS:
             undisturbed = torture.run(run, failure, FOR_EVER)
             found = findings(torture)
-            for n in range(1, undisturbed[4] + 1, 5 if slice_only else 1):
+            calls = undisturbed[4]
+            for n in sorted({*range(1, calls + 1, 5 if slice_only else 1), calls} - {0}):
                 ended = torture.run(run, failure, n)
                 if ended[4] < n:
                     break
                 faults = ["was not killed"] if ended[0] != -signal.SIGKILL else faults_after_kill(torture, run, undisturbed, found)
                 runs, breaches = runs + 1, breaches + len(faults)
                 if faults:
-                    print(f"{run.name}: killed at call {n} of {failure[0]} of {undisturbed[4]}: {'; '.join(faults)}", flush=True)
+                    print(f"{run.name}: killed at call {n} of {failure[0]} of {calls}: {'; '.join(faults)}", flush=True)
     return runs, breaches
 
 
@@ -295,7 +296,7 @@ def main():
                               f"of {undisturbed[4]} fails with {error}: {'; '.join(faults)}", flush=True)
                         print("  " + " ".join(f"{key}={shlex.quote(value)}" for key, value
                                               in torture.environment(failure, n).items()), flush=True)
-        killed, unkept = kill(torture, options.slice) if "campaign".startswith(options.only[:8]) else (0, 0)
+        killed, unkept = kill(torture, options.slice) if not options.only or options.only.startswith("campaign") else (0, 0)
     breaches += unkept
     print("\n".join(table(ends)))
     print(f"{killed} campaigns killed, {unkept} breaches")
