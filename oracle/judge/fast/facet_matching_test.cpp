@@ -155,7 +155,7 @@ TEST_CASE("a facet of three simplices, and an index that names no point, are see
   book.coordinates.assign(100000, 0);
   REQUIRE(overused(book, 1).size() == 1);
   CHECK(overused(book, 2)[0].size() == 49998);
-  auto grid = grid_mesh<3>(22);
+  auto grid = grid_mesh<3>(properties::points_a_side(22));
   const std::vector<std::int32_t> first(grid.simplices.begin(), grid.simplices.begin() + 4);
   grid.simplices.insert(grid.simplices.end(), first.begin(), first.end());
   const auto found = overused(grid, 2);
