@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <dirent.h>
@@ -103,7 +104,11 @@ rlim_t tasks_of_user() {
   return count;
 }
 
-constexpr rlim_t kRoomForThreads = 1000;
+// Runtimes have a few threads for each processor, and some more. Whoever makes sessions gets a share of the processors
+// for each: among a thousand of them the supervisor that counts them would wait for minutes.
+rlim_t room_for_threads() {
+  return 100 + 4 * std::max<rlim_t>(std::thread::hardware_concurrency(), 1);
+}
 
 }  // namespace
 
@@ -131,7 +136,7 @@ pid_t fork_into_namespaces() {
 }
 
 rlim_t most_tasks(Containment containment, std::size_t processes) {
-  const rlim_t wanted = std::min<rlim_t>(processes, 1'000'000) + kRoomForThreads;
+  const rlim_t wanted = std::min<rlim_t>(processes, 1'000'000) + room_for_threads();
   if (containment == Containment::kNamespaces) {
     // Before, a limit counted all processes of the user, wherever they are.
     return kernel_is_at_least(5, 14) ? wanted : RLIM_INFINITY;

@@ -27,7 +27,7 @@ const char* name(Containment containment);
 pid_t fork_into_namespaces();
 
 // How many tasks (processes and their threads) the kernel may let a program have that may have so many
-// processes; called by a supervisor, once. Threads count too, so there is room for a thousand of them.
+// processes; called by a supervisor, once. Threads count too, so there is room for a hundred, and for four a processor.
 rlim_t most_tasks(Containment containment, std::size_t processes);
 
 // In a process namespace: lets the kernel refuse more tasks, also to a superuser, if it is one that can.
