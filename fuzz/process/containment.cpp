@@ -104,8 +104,8 @@ rlim_t tasks_of_user() {
   return count;
 }
 
-// Runtimes have a few threads for each processor, and some more. Whoever makes sessions gets a share of the processors
-// for each: among a thousand of them the supervisor that counts them would wait for minutes.
+// Runtimes start a few threads for each processor, and some more. The room must be small: Linux gives each session an equal share
+// of the processors, and a supervisor among a thousand hostile sessions waits minutes for its turn.
 rlim_t room_for_threads() {
   return 100 + 4 * std::max<rlim_t>(std::thread::hardware_concurrency(), 1);
 }
