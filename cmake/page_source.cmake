@@ -10,7 +10,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
 file(READ "${page}" CIRCUMSPECT_PAGE)
 set(page_source "${PROJECT_BINARY_DIR}/page_source.cpp")
 file(CONFIGURE OUTPUT "${page_source}" @ONLY CONTENT [=[
-#include "oracle/picture/page.hpp"
+#include <string_view>
 
 #pragma GCC diagnostic ignored "-Woverlength-strings"  // no compiler that is supported has such a limit
 

@@ -120,12 +120,13 @@ Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
 Proof. apply WholeSound.refute_whole_rule. Qed.
 
 (** Which rules these can be, by the names that are printed. *)
+Ltac listed := cbn; repeat first [left; reflexivity | right].
 Theorem rules_of_points D c : refute D c = true -> In (rule_name (rule_of (because c)))
   ["simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
    "complex.duplicate-simplex"; "complex.facet-overused"; "complex.overlap"; "triangulation.covered-twice";
    "triangulation.unused-point"; "triangulation.hull-not-convex"; "triangulation.hull-not-closed";
    "delaunay.vertex-in-ball"; "delaunay.facet-not-local"; "weighted.point-below-plane"; "weighted.vertex-submerged"]%string.
-Proof. intros _. destruct (because c); cbn; tauto. Qed.
+Proof. intros _. destruct (because c); listed. Qed.
 Theorem rules_of_domains D c : refute_domain D c = true -> In (domain_rule_name (domain_rule_of c))
   ["domain.vertex-missing"; "domain.steiner-forbidden"; "domain.segment-missing"; "domain.vertex-in-edge"; "delaunay.no-empty-ball";
    "simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
@@ -133,17 +134,17 @@ Theorem rules_of_domains D c : refute_domain D c = true -> In (domain_rule_name 
    "delaunay.vertex-in-ball"; "delaunay.facet-not-local"]%string.
 Proof.
   intros A. unfold refute_domain, refute_domain_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
-  unfold domain_rule_of. destruct (domain_because c); try (cbn; tauto).
-  apply andb_prop in A. destruct A as [A _]. destruct (because (mesh_refuted c)); try discriminate; cbn; tauto.
+  unfold domain_rule_of. destruct (domain_because c); try solve [listed].
+  apply andb_prop in A. destruct A as [A _]. destruct (because (mesh_refuted c)); try discriminate; listed.
 Qed.
 Theorem rules_of_whole_domains D x : refute_whole D x = true -> In (domain_rule_name (whole_rule_of x))
   ["cdt.facet-not-local"; "cdt.visible-vertex-in-ball"; "cdt.dangling-not-delaunay"; "domain.polygon-not-tiled"; "domain.uncovered";
    "domain.outside"; "domain.uncovered or domain.outside"; "triangulation.hull-not-convex"; "triangulation.hull-not-closed"]%string.
 Proof.
   intros A. unfold whole_rule_of. unfold refute_whole, refute_whole_in in A. cbv zeta in A.
-  destruct (shown_by x) as [| | | | | |e| |]; try (cbn; tauto). apply andb_prop in A. destruct A as [_ A].
+  destruct (shown_by x) as [| | | | | |e| |]; try solve [listed]. apply andb_prop in A. destruct A as [_ A].
   cbn [whole_holds] in A. apply andb_prop in A. destruct A as [A _]. apply andb_prop in A. destruct A as [_ A].
-  destruct e; try discriminate; cbn; tauto.
+  destruct e; try discriminate; listed.
 Qed.
 
 (** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT

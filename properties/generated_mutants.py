@@ -33,7 +33,7 @@ import sys
 import time
 
 import mutants
-from mutants import ROOT, SEED
+from mutants import AS_IN_THE_MAKEFILE, ROOT
 
 ALL_TARGETS = ["all"]
 MEMORY = 8 << 30
@@ -301,7 +301,7 @@ class Test:
         self.seconds, self.reached = 0.0, set()
 
     def passes(self, number, limit, reached=None):
-        environment = {**os.environ, "RC_PARAMS": SEED, "CIRCUMSPECT_ONE_INPUT_IN": "4", **self.environment,
+        environment = {**os.environ, **AS_IN_THE_MAKEFILE, **self.environment,
                        "CIRCUMSPECT_MUTANT": str(number)}
         if reached is not None:
             environment["CIRCUMSPECT_REACHED"] = str(reached)

@@ -32,7 +32,7 @@ DEFINITION = """
 int circumspect_mutant = std::getenv("CIRCUMSPECT_MUTANT") == nullptr ? 0 : std::atoi(std::getenv("CIRCUMSPECT_MUTANT"));
 """
 SECONDS = 120
-SEED = "seed=20260101"  # as in the Makefile
+AS_IN_THE_MAKEFILE = {"RC_PARAMS": "seed=20260101", "CIRCUMSPECT_ONE_INPUT_IN": "4"}
 sys.path.insert(0, str(ROOT / "tidy"))
 sys.dont_write_bytecode = True
 import tidy  # noqa: E402: the list of the project's files
@@ -117,7 +117,7 @@ def build(work, mutants):
 
 
 def passes(work, mutant, number):
-    environment = {**os.environ, "CIRCUMSPECT_MUTANT": str(number), "RC_PARAMS": os.environ.get("RC_PARAMS", SEED)}
+    environment = {**AS_IN_THE_MAKEFILE, **os.environ, "CIRCUMSPECT_MUTANT": str(number)}
     try:
         run = subprocess.run([work / "build/release/tests" / mutant.program, *mutant.filter(), "--abort-after=1"],
                              cwd=work, env=environment, timeout=SECONDS, check=False, capture_output=True, text=True,

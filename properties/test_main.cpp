@@ -16,13 +16,12 @@ int one_input_in() {
   return std::max(1, asked != nullptr ? std::atoi(asked) : 1) * kOneInputIn;
 }
 
-bool holds(const std::string& description, int successes, const std::function<void()>& property) {
+namespace {
+bool holds(const std::string& description, const rc::detail::TestParams& params,
+           const std::function<void()>& property) {
   rc::detail::TestMetadata metadata;
   metadata.id = description;
   metadata.description = description;
-  rc::detail::TestParams params = rc::detail::configuration().testParams;
-  const int one_in = one_input_in();
-  params.maxSuccess = (successes + one_in - 1) / one_in;
   const auto result = rc::detail::checkTestable(property, metadata, params);
   if (result.template is<rc::detail::SuccessResult>()) return true;
   std::cerr << description << "\n";
@@ -30,6 +29,20 @@ bool holds(const std::string& description, int successes, const std::function<vo
   std::cerr << "\n";
   return false;
 }
+}  // namespace
+
+bool holds(const std::string& description, int successes, const std::function<void()>& property) {
+  rc::detail::TestParams params = rc::detail::configuration().testParams;
+  const int one_in = one_input_in();
+  params.maxSuccess = (successes + one_in - 1) / one_in;
+  return holds(description, params, property);
+}
+
+bool holds(const std::string& description, const std::function<void()>& property) {
+  return holds(description, rc::detail::configuration().testParams, property);
+}
+
+bool holds(const std::function<void()>& property) { return holds("", property); }
 
 bool occurs(std::size_t often, std::size_t at_least) {
   const auto one_in = static_cast<std::size_t>(one_input_in());

@@ -7,6 +7,7 @@
 
 #include "command/options/nearest_word.hpp"
 #include "command/run_command.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::cli {
 
@@ -329,7 +330,9 @@ std::string word(const std::vector<int>& numbers) {
 }
 
 TEST_CASE("edit distance: symmetric, nought for equal words alone, between bounds of lengths") {
-  CHECK(rc::check([](const std::vector<int>& first, const std::vector<int>& second) {
+  CHECK(properties::holds([] {
+    const auto first = *rc::gen::arbitrary<std::vector<int>>();
+    const auto second = *rc::gen::arbitrary<std::vector<int>>();
     const std::string a = word(first);
     const std::string b = word(second);
     const std::size_t distance = edit_distance(a, b);
@@ -341,7 +344,9 @@ TEST_CASE("edit distance: symmetric, nought for equal words alone, between bound
 }
 
 TEST_CASE("edit distance: one exchange of neighbours is one step") {
-  CHECK(rc::check([](const std::vector<int>& numbers, std::size_t place) {
+  CHECK(properties::holds([] {
+    const auto numbers = *rc::gen::arbitrary<std::vector<int>>();
+    auto place = *rc::gen::arbitrary<std::size_t>();
     std::string a = word(numbers);
     RC_PRE(a.size() >= 2);
     std::string b = a;

@@ -14,6 +14,7 @@
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/written_elements_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -215,10 +216,10 @@ Source written(const File& file, Write write) {
 }  // namespace
 
 TEST_CASE("any bytes") {
-  CHECK(rc::check("bytes", [] {
+  CHECK(properties::holds("bytes", [] {
     read_as_every_format(*rc::gen::container<std::string>(rc::gen::arbitrary<char>()));
   }));
-  CHECK(rc::check("tokens in any order", [] {
+  CHECK(properties::holds("tokens in any order", [] {
     std::string text;
     for (const std::string& token :
          *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kTokens))) {
@@ -229,7 +230,7 @@ TEST_CASE("any bytes") {
 }
 
 TEST_CASE("files with a few bytes changed, lost, added, or cut off") {
-  CHECK(rc::check("mutations", [] {
+  CHECK(properties::holds("mutations", [] {
     static const std::vector<WrittenForm> kForms = all_forms(kElements);
     const bool is_sample = *rc::gen::arbitrary<bool>();
     std::string text =
@@ -282,7 +283,7 @@ TEST_CASE("every sample is read by its own format") {
 }
 
 TEST_CASE("points that are written are read back") {
-  CHECK(rc::check("node", [] {
+  CHECK(properties::holds("node", [] {
     PointFile file = some_points();
     if (!file.points.empty()) file.first_index = *rc::gen::arbitrary<int>();
     for (std::size_t i = 0; i < file.points.size(); ++i) {
@@ -291,18 +292,18 @@ TEST_CASE("points that are written are read back") {
     }
     RC_ASSERT(read_node(written(file, write_node), kDouble) == file);
   }));
-  CHECK(rc::check("qhull", [] {
+  CHECK(properties::holds("qhull", [] {
     const PointFile file = some_points();
     RC_ASSERT(read_qhull_points(written(file, write_qhull_points), kDouble) == file);
   }));
-  CHECK(rc::check("off", [] {
+  CHECK(properties::holds("off", [] {
     const OffFile file{some_points(), some_simplices()};
     const auto again = read_off(written(file, write_off), kDouble);
     RC_ASSERT(again.has_value());
     RC_ASSERT(again->points == file.points);
     RC_ASSERT(again->faces.simplices == file.faces.simplices);
   }));
-  CHECK(rc::check("json", [] {
+  CHECK(properties::holds("json", [] {
     JsonFile file{some_points()};
     file.points.first_index = *rc::gen::arbitrary<Vertex>();
     if (*rc::gen::arbitrary<bool>()) {
@@ -325,7 +326,7 @@ TEST_CASE("points that are written are read back") {
 }
 
 TEST_CASE("simplices that are written are read back") {
-  CHECK(rc::check("ele", [] {
+  CHECK(properties::holds("ele", [] {
     SimplexFile file = some_simplices();
     file.first_index = *rc::gen::arbitrary<int>();
     const auto again = read_ele(written(file, write_ele));
@@ -334,20 +335,20 @@ TEST_CASE("simplices that are written are read back") {
     RC_ASSERT(again->first_index == file.first_index);
     RC_ASSERT(again->vertices_per_simplex == file.vertices_per_simplex);
   }));
-  CHECK(rc::check("face", [] {
+  CHECK(properties::holds("face", [] {
     SimplexFile file = some_simplices();
     for (Simplex& simplex : file.simplices) simplex.resize(3);
     const auto again = read_face(written(file, write_face), 3);
     RC_ASSERT(again.has_value());
     RC_ASSERT(again->simplices == file.simplices);
   }));
-  CHECK(rc::check("qhull", [] {
+  CHECK(properties::holds("qhull", [] {
     const SimplexFile file = some_simplices();
     const auto again = read_qhull_simplices(written(file, write_qhull_simplices));
     RC_ASSERT(again.has_value());
     RC_ASSERT(again->simplices == file.simplices);
   }));
-  CHECK(rc::check("neigh", [] {
+  CHECK(properties::holds("neigh", [] {
     const SimplexFile file = some_simplices();
     const NeighborFile neighbors{file.simplices, file.vertices_per_simplex, 1};
     RC_ASSERT(read_neigh(written(neighbors, write_neigh)) == neighbors);

@@ -10,6 +10,7 @@
 #include "oracle/formats/reading_test.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/written_elements_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {
 
@@ -77,7 +78,7 @@ TEST_CASE("the same mesh in every form") {
 }
 
 TEST_CASE("any mesh of any doubles in every form") {
-  CHECK(rc::check("forms", [] {
+  CHECK(properties::holds("forms", [] {
     const WrittenMesh mesh = any_mesh();
     for (const WrittenForm& form : all_forms(mesh)) RC_ASSERT(difference(form, mesh) == "");
   }));

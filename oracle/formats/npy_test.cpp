@@ -12,6 +12,7 @@
 #include <rapidcheck.h>
 
 #include "oracle/formats/reading_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -233,7 +234,7 @@ TEST_CASE("npy: what is no header of NumPy") {
 }
 
 TEST_CASE("npy: any bytes in header and data") {
-  CHECK(rc::check("mutations", [] {
+  CHECK(properties::holds("mutations", [] {
     std::string bytes = *rc::gen::arbitrary<bool>()
                             ? npy("<f8", "(2, 3)", kSix)
                             : npy<std::int32_t>("<i4", "(2, 3)", {0, 1, 2, 1, 2, 3});

@@ -11,6 +11,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/same_values_test.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -136,13 +137,13 @@ TEST_CASE("what TetGen wrote is plain") {
 }
 
 TEST_CASE("files with a few bytes changed, lost, added, or cut off") {
-  CHECK(rc::check("node", [] {
+  CHECK(properties::holds("node", [] {
     const std::string text = with_edits(*rc::gen::elementOf(kNodes));
     const Answer answer = answer_to_node(text, some_reading());
     RC_CLASSIFY(answer == Answer::kSame);
     RC_ASSERT(answer != Answer::kOther);
   }));
-  CHECK(rc::check("ele and neigh", [] {
+  CHECK(properties::holds("ele and neigh", [] {
     const std::string text = with_edits(*rc::gen::elementOf(kIndexLists));
     const Answer ele = answer_to_ele(text, *rc::gen::inRange(-2, 3), some_reading());
     const Answer neigh = answer_to_neigh(text, some_reading());
@@ -150,7 +151,7 @@ TEST_CASE("files with a few bytes changed, lost, added, or cut off") {
     RC_ASSERT(ele != Answer::kOther);
     RC_ASSERT(neigh != Answer::kOther);
   }));
-  CHECK(rc::check("pieces of numbers", [] {
+  CHECK(properties::holds("pieces of numbers", [] {
     std::string number;
     for (const std::string& piece :
          *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(kPieces))) {
@@ -166,7 +167,7 @@ TEST_CASE("files with a few bytes changed, lost, added, or cut off") {
 }
 
 TEST_CASE("all doubles, as they are written here and elsewhere") {
-  CHECK(rc::check("any bits, three ways to write them", [] {
+  CHECK(properties::holds("any bits, three ways to write them", [] {
     const auto value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
     RC_PRE(std::isfinite(value));
     char seventeen[400];
@@ -179,7 +180,7 @@ TEST_CASE("all doubles, as they are written here and elsewhere") {
     RC_ASSERT(points->coordinates.values()[0] == value);
     RC_ASSERT(answer_to_node(text) == Answer::kSame);
   }));
-  CHECK(rc::check("halfway between two doubles, and next to that", [] {
+  CHECK(properties::holds("halfway between two doubles, and next to that", [] {
     const auto bits = *rc::gen::arbitrary<std::uint64_t>();
     const double below = std::bit_cast<double>(bits & 0x7fffffffffffffffU);
     const double above = std::nextafter(below, HUGE_VAL);
@@ -197,7 +198,7 @@ TEST_CASE("all doubles, as they are written here and elsewhere") {
     const Answer answer = answer_to_node("1 1\n0 " + text + next + "\n");
     RC_ASSERT(answer == Answer::kSame || (below == 0 && answer == Answer::kNone));
   }));
-  CHECK(rc::check("as this program writes points", [] {
+  CHECK(properties::holds("as this program writes points", [] {
     PointFile file{3};
     const auto count = *rc::gen::inRange<std::size_t>(0, 30);
     file.first_index = *rc::gen::inRange(-3, 1000);

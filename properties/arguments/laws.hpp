@@ -9,6 +9,7 @@
 #include <rapidcheck.h>
 
 #include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::generators {
@@ -40,10 +41,11 @@ Scene scene(const PointsCase& set, Scaling scaling);
 PointsCase scaled_and_moved(const PointsCase& set, const Rational& factor,
                             const Point& translation);
 
-// Does law(set, scaling) assert nothing false on the random cases? RapidCheck prints what fails.
+// Does law(set, scaling) assert nothing false on the random cases? RapidCheck prints what fails. A law names the
+// hundred inputs that are usual with RapidCheck.
 template <typename Law>
 bool holds(const std::string& what, const rc::Gen<PointsCase>& cases, const Law& law) {
-  return rc::check(what, [&] {
+  return properties::holds(what, 100, [&] {
     const PointsCase set = *cases;
     law(set, Scaling::kCommon);
     law(set, Scaling::kOwn);

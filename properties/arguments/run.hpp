@@ -34,6 +34,10 @@ constexpr std::size_t points_a_side(std::size_t side) {
 // of them, as `make test` does. Compiled once, in test_main.cpp: the templates behind it take RapidCheck's users a
 // quarter of a second a property.
 bool holds(const std::string& description, int successes, const std::function<void()>& property);
+// The same on as many inputs as RapidCheck tries of itself (a hundred), whatever the environment says: for the laws of
+// single functions.
+bool holds(const std::string& description, const std::function<void()>& property);
+bool holds(const std::function<void()>& property);
 
 // How many inputs there are for each that is tried: CIRCUMSPECT_ONE_INPUT_IN, and more under the sanitizers.
 int one_input_in();

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/point_location.hpp"
@@ -203,7 +204,7 @@ TEST_CASE("Bowyer-Watson: after every insertion, in any order, ghosts close a co
   for (const std::size_t d : {1U, 2U, 3U}) {
     const auto sets = generators::any_point_set(d, 8);
     const auto cases = rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
-    CHECK(rc::check("dimension " + std::to_string(d), [&cases] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [&cases] {
       const generators::PointsCase set = *cases;
       RC_PRE(set.points.size() >= 2U);
       check_every_step(PointSet(set.points, set.weights));

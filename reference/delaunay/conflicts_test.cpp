@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
@@ -70,7 +71,7 @@ TEST_CASE("conflict: on a line the ghosts are the two sides beyond the ends") {
 // beyond the facet, nothing strictly on its inner side, and in its hyperplane the facet's own disk.
 TEST_CASE("conflict: a ghost is its open halfspace and the disk of its facet") {
   for (const std::size_t d : {1U, 2U, 3U}) {
-    CHECK(rc::check("dimension " + std::to_string(d), [d] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [d] {
       const generators::PointsCase set = *generators::simplex_and_queries(d);
       const PointSet points(set.points, set.weights);
       const Configuration& configuration = points.configuration();
@@ -94,7 +95,7 @@ TEST_CASE("conflict: a ghost is its open halfspace and the disk of its facet") {
 
 TEST_CASE(
     "conflict: an even permutation of the simplex changes nothing, wherever the ghost stands") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const generators::PointsCase set = *generators::simplex_and_queries(3);
     const PointSet points(set.points, set.weights);
     const auto size = static_cast<std::size_t>(points.dimension()) + 1;
@@ -205,7 +206,7 @@ void check_walks(const PointSet& points) {
 TEST_CASE("walk: it ends in a simplex in conflict, from wherever it starts") {
   for (const std::size_t d : {1U, 2U, 3U, 4U}) {
     const auto sets = generators::any_point_set(d, d == 4 ? 9 : 12);
-    CHECK(rc::check("dimension " + std::to_string(d), [&] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [&] {
       const auto set = *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
       check_walks(PointSet(set.points, set.weights));
     }));

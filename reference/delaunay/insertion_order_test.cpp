@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::delaunay {
 
@@ -87,7 +88,7 @@ TEST_CASE("space-filling curve: it is followed from point to point, however unev
 
 TEST_CASE("space-filling curve: a permutation that does not depend on the order given") {
   for (const std::size_t d : {1U, 2U, 3U, 4U}) {
-    CHECK(rc::check("dimension " + std::to_string(d), [d] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [d] {
       const PointSet points((*generators::unweighted(generators::any_point_set(d, 20))).points);
       const std::vector<Vertex> all = generators::first_vertices(points.size());
       for (const auto curve : {SpaceFillingCurve::kHilbert, SpaceFillingCurve::kZOrder}) {

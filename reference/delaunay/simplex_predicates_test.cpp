@@ -5,6 +5,7 @@
 
 #include "inputs/plain_algebra.hpp"
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/kernel/complex/point_set.hpp"
 
@@ -80,7 +81,7 @@ bool lie_on_one_sphere(const PointSet& points, const Simplex& subset) {
 
 TEST_CASE("genericity: the first cospherical subset in lexicographic order, or none at all") {
   for (const std::size_t d : {2U, 3U}) {
-    CHECK(rc::check("dimension " + std::to_string(d), [d] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [d] {
       const auto set = *generators::unweighted(generators::any_point_set(d, 7));
       const PointSet points(set.points);
       const auto size = static_cast<std::size_t>(points.dimension() + 2);

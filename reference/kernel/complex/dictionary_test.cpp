@@ -8,6 +8,7 @@
 
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect {
 
@@ -37,7 +38,7 @@ bool crowd_one_side(const Simplex& a, const Simplex& b) {
 
 TEST_CASE("dictionary: joining a facet to the vertex it leaves out is an even permutation") {
   for (const std::size_t k : {1U, 2U, 3U, 4U}) {
-    CHECK(rc::check("dimension " + std::to_string(k), [k] {
+    CHECK(properties::holds("dimension " + std::to_string(k), [k] {
       const Simplex simplex = *simplex_of_dimension(k);
       for (std::size_t place = 0; place <= k; ++place) {
         const OrientedFacet facet = OrientedFacet::opposite(simplex, place);
@@ -142,7 +143,7 @@ void check_against_list(const SimplexDictionary& dictionary, const std::vector<S
 
 TEST_CASE("dictionary: after any additions and removals it is what a list would be") {
   for (const std::size_t k : {1U, 2U, 3U, 4U}) {
-    CHECK(rc::check("dimension " + std::to_string(k), [k] {
+    CHECK(properties::holds("dimension " + std::to_string(k), [k] {
       SimplexDictionary dictionary;
       std::vector<Simplex> list;
       for (const Simplex& simplex :

@@ -8,6 +8,7 @@
 #include "inputs/plain_algebra.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect {
@@ -47,7 +48,7 @@ TEST_CASE("duplicates: equal numbers written differently, three of a kind, none 
 }
 
 TEST_CASE("duplicates: all of them, each with the first point it repeats, in order") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const auto points = *rc::gen::container<std::vector<Point>>(
         rc::gen::container<Point>(2, generators::integer_number(2)));
     const auto expected = duplicates_by_definition(points);
@@ -61,7 +62,7 @@ TEST_CASE("duplicates: all of them, each with the first point it repeats, in ord
 }
 
 TEST_CASE("point set: it is the points and weights it was given") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const auto sets = generators::any_point_set(3, 7);
     const PointsCase set =
         *rc::gen::oneOf(generators::unweighted(sets), generators::weighted(sets));
@@ -145,7 +146,7 @@ TEST_CASE("circumball: an orthoball may have a negative squared radius; power") 
 
 TEST_CASE("circumball: it agrees with Cramer's rule, and power has the sign of the predicate") {
   for (const std::size_t d : {1U, 2U, 3U, 4U}) {
-    CHECK(rc::check("dimension " + std::to_string(d), [d] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [d] {
       const PointsCase set = *generators::simplex_and_queries(d);
       const PointSet points(set.points, set.weights);
       const Simplex simplex =
@@ -278,7 +279,7 @@ TEST_CASE("proper intersection: it agrees with circuits, and the point is what i
   for (const std::size_t d : {1U, 2U, 3U}) {
     std::size_t proper = 0;
     std::size_t improper = 0;
-    CHECK(rc::check("dimension " + std::to_string(d), [&] {
+    CHECK(properties::holds("dimension " + std::to_string(d), [&] {
       const std::size_t most = d + 4;
       const auto sets = rc::gen::oneOf(generators::sets_of(generators::grid_points, d, most),
                                        generators::sets_of(generators::integer_points, d, most));

@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect {
 namespace {
@@ -68,7 +69,7 @@ TEST_CASE("polytope: some facet, where a projection hides others behind each oth
 TEST_CASE("polytope: by definition and by wrapping agree") {
   for (const std::size_t d : {1u, 2u, 3u, 4u}) {
     CAPTURE(d);
-    CHECK(rc::check("facets", [d] {
+    CHECK(properties::holds("facets", [d] {
       const PointSet points((*generators::any_unweighted_case(d, d == 4 ? 9 : 11)).points);
       RC_PRE(!points.empty());
       const Face all = all_vertices(points);

@@ -10,6 +10,7 @@
 #include <rapidcheck.h>
 
 #include "properties/arguments/generated.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/complex/dictionary.hpp"
 #include "reference/kernel/complex/triangulation.hpp"
 
@@ -52,7 +53,7 @@ TEST_CASE("simplex: worked examples") {
 }
 
 TEST_CASE("simplex: a permutation is odd iff it is made of an odd number of swaps") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     bool odd = false;
     const Simplex simplex = shuffled(static_cast<std::size_t>(*generators::below(8)), odd);
     RC_ASSERT(is_odd_permutation(simplex) == odd);
@@ -60,7 +61,7 @@ TEST_CASE("simplex: a permutation is odd iff it is made of an odd number of swap
 }
 
 TEST_CASE("simplex: sorting keeps the vertices and forgets their order") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     bool odd = false;
     const Simplex simplex = shuffled(6, odd);
     const Simplex ascending = sorted(simplex);
@@ -70,7 +71,7 @@ TEST_CASE("simplex: sorting keeps the vertices and forgets their order") {
 }
 
 TEST_CASE("simplex: a facet holds every vertex but its opposite, in their order") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     bool odd = false;
     const Simplex simplex = shuffled(5, odd);
     for (std::size_t place = 0; place < simplex.size(); ++place) {
@@ -87,7 +88,7 @@ TEST_CASE("simplex: a facet holds every vertex but its opposite, in their order"
 }
 
 TEST_CASE("simplex: a repeated vertex is found wherever it stands") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     bool odd = false;
     Simplex simplex = shuffled(6, odd);
     RC_ASSERT(!has_repeated_vertex(simplex));
@@ -207,7 +208,7 @@ TEST_CASE("facets: none of no simplices; one empty facet of vertices; points of 
 }
 
 TEST_CASE("facets: every facet once, with exactly the simplices that contain it, in order") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const auto size = static_cast<std::size_t>(1 + *generators::below(4));
     const auto simplices = *rc::gen::container<std::vector<Simplex>>(
         rc::gen::unique<Simplex>(size, rc::gen::inRange<Vertex>(0, 6)));
@@ -247,7 +248,7 @@ Contents contents(const FacetTable& table) {
 
 TEST_CASE("facet table: insertions and removals, growth and collisions, as in a map") {
   for (const std::size_t size : {1U, 2U, 3U, 4U}) {
-    CHECK(rc::check("facets of " + std::to_string(size) + " vertices", [size] {
+    CHECK(properties::holds("facets of " + std::to_string(size) + " vertices", [size] {
       FacetTable table;
       Contents expected;
       const int steps = *rc::gen::inRange(0, 400);

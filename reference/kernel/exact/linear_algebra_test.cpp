@@ -10,6 +10,7 @@
 
 #include "inputs/plain_algebra.hpp"
 #include "properties/arguments/generated.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect {
 
@@ -56,7 +57,7 @@ template <typename Law>
 bool holds_for_orders(std::size_t first, std::size_t last, const Law& law) {
   bool all = true;
   for (std::size_t n = first; n <= last; ++n) {
-    all = rc::check("order " + std::to_string(n), [&] { law(any_matrix(n)); }) && all;
+    all = properties::holds("order " + std::to_string(n), [&] { law(any_matrix(n)); }) && all;
   }
   return all;
 }
@@ -158,7 +159,7 @@ TEST_CASE("linear system: singular, with and without a solution") {
 
 TEST_CASE("linear system: there is an answer iff the determinant is not zero, and it is exact") {
   std::size_t singular = 0;
-  CHECK(rc::check([&] {
+  CHECK(properties::holds([&] {
     const auto n = static_cast<std::size_t>(*generators::below(5));
     // Small entries, so that singular matrices come up.
     const auto a = *rc::gen::container<RationalMatrix>(
@@ -329,7 +330,7 @@ TEST_CASE("linear program: a degenerate program on which half of Bland's rule cy
 
 TEST_CASE("linear program: it agrees with the enumeration of all basic solutions") {
   std::map<Status, int> seen;
-  CHECK(rc::check([&] {
+  CHECK(properties::holds([&] {
     const auto m = static_cast<std::size_t>(*generators::below(4));
     const auto n = static_cast<std::size_t>(1 + *generators::below(5));
     LinearProgram program;

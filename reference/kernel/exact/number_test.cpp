@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "properties/arguments/run.hpp"
+
 namespace circumspect {
 
 // ---- Number text ----
@@ -113,7 +115,8 @@ TEST_CASE("ten bytes do not become a gigabyte of digits") {
 }
 
 TEST_CASE("any double, printed with 17 digits or in hexadecimal, is read as itself") {
-  CHECK(rc::check("doubles of all magnitudes, subnormal ones too", [](std::uint64_t bits) {
+  CHECK(properties::holds("doubles of all magnitudes, subnormal ones too", [] {
+    const auto bits = *rc::gen::arbitrary<std::uint64_t>();
     const double x = from_bits(bits);
     RC_PRE(std::isfinite(x));
     char text[64];
@@ -123,7 +126,8 @@ TEST_CASE("any double, printed with 17 digits or in hexadecimal, is read as itse
     RC_ASSERT(read_number(text, kDouble) == exact_value(x));
     RC_ASSERT(read_number(text, kDecimal) == exact_value(x));
   }));
-  CHECK(rc::check("subnormal doubles", [](std::uint32_t bits) {
+  CHECK(properties::holds("subnormal doubles", [] {
+    const auto bits = *rc::gen::arbitrary<std::uint32_t>();
     char text[64];
     std::snprintf(text, sizeof text, "%.17g", from_bits(bits));
     RC_ASSERT(read_number(text, kDouble) == exact_value(from_bits(bits)));
@@ -131,7 +135,9 @@ TEST_CASE("any double, printed with 17 digits or in hexadecimal, is read as itse
 }
 
 TEST_CASE("a double reading is the decimal reading, rounded as strtod rounds") {
-  CHECK(rc::check("short decimals", [](std::int64_t digits, std::int16_t exponent) {
+  CHECK(properties::holds("short decimals", [] {
+    const auto digits = *rc::gen::arbitrary<std::int64_t>();
+    const auto exponent = *rc::gen::arbitrary<std::int16_t>();
     const std::string token = std::to_string(digits) + "e" + std::to_string(exponent % 280);
     const double nearest = std::strtod(token.c_str(), nullptr);
     RC_ASSERT(read_number(token, kDouble) == exact_value(nearest));
@@ -183,28 +189,32 @@ TEST_CASE("an integer that is no double keeps a denominator, or it would be read
 }
 
 TEST_CASE("what is written is read back as the same value") {
-  CHECK(rc::check("doubles", [](std::uint64_t bits) {
+  CHECK(properties::holds("doubles", [] {
+    const auto bits = *rc::gen::arbitrary<std::uint64_t>();
     const double x = from_bits(bits);
     RC_PRE(std::isfinite(x));
     const std::string text = to_text_of_double_or_fraction(exact_value(x));
     RC_ASSERT(text.find('/') == std::string::npos);
     RC_ASSERT(read_number(text, kDouble) == exact_value(x));
   }));
-  CHECK(rc::check("subnormal doubles", [](std::uint32_t bits) {
+  CHECK(properties::holds("subnormal doubles", [] {
+    const auto bits = *rc::gen::arbitrary<std::uint32_t>();
     const std::string text = to_text_of_double_or_fraction(exact_value(from_bits(bits)));
     RC_ASSERT(text.find('/') == std::string::npos);
     RC_ASSERT(read_number(text, kDouble) == exact_value(from_bits(bits)));
   }));
-  CHECK(rc::check("fractions of all magnitudes",
-                  [](std::int64_t above, std::uint32_t below, std::uint8_t shift) {
-                    RC_PRE(below > 0U);
-                    const Integer scale = power_of_two(shift * 8UL);
-                    const Integer numerator = static_cast<long>(above);
-                    for (const Rational& x :
-                         {fraction(numerator * scale, below), fraction(numerator, below * scale)}) {
-                      RC_ASSERT(read_number(to_text_of_double_or_fraction(x), kDouble) == x);
-                    }
-                  }));
+  CHECK(properties::holds("fractions of all magnitudes", [] {
+    const auto above = *rc::gen::arbitrary<std::int64_t>();
+    const auto below = *rc::gen::arbitrary<std::uint32_t>();
+    const auto shift = *rc::gen::arbitrary<std::uint8_t>();
+    RC_PRE(below > 0U);
+    const Integer scale = power_of_two(shift * 8UL);
+    const Integer numerator = static_cast<long>(above);
+    for (const Rational& x :
+         {fraction(numerator * scale, below), fraction(numerator, below * scale)}) {
+      RC_ASSERT(read_number(to_text_of_double_or_fraction(x), kDouble) == x);
+    }
+  }));
 }
 
 TEST_CASE("decimals are correctly rounded") {
@@ -218,7 +228,9 @@ TEST_CASE("decimals are correctly rounded") {
   CHECK(to_decimal(power_of_two(53) + 3) == "9007199254740996");
   CHECK(to_decimal(power_of_two(2000)) == "1.1481306952742545e+602");
   CHECK(to_decimal(Rational(1, power_of_two(1074))) == "4.9406564584124654e-324");
-  CHECK(rc::check("as strtod rounds the same decimal", [](std::int64_t digits, std::int16_t e) {
+  CHECK(properties::holds("as strtod rounds the same decimal", [] {
+    const auto digits = *rc::gen::arbitrary<std::int64_t>();
+    const auto e = *rc::gen::arbitrary<std::int16_t>();
     const std::string token = std::to_string(digits) + "e" + std::to_string(e % 280);
     const Rational exact = *read_number(token, NumberReading::kDecimal);
     RC_ASSERT(std::strtod(to_decimal(exact).c_str(), nullptr) ==
@@ -239,7 +251,8 @@ TEST_CASE("square roots are correctly rounded") {
   CHECK(square_root_to_decimal(just_above) == "9007199254740994");
   CHECK(square_root_to_decimal(midpoint * midpoint - Rational(1, power_of_two(300))) ==
         "9007199254740992");
-  CHECK(rc::check("as sqrt rounds the root of a double", [](std::uint64_t bits) {
+  CHECK(properties::holds("as sqrt rounds the root of a double", [] {
+    const auto bits = *rc::gen::arbitrary<std::uint64_t>();
     const double x = std::fabs(from_bits(bits));
     RC_PRE(std::isfinite(x));
     RC_ASSERT(std::strtod(square_root_to_decimal(exact_value(x)).c_str(), nullptr) == std::sqrt(x));

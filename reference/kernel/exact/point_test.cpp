@@ -9,6 +9,7 @@
 #include "inputs/plain_algebra.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect {
 namespace {
@@ -31,7 +32,7 @@ TEST_CASE("point: worked examples") {
 }
 
 TEST_CASE("point: the operators make a vector space with an inner product") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const Point a = *vectors();
     const Point b = *vectors();
     const Point c = *vectors();
@@ -49,7 +50,7 @@ TEST_CASE("point: the operators make a vector space with an inner product") {
 }
 
 TEST_CASE("point: the barycentre balances the vertices, in any order of them") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     std::vector<Point> points =
         *rc::gen::nonEmpty(rc::gen::container<std::vector<Point>>(vectors()));
     const Point centre = barycentre(points);
@@ -83,8 +84,8 @@ bool holds_for_hulls(const Law& law) {
     for (std::size_t k = 1; k <= d; ++k) {
       const auto sets =
           generators::unweighted(generators::embedded(generators::any_point_set(k, 6), d));
-      all = rc::check(std::to_string(k) + "-flats in dimension " + std::to_string(d),
-                      [&] { law((*sets).points); }) &&
+      all = properties::holds(std::to_string(k) + "-flats in dimension " + std::to_string(d),
+                              [&] { law((*sets).points); }) &&
             all;
     }
   }

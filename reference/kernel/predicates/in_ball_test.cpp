@@ -8,6 +8,7 @@
 #include "inputs/plain_algebra.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect {
@@ -151,7 +152,7 @@ TEST_CASE("B7 in_ball does not depend on the axes chosen for the flat") {
 }
 
 TEST_CASE("in_ball within the hull of all points is taken on the hull's axes") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const Scene scene = generators::scene(*generators::simplex_and_queries(3), Scaling::kCommon);
     for (const Vertex q : scene.queries) {
       RC_ASSERT(in_ball(scene.points, scene.simplex, q) ==
@@ -161,7 +162,7 @@ TEST_CASE("in_ball within the hull of all points is taken on the hull's axes") {
 }
 
 TEST_CASE("B2 in_ball is exact on a set that has no common scale") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const auto sets = generators::sets_of(generators::unrelated_denominator_points, 3, 9);
     const PointsCase set = *generators::simplex_first(generators::unweighted(sets));
     const Scene scene = generators::scene(set, Scaling::kCommon);

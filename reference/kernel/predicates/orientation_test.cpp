@@ -9,6 +9,7 @@
 #include "inputs/plain_algebra.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 #include "reference/kernel/predicates/intersection.hpp"
 
@@ -54,7 +55,7 @@ TEST_CASE("configuration: ranks are the lexicographic order of the coordinates")
 TEST_CASE("configuration: doubles always share a denominator, unrelated fractions do not") {
   CHECK(Configuration(std::vector<Point>{{exact_value(0x1p-1074)}, {exact_value(0x1p1023)}})
             .has_common_denominator());
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const std::vector<Point> doubles = *generators::sets_of(generators::extreme_points, 3, 8);
     RC_ASSERT(Configuration(doubles).has_common_denominator());
   }));
@@ -221,7 +222,7 @@ TEST_CASE("O6 the orientation is the sign of the rational determinant, however i
 }
 
 TEST_CASE("O6 a set without a common scale has its points scaled one by one") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const PointsCase set = *rc::gen::suchThat(
         generators::unweighted(generators::sets_of(generators::unrelated_denominator_points, 3, 8)),
         [](const PointsCase& some) { return some.points.size() >= 4; });
@@ -249,7 +250,7 @@ TEST_CASE("axes_of finds axes on which a simplex keeps its dimension") {
 }
 
 TEST_CASE("the orientation within the hull of all points is taken on the hull's axes") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const PointsCase set = *generators::simplex_and_queries(3);
     const generators::Scene scene = generators::scene(set, Scaling::kCommon);
     RC_ASSERT(orientation(scene.points, scene.simplex) ==

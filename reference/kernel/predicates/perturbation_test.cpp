@@ -10,6 +10,7 @@
 
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/laws.hpp"
+#include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
 
@@ -153,7 +154,7 @@ TEST_CASE("P7 of two simplices at a facet, both apexes are in the other's pertur
 }
 
 TEST_CASE("perturbed_in_ball within the hull of all points is taken on the hull's axes") {
-  CHECK(rc::check([] {
+  CHECK(properties::holds([] {
     const Scene scene = generators::scene(*generators::simplex_and_queries(3), Scaling::kCommon);
     for (const Vertex q : scene.queries) {
       RC_ASSERT(perturbed_in_ball(scene.points, scene.simplex, q) == answer(scene, q));
@@ -177,8 +178,8 @@ template <typename Law>
 bool holds_for_facets(std::size_t first, std::size_t last, const Law& law) {
   bool all = true;
   for (std::size_t d = first; d <= last; ++d) {
-    all = rc::check("dimension " + std::to_string(d),
-                    [&] { law(*generators::simplex_and_queries(d)); }) &&
+    all = properties::holds("dimension " + std::to_string(d),
+                            [&] { law(*generators::simplex_and_queries(d)); }) &&
           all;
   }
   return all;
