@@ -115,7 +115,7 @@ TEST_CASE("facets of grids are matched, by one thread or several") {
     check_grid<3, std::int32_t>(side);
     check_grid<3, std::int64_t>(side);
   }
-  check_grid<2, std::int32_t>(150);  // several piles, several passes
+  check_grid<2, std::int32_t>(properties::points_a_side(150));  // several piles, several passes
   check_grid<3, std::int32_t>(properties::points_a_side(22));
 }
 
