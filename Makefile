@@ -151,7 +151,7 @@ build-release build-sanitize: build-%:
 test-release test-sanitize: test-%: build-%
 	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) ctest --preset $* -j $(JOBS) | tee build/$*/ctest.log
 
-# Everything under the sanitizers, not only what handles bytes, arrays, threads and processes.
+# Everything under the sanitizers, not only what handles bytes, arrays and processes.
 soak-sanitize: deps-test
 	@$(CONFIGURE) --preset sanitize -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_SANITIZE_ALL=ON -DCIRCUMSPECT_VALUES_FROM=
 	@cmake --build --preset sanitize -j $(JOBS)

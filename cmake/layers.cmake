@@ -201,10 +201,11 @@ function(circumspect_compile_test target)
                                                DOCTEST_CONFIG_NO_TRY_CATCH_IN_ASSERTS)
 endfunction()
 
-# `make test` has the sanitizers look where bytes, arrays, threads and processes are handled. The rest handles
-# values: numbers, points and containers of them. `make soak-sanitize` has them look everywhere.
-option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, threads, processes" OFF)
-set(sanitized_folders "(oracle/(formats|judge/fast|judge/arrays)|c|fuzz/[a-z]+)")
+# `make test` has the sanitizers look where bytes, arrays and processes are handled. They see the fast judge and its threads
+# through those who call it: the tests of C's and C++'s arrays, of campaigns and of the harness. The rest handles
+# values: numbers, points and containers of them. `make soak-sanitize` runs all tests, the fast judge's own among them.
+option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, processes" OFF)
+set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/[a-z]+)")
 set(values_folders "^(oracle/judge$|(reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$))")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
