@@ -91,10 +91,13 @@ proofs: deps-proofs
 	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) check
 	@echo "built $(VERIFIED)"
 
+# Those that `make test` leaves to the sanitizers too.
+ALL_TESTS := -DCIRCUMSPECT_BUILD_TESTS=ON -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=OFF
+
 # What a developer runs while working: style, and the tests of what has changed since the last green run.
 check: test-style
 	@mkdir -p build
-	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON >build/check.log || { cat build/check.log; exit 1; }
+	@$(CONFIGURE) --preset release $(ALL_TESTS) >build/check.log || { cat build/check.log; exit 1; }
 	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) python3 tidy/check.py build/release --jobs $(JOBS)
 
 # The proofs are compiled beside the C++ sources, and the sanitizers' build and its tests run beside the release's: all of
@@ -139,7 +142,7 @@ test-sanitize-beside:
 
 # The browser may still be on its way; the sanitizers' build links the release's archives of what handles
 # values alone. Clang compiles it in half the time when it does not optimize, which costs the tests less than that.
-SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON
+SETTINGS_release  := -DCIRCUMSPECT_CHROMIUM=/usr/bin/chromium -DCIRCUMSPECT_BUILD_MPI=ON -DCIRCUMSPECT_LEAVE_TO_SANITIZERS=ON
 SETTINGS_sanitize := -DCIRCUMSPECT_SANITIZE_ALL=OFF -DCIRCUMSPECT_VALUES_FROM=$(CURDIR)/build/release \
                      -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1 -D_GLIBCXX_ASSERTIONS"
 # Beside the release's tests, it is not to be configured twice at once.
@@ -160,7 +163,7 @@ soak-sanitize: deps-test
 # Every property and every soak test on new random inputs, round after round, for MINUTES; a failure
 # ends it and prints how to repeat it. `ctest --preset soak` runs each soak test once instead.
 soak: deps-test
-	@$(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=ON
+	@$(CONFIGURE) --preset release $(ALL_TESTS)
 	@cmake --build --preset release -j $(JOBS)
 	@properties/soak.sh build/release $(MINUTES)
 

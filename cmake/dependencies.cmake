@@ -13,7 +13,7 @@ macro(circumspect_find_package package target)
 endmacro()
 
 # For one file that runs on any Linux: archives instead of libraries. Debian has none of {fmt}, whose headers do,
-# and none of oneTBB, whose place plain threads take (oracle/judge/fast/in_chunks.hpp).
+# and none of oneTBB, whose place plain threads take (oracle/judge/fast/in_chunks.cpp).
 if(CIRCUMSPECT_STATIC)
   set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
   add_library(fmt::fmt INTERFACE IMPORTED GLOBAL)

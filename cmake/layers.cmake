@@ -197,15 +197,20 @@ function(circumspect_compile_test target)
     return()
   endif()
   target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
+  if(CIRCUMSPECT_TEST_LAUNCHER)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${CIRCUMSPECT_TEST_LAUNCHER}")
+  endif()
   target_compile_definitions(${target} PRIVATE DOCTEST_CONFIG_SUPER_FAST_ASSERTS
                                                DOCTEST_CONFIG_NO_TRY_CATCH_IN_ASSERTS)
 endfunction()
 
 # `make test` has the sanitizers look where bytes, arrays and processes are handled. They see the fast judge and its threads
-# through those who call it: the tests of C's and C++'s arrays, of campaigns and of the harness. The rest handles
-# values: numbers, points and containers of them. `make soak-sanitize` runs all tests, the fast judge's own among them.
+# through those who call it: the tests of C's and C++'s arrays. The rest handles values: numbers, points and containers of
+# them. `make soak-sanitize` runs all tests, the fast judge's own, the campaigns' and the harness's among them.
 option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, arrays, processes" OFF)
-set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/[a-z]+)")
+set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/(process|targets))")
+# `make test` runs these under the sanitizers alone. `make check`, `make soak` and `make mutants` run them in the release.
+option(CIRCUMSPECT_LEAVE_TO_SANITIZERS "Leave out the tests that the sanitizers of make test run" OFF)
 set(values_folders "^(oracle/judge$|(reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$))")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
@@ -231,6 +236,8 @@ function(circumspect_test target)
     if(sanitized_in_part)
       list(FILTER ARG_SOURCES INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${sanitized_folders}/[^/]+$")
     endif()
+  elseif(CIRCUMSPECT_LEAVE_TO_SANITIZERS)
+    list(FILTER ARG_SOURCES EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${sanitized_folders}/[^/]*_test\\.cpp$")
   endif()
   if(NOT CIRCUMSPECT_BUILD_TESTS OR NOT ARG_SOURCES)
     return()

@@ -76,9 +76,9 @@ echo "pkg-config"
 if command -v pkg-config >/dev/null; then
   flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$work/installed" -name circumspect.pc)") \
     pkg-config --cflags --libs circumspect)
-  # shellcheck disable=SC2086
-  quietly g++ ${LDFLAGS:-} -std=c++20 -o "$work/by-pkg-config" "$examples/fuzz/triangulate_fuzz.cpp" \
-    "$examples/fuzz/replay.cpp" "$examples/triangulate.cpp" $flags
+  # What CMake has compiled above: the flags of the next program are those of the compiler as well.
+  # shellcheck disable=SC2046,SC2086
+  quietly g++ ${LDFLAGS:-} -o "$work/by-pkg-config" $(find "$work/replay" -path '*triangulate_fuzz.dir*' -name '*.o') $flags
   "$work/by-pkg-config" "$work/seed"
   flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$work/installed" -name circumspect-check.pc)") \
     pkg-config --cflags --libs circumspect-check)

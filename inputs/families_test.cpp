@@ -312,7 +312,8 @@ TEST_CASE("each kind of untidiness is what it says, and its arrangement is valid
       {Untidiness::kCrossing, {BreachKind::kVertexInSegment, BreachKind::kCrossingSegments}},
       {Untidiness::kOverlapping, {BreachKind::kVertexInSegment, BreachKind::kDuplicateVertex}},
       {Untidiness::kRepetition, {BreachKind::kDuplicateVertex}}};
-  for (const auto& [kind, breaches] : expected) {
+  for (const auto& [untidiness, breaches] : expected) {
+    const Untidiness kind = untidiness;
     std::set<BreachKind> met;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       Dice dice(seed);
@@ -336,7 +337,8 @@ TEST_CASE("in space: each kind of untidiness, and an arrangement that is valid a
   whole.input.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {1, 1, 0}, {2, 1, 0}};
   whole.input.polygons = {
       {{{0, 1, 2}, {4, 5}}, {}}, {{{0, 1, 3}}, {}}, {{{0, 2, 3}}, {}}, {{{1, 2, 3}}, {}}};
-  for (const auto& [kind, breaches] : expected) {
+  for (const auto& [untidiness, breaches] : expected) {
+    const Untidiness kind = untidiness;
     std::set<BreachKind> met;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       Dice dice(seed);

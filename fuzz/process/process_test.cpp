@@ -156,6 +156,16 @@ TEST_CASE("what was written in less time than between two looks counts too") {
         Ending::kOutputLimit);
 }
 
+TEST_CASE("processes that were started in less time than between two looks count too") {
+  for (const Containment containment : ways()) {
+    Trial trial(containment);
+    trial.limits.processes = 20;
+    CHECK(trial.run("i=0; while [ $i -lt 30 ]; do i=$((i+1)); sleep 1000 & done; exit 2").ending ==
+          Ending::kProcessLimit);
+    CHECK(trial.left_behind() == 0);
+  }
+}
+
 using Clock = std::chrono::steady_clock;
 
 TEST_CASE("a program that kills the processes above it harms only itself") {

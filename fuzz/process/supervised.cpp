@@ -255,9 +255,13 @@ std::optional<Ending> Watch::exceeded() {
     return Ending::kTimeLimit;
   }
   if (bytes_in(request_.folder, limits_.output) >= limits_.output) return Ending::kOutputLimit;
-  const std::size_t too_many = limits_.processes + 1;
-  if (descendants(too_many).size() >= too_many) return Ending::kProcessLimit;
+  if (has_too_many_processes()) return Ending::kProcessLimit;
   return std::nullopt;
+}
+
+bool Watch::has_too_many_processes() const {
+  const std::size_t too_many = limits_.processes + 1;
+  return descendants(too_many).size() >= too_many;
 }
 
 Ending Watch::wait() {
@@ -266,7 +270,10 @@ Ending Watch::wait() {
     pollfd files[2] = {{process_, POLLIN, 0}, {lifeline_, POLLRDHUP, 0}};
     const int milliseconds = static_cast<int>(std::ceil(std::min(left, kTick) * 1000));
     poll(files, 2, milliseconds);
-    if (files[0].revents != 0 || (process_ < 0 && has_ended())) return Ending::kExited;
+    if (files[0].revents != 0 || (process_ < 0 && has_ended())) {
+      // They may all have been started since the last look, until the kernel gave it no more and it ended.
+      return has_too_many_processes() ? Ending::kProcessLimit : Ending::kExited;
+    }
     if ((files[1].revents & (POLLRDHUP | POLLHUP)) != 0) return Ending::kInterrupted;
     if (const std::optional<Ending> limit = exceeded()) {
       return limit == Ending::kTimeLimit && has_ended() ? Ending::kExited : *limit;

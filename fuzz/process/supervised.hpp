@@ -81,6 +81,7 @@ class Watch {
 
   // The limit that it exceeds now, if any. Called every kTick or so.
   std::optional<Ending> exceeded();
+  bool has_too_many_processes() const;
   // It stays to be reaped.
   bool has_ended() const;
   // A file that can be polled for its end; −1 where the kernel has none.

@@ -34,6 +34,11 @@ Proof.
   split; [assumption|]. split; [|lia].
   replace (x - y - S * (m - n)) with ((x - S * m) - (y - S * n)) by ring. lia.
 Qed.
+Lemma product_small S m M b B : 0 < S -> Z.abs m <= M -> Z.abs b <= B -> S * Z.abs m * Z.abs b <= S * M * B.
+Proof.
+  intros P Hm Hb. apply Z.mul_le_mono_nonneg; [|now apply Z.mul_le_mono_nonneg_l; [apply Z.lt_le_incl|]|apply Z.abs_nonneg|exact Hb].
+  apply Z.mul_nonneg_nonneg; [now apply Z.lt_le_incl|apply Z.abs_nonneg].
+Qed.
 Lemma estimate_mul S T x y M N e f m n : estimate S x M e m -> estimate T y N f n ->
   (M * N <? 4611686018427387904) = true -> estimate (S * T) (x * y) (M * N) (M * f + N * e + e * f) (mul m n).
 Proof.
@@ -44,13 +49,14 @@ Proof.
     with ((S * m) * (y - T * n) + (T * n) * (x - S * m) + (x - S * m) * (y - T * n)) by ring.
   set (a := x - S * m) in *. set (b := y - T * n) in *.
   assert (E1 : Z.abs (S * m * b) <= (S * M) * (T * f)).
-  { rewrite !Z.abs_mul, (Z.abs_eq S) by lia. apply Z.mul_le_mono_nonneg; nia. }
+  { rewrite !Z.abs_mul, (Z.abs_eq S) by lia. now apply product_small. }
   assert (E2 : Z.abs (T * n * a) <= (T * N) * (S * e)).
-  { rewrite !Z.abs_mul, (Z.abs_eq T) by lia. apply Z.mul_le_mono_nonneg; nia. }
+  { rewrite !Z.abs_mul, (Z.abs_eq T) by lia. now apply product_small. }
   assert (E3 : Z.abs (a * b) <= (S * e) * (T * f)).
-  { rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; lia. }
-  assert (E4 : S * T * (M * f + N * e + e * f) = S * M * (T * f) + T * N * (S * e) + S * e * (T * f)) by ring.
-  lia.
+  { rewrite Z.abs_mul. apply Z.mul_le_mono_nonneg; auto using Z.abs_nonneg. }
+  replace (S * T * (M * f + N * e + e * f)) with (S * M * (T * f) + T * N * (S * e) + S * e * (T * f)) by ring.
+  eapply Z.le_trans; [apply Z.abs_triangle|]. apply Z.add_le_mono; [|exact E3].
+  eapply Z.le_trans; [apply Z.abs_triangle|]. now apply Z.add_le_mono.
 Qed.
 (** A division by K, which rounds down. *)
 Lemma estimate_div K S x M e m M' e' : estimate S x M e m -> 0 < K ->
@@ -192,9 +198,11 @@ Proof.
       * rewrite (Exact eq_refl). destruct (c <=? 1); nia.
       * assert (8 <= K).
         { change 8 with (2 ^ 3). apply Z.pow_le_mono_r; lia. }
-        destruct (c <=? 1) eqn:C.
-        -- apply Z.leb_le in C. apply Z.abs_le in Near. apply Z.abs_le. nia.
-        -- apply Z.abs_le in Near. apply Z.abs_le. nia.
+        assert (0 <= 2 ^ s * (x mod K) <= 2 ^ s * (K - 1))
+          by (split; [apply Z.mul_nonneg_nonneg|apply Z.mul_le_mono_nonneg_l]; lia).
+        assert (2 ^ s * c <= 2 ^ s * K) by (apply Z.mul_le_mono_nonneg_l; lia).
+        apply Z.abs_le in Near. apply Z.abs_le. destruct (c <=? 1) eqn:C; [|lia].
+        apply Z.leb_le in C. assert (2 ^ s * c <= 2 ^ s * 1) by (apply Z.mul_le_mono_nonneg_l; lia). lia.
     + rewrite Q' in Most. apply Z.abs_le in Most. apply Z.abs_le. split.
       * apply Z.div_le_lower_bound; [lia|]. nia.
       * apply Z.div_le_upper_bound; [lia|]. nia.
@@ -319,6 +327,10 @@ Proof.
   - eapply estimated_dot; [exact H|exact H|reflexivity|lia].
   - reflexivity.
 Qed.
+Lemma scaled_square k x y z : inner3 (k * x, k * y, k * z) (k * x, k * y, k * z) = k * k * inner3 (x, y, z) (x, y, z).
+Proof. cbn [inner3]. ring. Qed.
+Lemma scaled_difference k b c d e : k * b * (k * c) - k * d * (k * e) = k * k * (b * c - d * e).
+Proof. ring. Qed.
 Lemma slope_one f g h x y z f' g' h' x' y' z' T :
   estimate T f (805306368) 14 f' -> estimate T g (805306368) 14 g' -> estimate T h (805306368) 14 h' ->
   estimate T x (536870912) 10 x' -> estimate T y (536870912) 10 y' -> estimate T z (536870912) 10 z' ->
@@ -353,7 +365,7 @@ Proof.
     cbn [times cross3] in *. destruct A as (A1 & A2 & A3), B as (B1 & B2 & B3), C as (C1 & C2 & C3).
     unfold estimated, times. split; [|split]; cbn [along_x along_y along_z].
     all: eapply estimate_unit; [eapply slope_one; [exact F|exact G|exact H'|eassumption|eassumption|eassumption]
-                               |reflexivity|cbn [inner3]; ring]. }
+                               |reflexivity|rewrite !scaled_square, !scaled_difference; ring]. }
   assert (Up : estimate (S ^ 5 * 2 ^ 80) (a ^ 5 * inner3 slope_vector p) (3891110078048108544) (156229435920) (dot slope' p')).
   { eapply estimate_unit; [eapply estimate_weaken; [eapply estimated_dot; [exact Sl|exact Hp|reflexivity|lia]|reflexivity]
                           |ring|].

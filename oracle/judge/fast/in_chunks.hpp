@@ -1,32 +1,9 @@
 // Work on ranges of a list, by one thread or by several; which one does what changes no answer.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <exception>
+#include <functional>
 #include <span>
-#include <system_error>
-#include <thread>
-#include <vector>
-
-// oneTBB as Debian ships it is not instrumented: ThreadSanitizer (preset `tsan`) would take its every
-// locking for a race, and sees plain threads instead. Nor is there an archive of it, which CIRCUMSPECT_STATIC
-// would need.
-#if defined(__SANITIZE_THREAD__)
-#define CIRCUMSPECT_PLAIN_THREADS
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define CIRCUMSPECT_PLAIN_THREADS
-#endif
-#endif
-
-#ifndef CIRCUMSPECT_PLAIN_THREADS
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-#endif
 
 namespace circumspect::fast {
 
@@ -34,88 +11,17 @@ inline std::size_t chunks_of(std::size_t count, std::size_t size) {
   return (count + size - 1) / size;
 }
 
-// How many threads of these the system gives, this one among them: oneTBB ends the work with an exception if it
-// counts on more. Asked once, by starting them.
-inline int threads_to_be_had(int wanted) {
-  static const int most = [wanted] {
-    std::atomic<bool> is_counted = false;
-    std::vector<std::jthread> team;
-    try {
-      while (static_cast<int>(team.size()) + 1 < wanted) {
-        team.emplace_back([&is_counted] { is_counted.wait(false); });
-      }
-    } catch (const std::system_error&) {
-      // No more.
-    }
-    is_counted = true;
-    is_counted.notify_all();
-    const int count = static_cast<int>(team.size()) + 1;
-    team.clear();
-    return count;
-  }();
-  return most;
-}
+// What is done with a chunk: its number, its first item and the one after its last.
+// A std::function: with oneTBB's templates for each piece of work the compiler took a sixth longer, and a chunk is so
+// large that the call takes no time.
+using ChunkWork = std::function<void(std::size_t chunk, std::size_t first, std::size_t last)>;
 
 // Calls work(chunk, first, last) for each chunk of `size` items, the last one shorter.
 // Requires: threads ≥ 1; calls for different chunks do not disturb each other.
-template <typename Work>
-void in_chunks(std::size_t count, std::size_t size, unsigned threads, const Work& work) {
-  const auto one = [&](std::size_t chunk) {
-    work(chunk, chunk * size, std::min((chunk + 1) * size, count));
-  };
-  const std::size_t chunks = chunks_of(count, size);
-  if (threads <= 1 || chunks <= 1) {
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) one(chunk);
-    return;
-  }
-#ifdef CIRCUMSPECT_PLAIN_THREADS
-  std::atomic<std::size_t> next = 0;  // relaxed: chunks are ordered by nothing
-  std::atomic_flag has_failed;
-  std::exception_ptr failure;  // the first
-  const auto take = [&] {
-    std::size_t chunk = 0;
-    try {
-      while ((chunk = next.fetch_add(1, std::memory_order_relaxed)) < chunks) one(chunk);
-    } catch (...) {
-      if (!has_failed.test_and_set()) failure = std::current_exception();
-      next = chunks;  // there is no use in the rest
-    }
-  };
-  {
-    std::vector<std::jthread> team;
-    try {
-      while (team.size() + 1 < std::min<std::size_t>(threads, chunks)) team.emplace_back(take);
-    } catch (const std::system_error&) {
-      // The system gives no more threads.
-    }
-    take();
-  }
-  if (failure) std::rethrow_exception(failure);
-#else
-  // More than there are make oneTBB complain.
-  const int most = threads_to_be_had(tbb::info::default_concurrency());
-  if (most == 1) {
-    in_chunks(count, size, 1, work);
-    return;
-  }
-  tbb::task_arena arena(std::min(static_cast<int>(threads), most));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, one); });
-#endif
-}
+// What one of them throws is thrown here, and the other chunks may not have been worked on.
+void in_chunks(std::size_t count, std::size_t size, unsigned threads, const ChunkWork& work);
 
-// ---- Finite numbers ----
 // Are numbers finite?
-
-inline bool are_finite(std::span<const double> numbers, unsigned threads) {
-  constexpr std::size_t kChunk = std::size_t{1} << 15;
-  std::atomic<bool> finite = true;
-  in_chunks(numbers.size(), kChunk, threads, [&](std::size_t, std::size_t first, std::size_t last) {
-    // The sum of the products with 0 is 0, unless one of them is NaN: no branch.
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += numbers[i] * 0;
-    if (sum != 0) finite.store(false, std::memory_order_relaxed);
-  });
-  return finite.load(std::memory_order_relaxed);
-}
+bool are_finite(std::span<const double> numbers, unsigned threads);
 
 }  // namespace circumspect::fast

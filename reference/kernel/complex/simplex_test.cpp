@@ -330,7 +330,7 @@ TEST_CASE("star index: facets, joins and rests of simplices") {
   CHECK(facets_of(kTwoTriangles) == Simplices{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}});
   CHECK(facets_of({{4}}) == Simplices{{}});
   CHECK(join({5, 1}, {3}) == Simplex{1, 3, 5});
-  CHECK(join({}, {3}) == Simplex{3});
+  CHECK(join(Simplex{}, Simplex{3}) == Simplex{3});
   CHECK(without({5, 3, 1}, {3}) == Simplex{1, 5});
   CHECK(without({5, 3}, {3, 5}).empty());
 }
