@@ -120,7 +120,9 @@ Theorem verified_whole_domain_rule D x : refute_whole D x = true ->
 Proof. apply WholeSound.refute_whole_rule. Qed.
 
 (** Which rules these can be, by the names that are printed. *)
-Ltac listed := cbn; repeat first [left; reflexivity | right].
+Lemma among s l : existsb (String.eqb s) l = true -> In s l.
+Proof. intros H. apply existsb_exists in H. destruct H as (t & A & E). apply String.eqb_eq in E. now subst. Qed.
+Ltac listed := apply among; reflexivity.
 Theorem rules_of_points D c : refute D c = true -> In (rule_name (rule_of (because c)))
   ["simplex.wrong-dimension"; "triangulation.unknown-vertex"; "simplex.repeated-vertex"; "simplex.degenerate";
    "complex.duplicate-simplex"; "complex.facet-overused"; "complex.overlap"; "triangulation.covered-twice";

@@ -331,7 +331,8 @@ Lemma scaled_square k x y z : inner3 (k * x, k * y, k * z) (k * x, k * y, k * z)
 Proof. cbn [inner3]. ring. Qed.
 Lemma scaled_difference k b c d e : k * b * (k * c) - k * d * (k * e) = k * k * (b * c - d * e).
 Proof. ring. Qed.
-Lemma slope_one f g h x y z f' g' h' x' y' z' T :
+Ltac without_scale := rewrite !scaled_square, !scaled_difference; ring.
+Lemma slope_one {f g h x y z f' g' h' x' y' z' T} :
   estimate T f (805306368) 14 f' -> estimate T g (805306368) 14 g' -> estimate T h (805306368) 14 h' ->
   estimate T x (536870912) 10 x' -> estimate T y (536870912) 10 y' -> estimate T z (536870912) 10 z' ->
   estimate (T * T * 268435456) (f * x + g * y + h * z) (4831838208) 176
@@ -364,8 +365,9 @@ Proof.
     destruct u as [[? ?] ?], v as [[? ?] ?], w as [[? ?] ?].
     cbn [times cross3] in *. destruct A as (A1 & A2 & A3), B as (B1 & B2 & B3), C as (C1 & C2 & C3).
     unfold estimated, times. split; [|split]; cbn [along_x along_y along_z].
-    all: eapply estimate_unit; [eapply slope_one; [exact F|exact G|exact H'|eassumption|eassumption|eassumption]
-                               |reflexivity|rewrite !scaled_square, !scaled_difference; ring]. }
+    - eapply estimate_unit; [exact (slope_one F G H' A1 B1 C1)|reflexivity|without_scale].
+    - eapply estimate_unit; [exact (slope_one F G H' A2 B2 C2)|reflexivity|without_scale].
+    - eapply estimate_unit; [exact (slope_one F G H' A3 B3 C3)|reflexivity|without_scale]. }
   assert (Up : estimate (S ^ 5 * 2 ^ 80) (a ^ 5 * inner3 slope_vector p) (3891110078048108544) (156229435920) (dot slope' p')).
   { eapply estimate_unit; [eapply estimate_weaken; [eapply estimated_dot; [exact Sl|exact Hp|reflexivity|lia]|reflexivity]
                           |ring|].
