@@ -1,13 +1,12 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh demo|docs|proofs|test|coverage|mutants|browser|web|deb|hunt|bench...
+#   cmake/packages.sh build|demo|docs|proofs|test|coverage|mutants|browser|web|deb|hunt|bench...
 # When nothing is missing it touches neither the network nor the system.
 set -euo pipefail
 
-needed_for() {
-  case "$1" in
-    demo) cat <<'END'
-g++                   compiles the command
+# Whatever compiles the command compiles it with these.
+libraries() {
+  cat <<'END'
 cmake                 configures the build
 ninja-build           runs the build
 libgmp-dev            exact integers and rationals
@@ -22,12 +21,26 @@ libcadical-dev        decides whether a triangulation exists (a SAT solver)
 libcgal-dev           exact intersections (its LGPL kernel); in tests, a second opinion
 libtbb-dev            threads of the fast judge (oneTBB)
 libboost-dev          spatial indexes, and headers that CGAL includes
+END
+}
+
+needed_for() {
+  case "$1" in
+    build) cat <<'END'
+g++                   compiles the command
+END
+      libraries
+      ;;
+    demo) cat <<'END'
+clang                 compiles the command in half the time, since nothing is optimized
 tetgen                a program to put to the test, at the end of the demonstration
 END
+      libraries
       ;;
     test) cat <<'END'
 doctest-dev           runs the tests
 librapidcheck-dev     tries properties on random arguments
+tetgen                a program to put to the test
 libtet1.5-dev         TetGen as a function, put to the test
 libqhull-dev          Qhull as a function, put to the test
 qhull-bin             Qhull as a program, run again on what it was wrong on
@@ -126,8 +139,11 @@ nodejs                runs the libraries that npm installs
 npm                   installs them
 END
       ;;
-    bench) ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give demo, docs, proofs, test, coverage, mutants, browser, web, deb, hunt or bench" >&2; exit 2 ;;
+    bench) cat <<'END'
+tetgen                its own check is timed beside ours, on the meshes that it makes
+END
+      ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, docs, proofs, test, coverage, mutants, browser, web, deb, hunt or bench" >&2; exit 2 ;;
   esac
 }
 
