@@ -26,19 +26,19 @@ HEADER = """\
 
 Written by `corpus/make/make.py`, except for `tetgen/` and `gmsh/`, which `corpus/make/domain_peers.sh` writes.
 
-`expected.tsv` says for each mesh: its path, the domain with options for it, the claim with further options,
-and the verdict, `holds` or the set of rules that it breaks. `invalid.tsv` says for each input that is no piecewise
-linear complex which breaches it has; `circumspect check` and `inspect` end with exit code 3 on it.
-`corpus/domains_test.cpp` holds the judges to both, from the lemmas and, for small meshes, from the definitions.
+`expected.tsv` has for each mesh its path, the domain with options for it, the claim with further options,
+and the verdict, `holds` or the set of rules that it breaks. `invalid.tsv` lists the inputs that are not piecewise
+linear complexes, with the breaches of each; `circumspect check` and `inspect` end with exit code 3 on it.
+`corpus/domains_test.cpp` compares the judges with both tables, by lemma and, for small meshes, by definition.
 
-`NAME.poly` is a domain, `NAME.geo` the same for Gmsh. `accept/` and `reject/` hold meshes made by hand or by
-exact integer arithmetic that shares no line with the project, each beside its own domain. A file of `reject/` is named
-after a rule that it breaks, a file of `invalid/` after its breach, up to `--`. A verdict is of the first claim that is
-listed.
+`NAME.poly` is a domain, and `NAME.geo` is the same domain for Gmsh. `accept/` and `reject/` hold meshes made by hand or by
+exact integer arithmetic that shares no line with the project, each beside its own domain. The name of a file in
+`reject/` is, up to `--`, a rule that it breaks; that of a file in `invalid/` is its breach. A verdict is about the first
+claim that is listed.
 
-`written/` has small surfaces as programs write them and meshes of these, for the options that say what is meant: polygons of one
-plane, hollows, what dangles, labels of cells, rounded coordinates. `written/written.tsv` has the arguments of `circumspect
-check`, the verdict, and what is shown; `command/check/written_command_test.cpp` runs them.
+`written/` has small surfaces as programs write them, and meshes of these, for the options that say what is meant: polygons of one
+plane, hollows, dangling pieces, labels of cells, rounded coordinates. `written/written.tsv` has the arguments of `circumspect
+check`, the verdict, and what the example shows; `command/check/written_command_test.cpp` runs them.
 
 """
 
@@ -57,16 +57,16 @@ With the Debian 12 packages tetgen 1.5.0-5 and gmsh 4.8.4 on amd64:
 | `gmsh/NAME--finer.mesh` | `gmsh -3 -clmax SIZE NAME.geo` | `steiner-triangulation` |
 | `gmsh/thin-wedge--tolerance.mesh` | `gmsh -3 -setnumber Mesh.AngleToleranceFacetOverlap 0.001` | `steiner-triangulation` |
 
-A verdict is of the exact coordinates that were written. A Steiner point that is rounded off its segment breaks
-`domain.segment-missing`: whoever reads the mesh finds a domain that is not the one that was handed in. Whether
-that matters is the reader's to say.
+A verdict is about the exact coordinates that were written. A Steiner point that is rounded off its segment breaks
+`domain.segment-missing`: the mesh has a domain that is not the one that was given to the program. The reader of the
+mesh decides whether that matters.
 """
 
 FAULTS = """
 ## Faults that were reduced
 
-**TetGen 1.5.0 aborts on a vertex inside a facet that does not list it.** A tetrahedron and a fifth vertex inside one of
-its faces; no edge, no segment need end there. With a second line `1 4` in that facet it makes three
+**TetGen 1.5.0 aborts on a vertex inside a facet that does not list it.** The input is a tetrahedron and a fifth vertex inside one of
+its faces; no edge or segment need end there. With a second line `1 4` in that facet it makes three
 tetrahedra. Reduced by hand from `figure-4-12-three-segments.poly`, whose squares had not listed the segments' ends.
 
     tetgen -p corpus/domains/unlisted-vertex.poly
@@ -74,21 +74,22 @@ tetrahedra. Reduced by hand from `figure-4-12-three-segments.poly`, whose square
 
 Definition 4.3 makes the vertex a face of the polygon, listed or not; this project adopts it.
 
-**TetGen 1.5.0 aborts on a segment that stands in the file twice**, as the edges of two facets do in every file. One
-tetrahedron, and one segment inside it in two facets of two corners. Found on random segments and triangles in a cube.
+**TetGen 1.5.0 aborts on a segment that is listed twice in the file**, as the edges of two facets are in every file. The
+input is one tetrahedron, and one segment inside it in two facets of two corners. It was found on random segments and
+triangles in a cube.
 
     tetgen -p corpus/domains/segment-listed-twice.poly
     tetgen.cxx:15228: void tetgenmesh::delaunizesegments(): Assertion `0' failed.
 
-**TetGen 1.5.0 aborts on two triangles in a cube.** 13 vertices with small integers for coordinates; the PLC is valid, has no
-constrained Delaunay triangulation without Steiner points (`inspect` proves it), and `build steiner-cdt` needs two.
+**TetGen 1.5.0 aborts on two triangles in a cube.** They have 13 vertices with small integers for coordinates. The PLC is valid, and
+has no constrained Delaunay triangulation without Steiner points (`inspect` proves it); `build steiner-cdt` needs two.
 
     tetgen -p corpus/domains/two-triangles.poly
     tetgen.cxx:16181: bool tetgenmesh::fillcavity(...): Assertion `ori != 0' failed.
 
 In a hunt of 404 valid PLCs, random segments and triangles with small integer coordinates in a cube, `tetgen -p` made
 400 meshes and aborted four times. 195 are Steiner CDTs. 205 miss segments, 752 in all, and inside each of these lies
-a Steiner point that rounding moved off it, by at most 7.7e-16 (what else there may be is not judged then). Of 123 meshes
+a Steiner point that rounding moved off it, by at most 7.7e-16 (other faults are not judged then). Of 123 meshes
 of `tetgen -pq1.4` of such PLCs 86 miss segments and 16 break nothing but `cdt.facet-not-local`; on 62 of the PLCs, with
 `O0`, none does.
 
