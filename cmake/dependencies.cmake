@@ -38,7 +38,7 @@ if(EMSCRIPTEN)
   target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_ROUNDING_MATH_CHECK)
   # A page is fetched more often than it waits for an answer: small code before fast code, but in the fast judge.
   target_compile_options(circumspect_settings INTERFACE
-                         "$<IF:$<STREQUAL:$<TARGET_PROPERTY:NAME>,circumspect_fast>,-O2,-Oz>" -fwasm-exceptions
+                         "$<IF:$<IN_LIST:$<TARGET_PROPERTY:NAME>,circumspect_fast;circumspect_fast_predicates>,-O2,-Oz>" -fwasm-exceptions
                          "SHELL:-include ${PROJECT_SOURCE_DIR}/command/web/libcxx.hpp")
   list(PREPEND CMAKE_PREFIX_PATH "${CIRCUMSPECT_WEB_LIBRARIES}")
   set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE NEVER)

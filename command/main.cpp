@@ -19,7 +19,7 @@
 #include "command/options/help.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/formats/unfinished_file.hpp"
+#include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "reference/existence/existence.hpp"
 #include "reference/kernel/exact/number.hpp"

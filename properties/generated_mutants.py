@@ -41,10 +41,10 @@ TABLE = "properties/generated_mutants.tsv"
 # What decides: predicates, checkers, engine, readers.
 GROUPS = {"predicates": ["reference/kernel/predicates/*.cpp", "reference/kernel/exact/linear_algebra.cpp"],
           "exact checkers": ["oracle/judge/*.cpp", "oracle/judge/points/*.cpp", "oracle/judge/domain/*.[ch]pp"],
-          "fast judge": ["oracle/judge/fast/*.[ch]pp"],
-          "readers": ["oracle/formats/*.[ch]pp"]}
+          "fast judge": ["oracle/judge/fast/*.[ch]pp", "oracle/judge/fast/predicates/*.[ch]pp"],
+          "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"]}
 # Writers and what only says something in words decide nothing.
-NOT_MUTATED = re.compile(r".*_test\.[ch]pp|oracle/formats/unfinished_file\..*|oracle/judge/verdict_of_faults\..*")
+NOT_MUTATED = re.compile(r".*_test\.[ch]pp|oracle/formats/bytes/unfinished_file\..*|oracle/judge/verdict_of_faults\..*")
 PRELUDE = """#ifndef CIRCUMSPECT_MUTATED
 #define CIRCUMSPECT_MUTATED
 extern int circumspect_mutant;

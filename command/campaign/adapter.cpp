@@ -1,6 +1,6 @@
 // circumspect adapter LANGUAGE
-#include "command/campaign/adapter.hpp"
-
+// A worker to begin with, for those who let a campaign talk to one.
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +12,9 @@
 #include "command/subcommands.hpp"
 
 namespace circumspect::cli {
+
+// The texts of fuzz/adapters, by the extensions of their names: ".py". command/CMakeLists.txt writes them.
+const std::map<std::string, std::string>& adapters();
 
 void add_adapter(CLI::App& app, ExitCode& exit_code) {
   const auto language = std::make_shared<std::string>();

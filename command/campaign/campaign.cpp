@@ -20,7 +20,7 @@
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
 #include "fuzz/campaign/finding_folder.hpp"
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::cli {

@@ -8,7 +8,7 @@
 #include <signal.h>
 
 #include "command/output/output.hpp"
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 

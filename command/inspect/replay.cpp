@@ -7,7 +7,7 @@
 
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/existence/refutation.hpp"

@@ -18,7 +18,7 @@
 
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
-#include "oracle/formats/unfinished_file.hpp"
+#include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 
 namespace circumspect::cli {

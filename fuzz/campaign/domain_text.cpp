@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::campaign {

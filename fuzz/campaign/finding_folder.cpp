@@ -15,11 +15,11 @@
 
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "fuzz/process/folders.hpp"
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/source.hpp"
+#include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/formats/domain_file.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "oracle/formats/source.hpp"
-#include "oracle/formats/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 

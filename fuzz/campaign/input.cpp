@@ -5,8 +5,8 @@
 
 #include "fuzz/campaign/domain_text.hpp"
 #include "inputs/in_doubles.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/json.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"

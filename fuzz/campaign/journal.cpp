@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 
 namespace circumspect::campaign {
 namespace {

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/plain_files.hpp"
-#include "oracle/formats/source.hpp"
 
 namespace circumspect::distributed {
 namespace {

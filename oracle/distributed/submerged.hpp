@@ -13,7 +13,7 @@
 
 #include "oracle/distributed/local_mesh.hpp"
 #include "oracle/distributed/ranks.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 

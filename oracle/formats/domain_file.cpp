@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/ply.hpp"
-#include "oracle/formats/source.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/formats/vtk.hpp"

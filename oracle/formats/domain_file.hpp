@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 

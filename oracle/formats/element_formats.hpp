@@ -3,8 +3,8 @@
 
 #include <ostream>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

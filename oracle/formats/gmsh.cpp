@@ -3,9 +3,9 @@
 #include <map>
 #include <utility>
 
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/lines.hpp"
-#include "oracle/formats/mixed_text.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

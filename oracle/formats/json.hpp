@@ -4,8 +4,8 @@
 #include <ostream>
 #include <vector>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

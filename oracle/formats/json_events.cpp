@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

@@ -1,8 +1,8 @@
 #include <array>
 #include <cctype>
 
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/tetgen.hpp"

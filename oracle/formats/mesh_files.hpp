@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "oracle/model/mesh.hpp"
 #include "reference/kernel/exact/number.hpp"
 

@@ -8,10 +8,10 @@
 #include <doctest/doctest.h>
 
 #include "inputs/scratch_folder_test.hpp"
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/formats/reading_test.hpp"
-#include "oracle/formats/source.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/json.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_file.hpp"

@@ -10,7 +10,7 @@
 
 #include <zlib.h>
 
-#include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "oracle/model/index_lists.hpp"
 
 namespace circumspect::formats {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/model/exact_mesh.hpp"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {

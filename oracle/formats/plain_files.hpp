@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/formats/lines.hpp"
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/index_lists.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 

@@ -74,7 +74,7 @@ bool read_neighbors(const std::string& ele, std::size_t columns, const PlainRead
 }
 
 // The triangles and edges beside an .ele file, as far as there are files of them.
-bool read_faces(const std::string& ele, MeshFile& read) {
+bool read_plain_faces(const std::string& ele, MeshFile& read) {
   Mesh& mesh = read.mesh;
   for (const auto& [end, vertices] : {std::pair{".face", 3}, std::pair{".edge", 2}}) {
     const std::string path = beside(ele, end);
@@ -129,7 +129,7 @@ std::optional<MeshFile> read_rows(const MeshRequest& request, const PlainReading
   if (request.domain_dimension == 2) leave_out_constant_coordinate(file);
   const std::size_t columns = columns_of(mesh.simplices);
   if (columns > mesh.dimension() + 1) return std::nullopt;
-  if (request.with_faces && has_files_beside && !read_faces(path, file)) return std::nullopt;
+  if (request.with_faces && has_files_beside && !read_plain_faces(path, file)) return std::nullopt;
   if (request.with_neighbors) {
     if (!read_neighbors(path, columns, reading, mesh)) return std::nullopt;
   } else if (request.domain_dimension == mesh.dimension()) {

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
-#include "oracle/formats/lines.hpp"
-#include "oracle/formats/mixed_text.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "reference/kernel/complex/simplex.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/exact/point.hpp"

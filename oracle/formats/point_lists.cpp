@@ -3,7 +3,7 @@
 #include <cctype>
 #include <optional>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/point_file.hpp"
 
 namespace circumspect::formats {

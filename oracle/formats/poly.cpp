@@ -1,4 +1,4 @@
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {

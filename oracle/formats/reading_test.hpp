@@ -10,7 +10,7 @@
 
 #include <zlib.h>
 
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

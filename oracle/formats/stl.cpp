@@ -2,8 +2,8 @@
 #include <cctype>
 #include <map>
 
-#include "oracle/formats/lines.hpp"
-#include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/surface_formats.hpp"
 
 namespace circumspect::formats {

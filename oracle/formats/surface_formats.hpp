@@ -4,10 +4,10 @@
 #include <ostream>
 #include <string_view>
 
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/element_file.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/mixed_text.hpp"
 
 namespace circumspect::formats {
 namespace {

@@ -1,6 +1,6 @@
 #include "oracle/formats/tetgen.hpp"
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {

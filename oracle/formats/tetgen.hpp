@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
-#include "oracle/formats/lines.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 

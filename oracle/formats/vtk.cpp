@@ -5,7 +5,7 @@
 #include <cctype>
 #include <map>
 
-#include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
 
 namespace circumspect::formats {
 

@@ -5,9 +5,9 @@
 #include <ostream>
 #include <string>
 
+#include "oracle/formats/bytes/mixed_text.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
-#include "oracle/formats/mixed_text.hpp"
-#include "oracle/formats/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {

@@ -6,7 +6,7 @@
 
 #include <zlib.h>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 
 namespace circumspect::formats {
 

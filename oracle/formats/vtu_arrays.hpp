@@ -10,8 +10,8 @@
 
 #include <pugixml.hpp>
 
-#include "oracle/formats/mixed_text.hpp"
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
+#include "oracle/formats/bytes/source.hpp"
 
 namespace circumspect::formats {
 

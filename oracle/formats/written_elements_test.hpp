@@ -10,8 +10,8 @@
 
 #include <zlib.h>
 
+#include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/element_formats.hpp"
-#include "oracle/formats/mixed_text.hpp"
 #include "oracle/formats/vtk.hpp"
 
 namespace circumspect::formats {

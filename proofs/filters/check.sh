@@ -12,7 +12,7 @@ case $mode in
 esac
 here=$(cd "$(dirname "$0")" && pwd)
 scripts=${1:-$here}
-header=${2:-$here/../../oracle/judge/fast/filter.hpp}
+header=${2:-$here/../../oracle/judge/fast/predicates/filter.hpp}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 faults=0

@@ -9,7 +9,7 @@
 
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/triangle_complex.hpp"
 #include "oracle/model/mesh.hpp"
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/fast/filter.hpp"
+#include "oracle/judge/fast/predicates/filter.hpp"
 
 // Each loop is written once, as a function that is always inlined, and compiled for several widths
 // by functions that do nothing but call it.

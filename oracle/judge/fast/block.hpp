@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <span>
 
-#include "oracle/judge/fast/lattice.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

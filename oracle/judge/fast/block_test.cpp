@@ -12,10 +12,10 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/exact_sign.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/fast/filter.hpp"
-#include "oracle/judge/fast/tuples_test.hpp"
+#include "oracle/judge/fast/predicates/exact_sign.hpp"
+#include "oracle/judge/fast/predicates/filter.hpp"
+#include "oracle/judge/fast/predicates/tuples_test.hpp"
 #include "properties/arguments/run.hpp"
 
 namespace circumspect::fast {

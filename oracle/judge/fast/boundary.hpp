@@ -12,7 +12,7 @@
 
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/undecided.hpp"

@@ -9,7 +9,7 @@
 #include "oracle/judge/fast/boundary.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

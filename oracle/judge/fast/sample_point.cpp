@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "oracle/judge/fast/lattice.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
 #include "reference/kernel/exact/box_index.hpp"
 #include "reference/kernel/exact/linear_algebra.hpp"
 #include "reference/kernel/exact/number.hpp"

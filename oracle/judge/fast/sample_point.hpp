@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 
 namespace circumspect::fast {

@@ -11,8 +11,8 @@
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
 #include "oracle/judge/fast/judge.hpp"
-#include "oracle/judge/fast/lattice.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 
 namespace circumspect::fast {

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 
 namespace circumspect::fast {

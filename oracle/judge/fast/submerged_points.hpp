@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 #include "reference/kernel/exact/point_search.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "oracle/judge/fast/block.hpp"
-#include "oracle/judge/fast/exact_ball.hpp"
 #include "oracle/judge/fast/facet_records.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/exact_ball.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -16,11 +16,11 @@
 
 #include "oracle/judge/fast/block.hpp"
 #include "oracle/judge/fast/in_chunks.hpp"
-#include "oracle/judge/fast/lattice.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 #include "oracle/judge/fast/sample_point.hpp"
-#include "oracle/judge/fast/site.hpp"
 #include "oracle/judge/fast/undecided.hpp"
 
 namespace circumspect::fast {

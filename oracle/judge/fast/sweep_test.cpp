@@ -11,11 +11,11 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/exact_sign.hpp"
 #include "oracle/judge/fast/facet_matching.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/fast/judge.hpp"
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/exact_sign.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "properties/arguments/run.hpp"
 

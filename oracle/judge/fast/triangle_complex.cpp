@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "oracle/judge/fast/box_tree.hpp"
-#include "oracle/judge/fast/lattice.hpp"
-#include "oracle/judge/fast/predicates.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

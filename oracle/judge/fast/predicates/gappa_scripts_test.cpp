@@ -11,8 +11,8 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/filter.hpp"
-#include "oracle/judge/fast/polynomials.hpp"
+#include "oracle/judge/fast/predicates/filter.hpp"
+#include "oracle/judge/fast/predicates/polynomials.hpp"
 
 namespace circumspect::fast {
 
@@ -129,8 +129,9 @@ Row3<Term, Term> row_3(const std::string& name, bool weighted) {
 
 void check_script(const std::string& name, const Term& result, double bound) {
   const std::string head =
-      "# The error of `" + name + "` in oracle/judge/fast/polynomials.hpp, written by\n" +
-      "# oracle/judge/fast/gappa_scripts_test.cpp; README.md says how to read it.\n\n";
+      "# The error of `" + name +
+      "` in oracle/judge/fast/predicates/polynomials.hpp, written by\n" +
+      "# oracle/judge/fast/predicates/gappa_scripts_test.cpp; README.md says how to read it.\n\n";
   const std::string expected = GappaScript::of(result, head, in_hexadecimal(bound));
   const std::string path = CIRCUMSPECT_CORPUS_DIR "/../proofs/filters/" + name + ".gappa";
   if (std::getenv("CIRCUMSPECT_WRITE_GAPPA") != nullptr) std::ofstream(path) << expected;

@@ -1,4 +1,4 @@
-#include "oracle/formats/unfinished_file.hpp"
+#include "oracle/formats/bytes/unfinished_file.hpp"
 
 #include <atomic>
 #include <cerrno>

@@ -7,10 +7,10 @@
 #include <optional>
 #include <type_traits>
 
-#include "oracle/judge/fast/fixed_width.hpp"
-#include "oracle/judge/fast/lattice.hpp"
-#include "oracle/judge/fast/polynomials.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/fixed_width.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/polynomials.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

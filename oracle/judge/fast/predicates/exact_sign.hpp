@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

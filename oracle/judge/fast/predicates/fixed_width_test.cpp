@@ -1,5 +1,5 @@
 // The arithmetic of the machine, integers of fixed width, and lattices.
-#include "oracle/judge/fast/fixed_width.hpp"
+#include "oracle/judge/fast/predicates/fixed_width.hpp"
 
 #include <cfenv>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/arithmetic.hpp"
-#include "oracle/judge/fast/lattice.hpp"
+#include "oracle/judge/fast/predicates/arithmetic.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {

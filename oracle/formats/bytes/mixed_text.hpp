@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/predicates/configuration.hpp"
 

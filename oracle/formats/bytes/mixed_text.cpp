@@ -1,10 +1,10 @@
-#include "oracle/formats/mixed_text.hpp"
+#include "oracle/formats/bytes/mixed_text.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "oracle/formats/lines.hpp"
+#include "oracle/formats/bytes/lines.hpp"
 
 namespace circumspect::formats {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "oracle/judge/fast/arithmetic.hpp"
-#include "oracle/judge/fast/lattice.hpp"
-#include "oracle/judge/fast/polynomials.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/arithmetic.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/polynomials.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

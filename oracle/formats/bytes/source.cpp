@@ -1,4 +1,4 @@
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 
 #include <cerrno>
 #include <cstring>

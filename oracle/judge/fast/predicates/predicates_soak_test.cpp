@@ -1,4 +1,4 @@
-// Law F1 of oracle/judge/fast/predicates.hpp on a million tuples of every family of inputs and every kind of
+// Law F1 of oracle/judge/fast/predicates/predicates.hpp on a million tuples of every family of inputs and every kind of
 // hard tuple, in the plane and in space.
 #include <algorithm>
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "oracle/judge/fast/predicates.hpp"
-#include "oracle/judge/fast/tuples_test.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
+#include "oracle/judge/fast/predicates/tuples_test.hpp"
 
 namespace circumspect::fast {
 namespace {

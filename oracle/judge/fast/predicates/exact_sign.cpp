@@ -1,4 +1,4 @@
-#include "oracle/judge/fast/exact_sign.hpp"
+#include "oracle/judge/fast/predicates/exact_sign.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/judge/fast/fixed_width.hpp"
-#include "oracle/judge/fast/lattice.hpp"
-#include "oracle/judge/fast/polynomials.hpp"
+#include "oracle/judge/fast/predicates/fixed_width.hpp"
+#include "oracle/judge/fast/predicates/lattice.hpp"
+#include "oracle/judge/fast/predicates/polynomials.hpp"
 #include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {

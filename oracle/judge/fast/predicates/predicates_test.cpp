@@ -1,14 +1,14 @@
 // The fast predicates against those of the reference, stage by stage.
-#include "oracle/judge/fast/predicates.hpp"
+#include "oracle/judge/fast/predicates/predicates.hpp"
 
 #include <random>
 #include <utility>
 
 #include <doctest/doctest.h>
 
-#include "oracle/judge/fast/exact_ball.hpp"
-#include "oracle/judge/fast/exact_sign.hpp"
-#include "oracle/judge/fast/tuples_test.hpp"
+#include "oracle/judge/fast/predicates/exact_ball.hpp"
+#include "oracle/judge/fast/predicates/exact_sign.hpp"
+#include "oracle/judge/fast/predicates/tuples_test.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/kernel/predicates/orientation.hpp"
@@ -77,7 +77,7 @@ TEST_CASE(
 }
 
 // ---- Predicates ----
-// The laws of oracle/judge/fast/predicates.hpp, under their numbers.
+// The laws of oracle/judge/fast/predicates/predicates.hpp, under their numbers.
 
 template <bool kWeighted>
 void hold_to_reference(const std::array<Site<2>, 4>& t, Stages& stages) {

@@ -6,7 +6,7 @@
 //  F1 each sign is the sign of reference/kernel/predicates, whatever the stage that decides: for numbers from
 //     the least denormal to the largest double, one ulp apart, far from the origin, with exact zeros.
 //  F2 coordinates (and weights, where they count) are finite; other input is a breach of contract.
-//  F3 the arithmetic is as oracle/judge/fast/arithmetic.hpp says; `arithmetic_is_as_proved` tests it.
+//  F3 the arithmetic is as oracle/judge/fast/predicates/arithmetic.hpp says; `arithmetic_is_as_proved` tests it.
 //  F4 each call adds one to exactly one of the stages.
 //  F5 a filter's bound is the one that a script in proofs/filters proves for its operations
 //     (gappa_scripts_test.cpp), which are the same for many simplices side by side (block_test.cpp).
@@ -17,9 +17,9 @@
 #include <cstddef>
 #include <tuple>
 
-#include "oracle/judge/fast/exact_sign.hpp"
-#include "oracle/judge/fast/filter.hpp"
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/exact_sign.hpp"
+#include "oracle/judge/fast/predicates/filter.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 

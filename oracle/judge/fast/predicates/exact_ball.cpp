@@ -1,9 +1,9 @@
-#include "oracle/judge/fast/exact_ball.hpp"
+#include "oracle/judge/fast/predicates/exact_ball.hpp"
 
 #include <algorithm>
 #include <bit>
 
-#include "oracle/judge/fast/exact_sign.hpp"
+#include "oracle/judge/fast/predicates/exact_sign.hpp"
 
 namespace circumspect::fast {
 namespace {

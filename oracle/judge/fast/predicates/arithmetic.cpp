@@ -1,4 +1,4 @@
-#include "oracle/judge/fast/arithmetic.hpp"
+#include "oracle/judge/fast/predicates/arithmetic.hpp"
 
 namespace circumspect::fast {
 

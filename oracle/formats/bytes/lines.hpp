@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-#include "oracle/formats/source.hpp"
+#include "oracle/formats/bytes/source.hpp"
 #include "reference/kernel/exact/number.hpp"
 #include "reference/kernel/exact/point.hpp"
 #include "reference/kernel/predicates/configuration.hpp"

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "oracle/judge/fast/site.hpp"
+#include "oracle/judge/fast/predicates/site.hpp"
 
 namespace circumspect::fast {
 
