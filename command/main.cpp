@@ -1,8 +1,10 @@
 // circumspect: the exact oracle for Delaunay triangulations.
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,8 +48,45 @@ std::string version() {
       zlibVersion(), circumspect::cli::built_from());
 }
 
-// Something is missing, or too much: most often since a word was mistyped.
-ExitCode usage_fault(const CLI::App& app, const CLI::ParseError& error) {
+struct Subcommand {
+  std::string_view name;
+  void (*add)(CLI::App& app, ExitCode& exit_code);
+};
+
+// In the order in which --help lists them.
+constexpr auto kSubcommands = std::to_array<Subcommand>({
+    {"check", circumspect::cli::add_check},
+    {"certify", circumspect::cli::add_certify},
+    {"build", circumspect::cli::add_build},
+    {"inspect", circumspect::cli::add_inspect},
+    {"replay", circumspect::cli::add_replay},
+#ifndef __EMSCRIPTEN__  // a browser starts no programs, and needs no inputs for them
+    {"campaign", circumspect::cli::add_campaign},
+    {"adapter", circumspect::cli::add_adapter},
+    {"minimize", circumspect::cli::add_minimize},
+    {"generate", circumspect::cli::add_generate},
+#endif
+    {"compare", circumspect::cli::add_compare},
+#ifndef __EMSCRIPTEN__
+    {"command-pages", circumspect::cli::add_command_pages},
+#endif
+});
+
+// The one that the first word names: the options of all take longer to make than a small mesh to judge. All of them
+// if it names none, as --help lists them, and for command-pages, which describes them.
+std::span<const Subcommand> called(int argc, char** argv) {
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  const auto found = std::ranges::find(kSubcommands, word, &Subcommand::name);
+  if (found == kSubcommands.end() || word == "command-pages") return kSubcommands;
+  return {found, 1};
+}
+
+// Something is missing, or too much: most often since a word was mistyped. It may be a word of another subcommand.
+ExitCode usage_fault(CLI::App& app, const CLI::ParseError& error, ExitCode& exit_code) {
+  for (const Subcommand& subcommand : kSubcommands) {
+    const auto is_it = [&](const CLI::App* one) { return one->get_name() == subcommand.name; };
+    if (app.get_subcommands(is_it).empty()) subcommand.add(app, exit_code);
+  }
   const std::string text = circumspect::cli::unknown_word_text(app);
   circumspect::cli::say(circumspect::on_one_line(text.empty() ? error.what() : text) +
                         "\nRun with --help for more information.\n");
@@ -71,21 +110,7 @@ ExitCode run(int argc, char** argv) {
       "within a limit, 5 internal error. Of several answers the worst counts: 5, 2, 3, 1, 4, 0.");
   app.failure_message(CLI::FailureMessage::simple);
   ExitCode exit_code = ExitCode::kHolds;
-  circumspect::cli::add_check(app, exit_code);
-  circumspect::cli::add_certify(app, exit_code);
-  circumspect::cli::add_build(app, exit_code);
-  circumspect::cli::add_inspect(app, exit_code);
-  circumspect::cli::add_replay(app, exit_code);
-#ifndef __EMSCRIPTEN__  // a browser starts no programs, and needs no inputs for them
-  circumspect::cli::add_campaign(app, exit_code);
-  circumspect::cli::add_adapter(app, exit_code);
-  circumspect::cli::add_minimize(app, exit_code);
-  circumspect::cli::add_generate(app, exit_code);
-#endif
-  circumspect::cli::add_compare(app, exit_code);
-#ifndef __EMSCRIPTEN__
-  circumspect::cli::add_command_pages(app, exit_code);
-#endif
+  for (const Subcommand& subcommand : called(argc, argv)) subcommand.add(app, exit_code);
   circumspect::cli::let_options_take_one_word(app);
   circumspect::cli::lay_out_help(app);
   try {
@@ -93,9 +118,9 @@ ExitCode run(int argc, char** argv) {
     std::reverse(words.begin(), words.end());
     app.parse(std::move(words));
   } catch (const CLI::RequiredError& error) {
-    return usage_fault(app, error);
+    return usage_fault(app, error, exit_code);
   } catch (const CLI::ExtrasError& error) {
-    return usage_fault(app, error);
+    return usage_fault(app, error, exit_code);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
       app.exit(error);

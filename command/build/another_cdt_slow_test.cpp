@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"
+#include "properties/arguments/run.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -113,16 +114,17 @@ void hold_against_each_other(const std::string& domain, const std::string& mesh,
 TEST_CASE("build cdt, inspect and check agree on cubes with diagonals") {
   const ScratchFolder folder;
   Answers answers;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  const std::uint64_t inputs = properties::one_input_in() > 1 ? 75 : 150;
+  for (std::uint64_t seed = 0; seed < inputs; ++seed) {
     CAPTURE(seed);
     const std::string domain = folder.write("cubes.poly", RandomDomain(seed).poly());
     hold_against_each_other(domain, folder.path("cubes.1.ele"), answers);
   }
   MESSAGE(answers.canonical << " canonical, " << answers.another << " another, " << answers.none
                             << " none");
-  CHECK(answers.canonical >= 10);
-  CHECK(answers.another >= 10);
-  CHECK(answers.none >= 10);
+  CHECK(answers.canonical >= 5);
+  CHECK(answers.another >= 5);
+  CHECK(answers.none >= 5);
 }
 
 }  // namespace circumspect::cli

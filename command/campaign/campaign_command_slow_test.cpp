@@ -123,7 +123,7 @@ TEST_CASE("campaign: whatever a program does is told apart, and the campaign goe
 
 TEST_CASE("campaign: the same findings whatever the number of jobs") {
   const Program program(forgetful());
-  const Arguments options = {"--cases", "24", "--max-points", "9", "--minimize-runs", "60"};
+  const Arguments options = {"--cases", "16", "--max-points", "9", "--minimize-runs", "30"};
   const auto with_jobs = [&](const std::string& jobs) {
     Arguments all = options;
     all.insert(all.end(), {"--jobs", jobs});
