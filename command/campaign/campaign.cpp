@@ -352,7 +352,7 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->option_text("N");
   command
       ->add_option("--exclude", options->excluded,
-                   "Families to leave out, with all their modifiers; commas stand between them")
+                   "Families to leave out with all their modifiers, with commas between them")
       ->delimiter(',')
       ->option_text("NAME,...");
   CLI::Option* const exponents =

@@ -134,7 +134,7 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Example:\n"
       "  circumspect certify points.1.ele -o points.cert\n"
-      "  circumspect-verified points.cert        # trusts no other program here\n"
+      "  circumspect-verified points.cert        # checks it without trusting circumspect\n"
       "\n"
       "If the claim holds, certify writes a certificate, and otherwise a refutation. Some "
       "failures of\n"

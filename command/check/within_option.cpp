@@ -55,10 +55,10 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
   command
       .add_option(
           "--within", read,
-          "Allow for rounded coordinates: judge exactly whether the claim holds if the vertices, "
-          "segments and polygons of the domain are moved by at most DISTANCE. This is a number, "
-          "or a multiple of the longest side of the domain's bounding box: 1e-12x is 1e-12 times "
-          "that side. The verdict ends with the distance that was needed")
+          "Allow for rounded coordinates: judge exactly whether the claim holds for the domain "
+          "when its vertices, segments and polygons may move by at most DISTANCE. This is a "
+          "number, or a multiple of the longest side of the domain's bounding box: 1e-12x is "
+          "1e-12 times that side. The verdict ends with the distance that was needed")
       ->option_text("DISTANCE");
 }
 
