@@ -1,5 +1,5 @@
-// Facts about the simplices of a mesh that do not depend on what they cover: for meshes of domains, whose walls
-// decide the rest (docs/theory/domains.md).
+// Facts about the simplices of a mesh that do not depend on the region that they cover: for meshes of domains, whose
+// walls decide the rest (docs/theory/domains.md).
 #pragma once
 
 #include <vector>
