@@ -203,7 +203,7 @@ TEST_CASE("build --help has examples, which work, and the exit codes") {
   const std::string help = run({"build", "--help"}).out;
   CHECK(has(help, "  circumspect build delaunay points.node -o reference.ele\n"));
   CHECK(has(help, "  circumspect build cdt part.poly -o part.1.ele\n"));
-  CHECK(has(help, "Exit codes: 0 built, 1 there is none"));
+  CHECK(has(help, "Exit codes: 0 built, 1 the domain has no such triangulation"));
   CHECK(has(help, "5 internal error."));
 }
 
