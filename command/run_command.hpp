@@ -1,4 +1,4 @@
-// Runs the command as its users do: for tests.
+// Runs the command for tests, as its users do.
 #pragma once
 
 #include <sstream>

@@ -1,5 +1,5 @@
-// Byte identity through the command: whichever way `circumspect build delaunay` is asked to go, it
-// writes the same files. For tests: what same_bytes_test and same_bytes_soak_test share.
+// For tests: `circumspect build delaunay` writes the same bytes for every algorithm and every order. The code that
+// same_bytes_test and same_bytes_soak_test share.
 #pragma once
 
 #include <sstream>

@@ -191,7 +191,7 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
   for (const auto& [name, construction] : constructions()) names.push_back(name);
   command
       .add_option("--algorithm", options.algorithm,
-                  "The algorithm; all give the same set of simplices (default: bowyer-watson)")
+                  "The algorithm. All make the same set of simplices (default: bowyer-watson)")
       ->check(one_of_words(names))
       ->option_text(construction_names());
   const std::map<std::string, InsertionOrder> orders = {
@@ -218,8 +218,10 @@ void add_algorithm_options(CLI::App& command, BuildOptions& options) {
                   "The seed of the random orders (default: 0)")
       ->check(whole_number())
       ->option_text("N");
-  command.add_flag("--statistics", options.statistics,
-                   "Say what Bowyer-Watson created, deleted, filed, walked and tested");
+  command.add_flag(
+      "--statistics", options.statistics,
+      "Print how many simplices Bowyer-Watson created and deleted, and how many steps and "
+      "tests it took");
 }
 
 CLI::App* add_triangulation(CLI::App& build, const std::string& what,
@@ -246,10 +248,10 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   command->add_option("--neighbors", options->neighbors_file, "Also write the .neigh file")
       ->option_text("OUT.neigh");
   if (what != "lexicographic") add_algorithm_options(*command, *options);
-  const std::string steps = what == "lexicographic"
-                                ? "the triangulation, if it has few points"
-                                : "the triangulation, of few points also how the algorithm makes "
-                                  "it, step by step";
+  const std::string steps =
+      what == "lexicographic"
+          ? "the triangulation, if it has few points"
+          : "the triangulation and, if it has few points, how the algorithm makes it step by step";
   add_page_option(*command, options->html, steps);
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
@@ -268,9 +270,12 @@ void add_build(CLI::App& app, ExitCode& exit_code) {
       "Examples:\n"
       "  circumspect build delaunay points.node -o reference.ele\n"
       "  circumspect build cdt part.poly -o part.1.ele\n"
-      "  circumspect build cdt --help            # what a construction takes and writes\n\n"
-      "Exit codes: 0 built, 1 there is none (of domains: the reason is printed), 2 usage, 3 the\n"
-      "input is at fault, 4 not found within a limit or by this algorithm, 5 internal error.");
+      "  circumspect build cdt --help            # options, input and output of cdt\n"
+      "\n"
+      "Exit codes: 0 built, 1 the domain has no such triangulation, and the output says why, "
+      "2 usage,\n"
+      "3 the input is at fault, 4 not found within a limit or by this algorithm, 5 internal "
+      "error.");
   build->require_subcommand(1);
   add_triangulation(*build, "delaunay",
                     "The canonical Delaunay triangulation of a point set of any dimension",

@@ -107,20 +107,23 @@ void add_build_all_triangulations(CLI::App& build, ExitCode& exit_code) {
   const auto options = std::make_shared<AllTriangulationsOptions>();
   CLI::App* command = build.add_subcommand(
       "all-triangulations",
-      "Every triangulation of a small point set; which are Delaunay, which are regular");
+      "All triangulations of a small point set, with a mark on those that are Delaunay or "
+      "regular");
   command->footer(
       "Example:\n"
-      "  circumspect build all-triangulations cube.node\n\n"
-      "Exit code 4: more points than --max-points.");
+      "  circumspect build all-triangulations cube.node\n"
+      "\n"
+      "Exit code 4 means that the set has more points than --max-points.");
   command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
       ->required();
   command
       ->add_option("--max-points", options->max_points,
-                   "Refuse larger sets (default 9; 0: none is too large)")
+                   "Refuse sets of more than N points (default 9; 0: none)")
       ->check(whole_number())
       ->option_text("N");
-  command->add_flag("--some-points", options->some_points,
-                    "Also those that leave out points, as flips of weighted triangulations do");
+  command->add_flag(
+      "--some-points", options->some_points,
+      "Also list triangulations that leave out points, as flips of weighted triangulations do");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

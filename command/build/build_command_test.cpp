@@ -203,7 +203,7 @@ TEST_CASE("build --help has examples, which work, and the exit codes") {
   const std::string help = run({"build", "--help"}).out;
   CHECK(has(help, "  circumspect build delaunay points.node -o reference.ele\n"));
   CHECK(has(help, "  circumspect build cdt part.poly -o part.1.ele\n"));
-  CHECK(has(help, "Exit codes: 0 built, 1 there is none"));
+  CHECK(has(help, "Exit codes: 0 built, 1 the domain has no such triangulation"));
   CHECK(has(help, "5 internal error."));
 }
 
@@ -374,12 +374,12 @@ TEST_CASE("build cdt: where there is no canonical CDT, another one is built, if 
       const Run none =
           run({"build", "cdt", domain, "--algorithm", algorithm, "-o", folder.path("none.1.ele")});
       CHECK(none.exit_code == 4);
-      CHECK(has(none.out, "undecided: cdt " + domain + ": there is one, but no canonical"));
+      CHECK(has(none.out, "undecided: cdt " + domain + ": there is a CDT, but no canonical one"));
     }
     const Run limited =
         run({"build", "cdt", domain, "--search-vertices", "7", "-o", folder.path("none.1.ele")});
     CHECK(limited.exit_code == 4);
-    CHECK(has(limited.out, "undecided: cdt " + domain + ": there is no canonical one, and "));
+    CHECK(has(limited.out, "undecided: cdt " + domain + ": there is no canonical CDT, and "));
     CHECK(has(limited.out, "more than 7 vertices; --search-vertices"));
     CHECK(!std::filesystem::exists(folder.path("none.1.ele")));
   }

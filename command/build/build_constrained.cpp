@@ -231,8 +231,8 @@ ExitCode run(const ConstrainedOptions& options) {
 
 std::string usual_algorithm(const std::string& what) {
   if (what == "planar-cdt") return "gift-wrapping";
-  if (what == "steiner-cdt") return "polygon-flips, in the plane gift-wrapping";
-  return fmt::format("gift-wrapping, for more than {} vertices in space polygon-flips",
+  if (what == "steiner-cdt") return "polygon-flips; in the plane, gift-wrapping";
+  return fmt::format("gift-wrapping; for more than {} vertices in space, polygon-flips",
                      kFewVertices);
 }
 
@@ -242,11 +242,13 @@ const std::string kOfPolygons =
     "if nothing is to be filled, because all of the domain lies in one plane.\n\n";
 
 const std::string kOfAnother =
-    "Where vertices are cospherical, a domain may have a CDT that is not the canonical one. "
+    "If vertices are cospherical, a domain may have no canonical CDT, but another one. "
     "Without\n"
-    "--algorithm that one is built, and called not-canonical. Exit code 1 means that a proof "
-    "shows\n"
-    "that there is none; a search that reaches its limit ends with exit code 4.\n\n";
+    "--algorithm, build cdt then makes that one, and calls it not-canonical. Exit code 1 "
+    "means that\n"
+    "there is no CDT, which is proved. A search that reaches its limit ends with exit code "
+    "4.\n"
+    "\n";
 
 std::string footer(const std::string& what) {
   const bool is_planar = what == "planar-cdt";
@@ -254,22 +256,24 @@ std::string footer(const std::string& what) {
   return fmt::format(
       "Example:\n"
       "  circumspect build {0} {1}.poly -o {1}.1.ele\n"
-      "  circumspect check {1}.1.ele --domain {1}.poly --claim {2}\n\n"
-      "{3}"
-      "OUT.ele has the simplices and OUT.node the points. OUT.face and OUT.edge have the "
-      "triangles\n"
-      "and edges that are faces of nothing. OUT.mesh, OUT.msh, OUT.vtu or OUT.json has it all in "
-      "one file. Steiner\n"
-      "points come last. OUT.obj and OUT.ply have what can be seen: the boundary, and what "
-      "dangles.\n\n"
+      "  circumspect check {1}.1.ele --domain {1}.poly --claim {2}\n"
+      "\n"
+      "{3}OUT.ele has the simplices and OUT.node the points, of which Steiner points come "
+      "last. OUT.face\n"
+      "and OUT.edge have the dangling triangles and edges, which are faces of no larger "
+      "simplex.\n"
+      "OUT.mesh, OUT.msh, OUT.vtu and OUT.json have all of this in one file. OUT.obj and "
+      "OUT.ply have\n"
+      "the surface: the boundary, and the dangling triangles and edges.\n"
+      "\n"
       "Exit codes: 0 built, {4}2 usage,\n"
-      "3 the input is at fault, 4 a limit was reached or this algorithm cannot tell, 5 internal "
-      "error.",
+      "3 the input is at fault, 4 a limit was reached or this algorithm cannot tell, 5 "
+      "internal error.",
       what, part, is_planar ? "cdt" : what,
       is_planar       ? kOfPolygons
       : what == "cdt" ? kOfAnother
                       : "",
-      what == "cdt" ? "1 there is none, and why, " : "");
+      what == "cdt" ? "1 there is no CDT, and the output says why, " : "");
 }
 
 void add_one(CLI::App& build, const std::string& what, const std::string& description,
@@ -286,20 +290,22 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
   command
       ->add_option(
           "-o,--output", options->output_file,
-          "The file to write: .ele, .mesh, .msh, .vtu or .json, or for viewers its surface as "
-          ".obj or .ply; - writes the .ele to stdout, if that is all there is")
+          "The file to write: .ele, .mesh, .msh, .vtu or .json; for viewers, .obj or .ply has "
+          "the surface. - writes the .ele to stdout, if there are neither dangling faces nor "
+          "Steiner points")
       ->option_text("OUT.ele");
   if (!algorithms.empty()) {
     command
-        ->add_option("--algorithm", options->algorithm,
-                     "All give the same mesh, the canonical one, if they give one (default: " +
-                         usual_algorithm(what) + ")")
+        ->add_option(
+            "--algorithm", options->algorithm,
+            "The algorithm. All that succeed make the same mesh, the canonical one (default: " +
+                usual_algorithm(what) + ")")
         ->option_text(algorithms);
   }
-  add_page_option(*command, options->html,
-                  what == "cdt"
-                      ? "the mesh, of few points also how polygon-flips makes it, step by step"
-                      : "the mesh, if it has few points");
+  add_page_option(
+      *command, options->html,
+      what == "cdt" ? "the mesh and, if it has few points, how polygon-flips makes it step by step"
+                    : "the mesh, if it has few points");
   if (what == "cdt") add_search_options(*command, options->search);
   if (has_steiner_points(what)) {
     command
@@ -320,18 +326,18 @@ void add_one(CLI::App& build, const std::string& what, const std::string& descri
 
 void add_build_constrained(CLI::App& build, ExitCode& exit_code) {
   add_one(build, "planar-cdt",
-          "The canonical constrained Delaunay triangulation of a domain in the plane, or of all "
-          "polygons of one in space",
+          "The canonical constrained Delaunay triangulation of a domain in the plane, or of each "
+          "polygon of a domain in space",
           "gift-wrapping|segment-insertion", exit_code);
   add_one(build, "cdt",
-          "The canonical constrained Delaunay triangulation of a domain without Steiner points, or "
-          "another one where there is no canonical one",
+          "The canonical constrained Delaunay triangulation of a domain without Steiner points, "
+          "or another one if there is no canonical one",
           "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
           "segment-insertion)",
           exit_code);
   add_one(build, "steiner-cdt",
-          "A Steiner CDT of any domain: vertices on segments make it edge-protected; then its "
-          "canonical CDT",
+          "A Steiner CDT of any domain: the canonical CDT of the domain with Steiner points on "
+          "its segments, which make it edge-protected",
           "gift-wrapping|polygon-flips|polygon-cavities (in the plane gift-wrapping|"
           "segment-insertion)",
           exit_code);

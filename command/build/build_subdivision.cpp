@@ -89,23 +89,26 @@ void add_build_subdivision(CLI::App& build, ExitCode& exit_code) {
   const auto options = std::make_shared<SubdivisionOptions>();
   CLI::App* command = build.add_subcommand(
       "delaunay-subdivision",
-      "The Delaunay subdivision: the projected lower hull of the lifted points, cospherical points "
-      "in one cell");
+      "The Delaunay subdivision, in which cospherical points share a cell: the projected "
+      "lower hull of the lifted points");
   command->footer(
       "Example:\n"
-      "  circumspect build delaunay-subdivision points.node\n\n"
-      "Prints the points of each cell; --format json has the faces of all dimensions.");
+      "  circumspect build delaunay-subdivision points.node\n"
+      "\n"
+      "The text output lists the points of each cell. The JSON output has the faces of all "
+      "dimensions.");
   command->add_option("points", options->points, "Points: .node, .json, .off, or Qhull's form")
       ->required();
   std::vector<std::string> names;
   for (const auto& [name, construction] : subdivisions()) names.push_back(name);
   command
       ->add_option("--algorithm", options->algorithm,
-                   "All give the same complex (default: lifted-hull)")
+                   "The algorithm. All make the same complex (default: lifted-hull)")
       ->check(one_of_words(names))
       ->option_text("by-definition|gift-wrapping-cells|lifted-hull");
-  command->add_flag("--weighted", options->input.weighted,
-                    "With weights: the first attribute of a .node file, or the key of JSON");
+  command->add_flag(
+      "--weighted", options->input.weighted,
+      "Use the weights: the first attribute of a .node file, or the key weights of JSON");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

@@ -121,14 +121,16 @@ CdtDecision decide_cdt(const PiecewiseLinearComplex& complex, const SearchLimits
 
 void add_search_options(CLI::App& command, SearchLimits& limits) {
   command
-      .add_option("--search-vertices", limits.vertices,
-                  "Search for any CDT, where there is no canonical one, in domains of at most N "
-                  "vertices (default 60)")
+      .add_option(
+          "--search-vertices", limits.vertices,
+          "If there is no canonical CDT, search for another one in domains of at most N vertices "
+          "(default 60)")
       ->check(whole_number())
       ->option_text("N");
   command
-      .add_option("--search-conflicts", limits.conflicts,
-                  "Give the search up after N conflicts (default 1000000; 0: never)")
+      .add_option(
+          "--search-conflicts", limits.conflicts,
+          "Give up this search after N conflicts of the SAT solver (default 1000000; 0: never)")
       ->check(whole_number())
       ->option_text("N");
 }

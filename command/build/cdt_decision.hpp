@@ -1,5 +1,5 @@
-// Has a domain in space a constrained Delaunay triangulation without Steiner points, and which?
-// `inspect` tells the answer, `build cdt` writes the triangulation. Book: Sections 4.5 and 5.6.
+// Whether a domain in space has a constrained Delaunay triangulation without Steiner points, and which.
+// `inspect` prints the answer, and `build cdt` writes the triangulation. Book: Sections 4.5 and 5.6.
 #pragma once
 
 #include <optional>

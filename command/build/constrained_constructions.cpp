@@ -31,7 +31,7 @@ std::string in_words(const constrained::NoCdt& no_cdt, const Domain& domain) {
     case WhyNoCdt::kSegmentCrosses:
       return fmt::format("segment {} runs through the tetrahedron {}", witness, simplex);
     case WhyNoCdt::kSimplicesOverlap:
-      return fmt::format("tetrahedra are in each other's way at {}", simplex);
+      return fmt::format("tetrahedra overlap at {}", simplex);
     case WhyNoCdt::kNotLocallyDelaunay:
       return fmt::format("facet {} is not locally Delaunay: vertex {} is in the ball", simplex,
                          witness);
@@ -82,9 +82,11 @@ tl::expected<DomainMesh, NoMesh> cdt(const Domain& domain, const DomainConstruct
     case CdtAnswer::kAnother: {
       if (asked_for) {
         return tl::unexpected(NoMesh{
-            false, fmt::format("there is one, but no canonical one, and {} makes no other; without "
-                               "--algorithm it is built; {}",
-                               *asked_for, why)});
+            false,
+            fmt::format(
+                "there is a CDT, but no canonical one, and {} makes only that; build cdt without "
+                "--algorithm makes another; {}",
+                *asked_for, why)});
       }
       DomainMesh mesh = mesh_of(domain, *std::move(decision.cdt));
       mesh.not_canonical = why;
@@ -97,10 +99,11 @@ tl::expected<DomainMesh, NoMesh> cdt(const Domain& domain, const DomainConstruct
   }
   return tl::unexpected(NoMesh{
       false,
-      fmt::format("there is no canonical one, and the search for another was given up, {}; "
-                  "--search-vertices and --search-conflicts set its limits, and build steiner-cdt "
-                  "adds vertices until there is a canonical one; {}",
-                  decision.limit, why)});
+      fmt::format(
+          "there is no canonical CDT, and the search for another was given up, {}; "
+          "--search-vertices and --search-conflicts set its limits, and build steiner-cdt adds "
+          "vertices until there is a canonical one; {}",
+          decision.limit, why)});
 }
 
 tl::expected<DomainMesh, NoMesh> planar(const Domain& domain, const std::string& algorithm) {

@@ -1,4 +1,4 @@
-// Meshes of domains in the files that users keep.
+// Writes meshes of domains to files.
 #pragma once
 
 #include "command/build/constrained_constructions.hpp"

@@ -1,4 +1,4 @@
-// Triangulations in the forms of the files that users keep, and the constructions that make them, by name.
+// Writes triangulations to files, and lists the constructions that make them, by name.
 #pragma once
 
 #include <functional>

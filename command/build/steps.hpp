@@ -1,4 +1,4 @@
-// The steps of a construction, to look at: what `build --html FILE` shows one after the other.
+// The steps of a construction, as pictures: `build --html FILE` shows one after the other.
 #pragma once
 
 #include <optional>

@@ -29,18 +29,23 @@ void add_adapter(CLI::App& app, ExitCode& exit_code) {
       "Examples:\n"
       "  circumspect adapter python > mine.py\n"
       "  circumspect adapter python --updates > mine.py\n"
-      "  circumspect campaign --worker --dimension 2 -- python3 mine.py\n\n"
-      "One function of it calls the library; put yours there. What it reads and writes is in "
-      "docs/workers.md.\n\n"
-      "Exit codes: 0 it is printed, 2 usage, 5 internal error.");
+      "  circumspect campaign --worker --dimension 2 -- python3 mine.py\n"
+      "\n"
+      "One function of this program calls the library: call yours there. docs/workers.md "
+      "describes the\n"
+      "lines that it reads and writes.\n"
+      "\n"
+      "Exit codes: 0 printed, 2 usage, 5 internal error.");
   std::vector<std::string> languages;
   for (const auto& [name, extension] : extensions) languages.push_back(name);
   command->add_option("language", *language, "The language of the library")
       ->required()
       ->check(one_of_words(languages))
       ->option_text("c|c++|java|javascript|julia|octave|python|r|rust");
-  command->add_flag("--updates", *has_updates,
-                    "For campaign --updates: the library holds points that come and go (python)");
+  command->add_flag(
+      "--updates", *has_updates,
+      "Print the adapter for campaign --updates, whose library inserts and deletes points "
+      "(python only)");
   command->callback([language, has_updates, &exit_code] {
     const auto adapter =
         adapters().find((*has_updates ? ".updates" : "") + extensions.at(*language));

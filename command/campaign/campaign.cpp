@@ -294,17 +294,23 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  circumspect campaign --time 60s -- ./my_program {points} {mesh}\n"
     "  circumspect campaign --mesh x.1.ele -- tetgen -JQ {points}\n"
-    "  circumspect campaign --points x.qhull --stdin --mesh x.qhull-i --stdout -- qdelaunay Qt i\n"
+    "  circumspect campaign --points x.qhull --stdin --mesh x.qhull-i --stdout -- "
+    "qdelaunay Qt i\n"
     "  circumspect campaign --mesh x.1.ele --claim steiner-cdt -- tetgen -pQ {domain}\n"
     "  circumspect campaign --worker --dimension 2 -- node adapter.mjs\n"
     "  circumspect campaign --domain x.geo --mesh x.mesh --claim steiner-triangulation \\\n"
-    "      -- gmsh -3 -v 2 {domain} -o {mesh}\n\n"
-    "Each failure gets a folder campaign/findings/NAME/ with a small input and reproduce.sh.\n"
-    "The same command, given again, goes on where it stopped, even after Ctrl-C or kill -9. It "
-    "also\n"
-    "goes on making small what it had no time for.\n\n"
-    "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run or\n"
-    "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal error.";
+    "      -- gmsh -3 -v 2 {domain} -o {mesh}\n"
+    "\n"
+    "Each failure gets a folder campaign/findings/NAME/ with a small input and "
+    "reproduce.sh.\n"
+    "If you give the same command again, it continues where it stopped, even after Ctrl-C "
+    "or kill -9.\n"
+    "It also minimizes the findings for which it had no time.\n"
+    "\n"
+    "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run "
+    "or\n"
+    "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal "
+    "error.";
 
 }  // namespace
 
@@ -322,30 +328,31 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
       ->option_text("N");
   add_duration(
       *command, "--time", options->seconds,
-      "How long to go on, a quarter of it for making small what is found; a program that runs "
-      "then is waited for (default: 60s; with --cases, until all are done)");
+      "Stop after TIME, of which up to a quarter goes into minimizing findings. The campaign "
+      "waits for programs that still run (default: 60s; with --cases, until all are done)");
   command
       ->add_option("--cases", options->cases,
-                   "How many inputs to draw, in all runs of this campaign together")
+                   "Draw N inputs, in all runs of this campaign together")
       ->check(whole_number())
       ->option_text("N");
   command
       ->add_option(
           "--families", options->families,
-          "The families to draw from, with commas between them (default: all families; "
-          "'all': all with all modifiers). circumspect generate --list names them; modifiers "
-          "go together, as in grid+moved+ulp")
+          "The families to draw from, with commas between them (default: all families; 'all': "
+          "all families with all modifiers). circumspect generate --list names them. Modifiers "
+          "can be combined, as in grid+moved+ulp")
       ->delimiter(',')
       ->option_text("NAME,...");
   command
-      ->add_option("--max-points", options->sizes.max_points,
-                   "How many points an input may have (default: 20, and in a few per cent of the "
-                   "cases 64 to 2000, of points in dimensions up to 3)")
+      ->add_option(
+          "--max-points", options->sizes.max_points,
+          "The largest number of points of an input (default: 20; in dimensions up to 3, a few "
+          "per cent of the point sets have 64 to 2000)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   command
       ->add_option("--exclude", options->excluded,
-                   "Families to leave out, with commas between them, with all their modifiers")
+                   "Families to leave out with all their modifiers, with commas between them")
       ->delimiter(',')
       ->option_text("NAME,...");
   CLI::Option* const exponents =
@@ -360,32 +367,37 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
               "(default: -100:100). Write it with =, as in --exponents=-20:20")
           ->option_text("LOW:HIGH");
   command
-      ->add_flag("--extreme", options->sizes.extreme,
-                 "Coordinates are as the families have them: to 2^990, to 2^-1000 and to denormal "
-                 "numbers. Signatures of what needs such numbers end in -extreme")
+      ->add_flag(
+          "--extreme", options->sizes.extreme,
+          "Draw coordinates as large and as small as the families have them: up to 2^990, down "
+          "to 2^-1000 and to denormal numbers. The signature of a finding that needs such "
+          "numbers ends in -extreme")
       ->excludes(exponents);
   command
-      ->add_option("--integers", options->sizes.integers,
-                   "Coordinates and weights are integers, coordinates of at most so many bits")
+      ->add_option(
+          "--integers", options->sizes.integers,
+          "Draw coordinates and weights that are integers, and coordinates of at most BITS bits")
       ->check(whole_number(1, 53))
       ->option_text("BITS");
   command
-      ->add_option("--known", options->known,
-                   "A file with a signature on each line, which are known and no findings; what "
-                   "stands behind # is left out")
+      ->add_option(
+          "--known", options->known,
+          "A file with a signature on each line. Cases with these signatures are counted, but "
+          "are not findings. A # begins a comment")
       ->option_text("FILE");
   command
       ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
       ->option_text("FOLDER");
   command
       ->add_option("--jobs", options->jobs,
-                   "How many programs run at a time (default: one for each processor)")
+                   "Run N programs at a time (default: one for each processor)")
       ->check(whole_number(1, 256))
       ->option_text("N");
   command
-      ->add_option("--output", options->folder,
-                   "The folder for the journal, and for what is found in FOLDER/findings (default: "
-                   "campaign). Where its own name is findings, that is both")
+      ->add_option(
+          "--output", options->folder,
+          "The folder of the journal. Findings go to FOLDER/findings, or to FOLDER itself if its "
+          "name is findings (default: campaign)")
       ->option_text("FOLDER");
   command
       ->add_option("--about", options->subject.about,
@@ -393,9 +405,10 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
                    "such as --about \"$(my_program --version), built by make\"")
       ->option_text("TEXT");
   command
-      ->add_option("--promise", options->subject.promise,
-                   "What the documents of the program promise, quoted and with the address, for "
-                   "issue.md of each finding")
+      ->add_option(
+          "--promise", options->subject.promise,
+          "A promise from the program's documents, quoted and with its address, for issue.md of "
+          "each finding")
       ->option_text("TEXT");
   command->add_option("--junit", options->junit, "Also write a report for CI")->option_text("FILE");
   command->add_option("--sarif", options->sarif, "Also write a report for code scanning (SARIF)")
@@ -405,8 +418,8 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option(
           "--html", options->html,
-          "Also write a page that shows each finding as a picture; it opens in any browser "
-          "and loads nothing")
+          "Also write a page that shows each finding as a picture; it opens in any browser, "
+          "without a network")
       ->option_text("FILE");
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });

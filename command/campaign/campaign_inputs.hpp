@@ -1,4 +1,4 @@
-// Where the inputs of a campaign come from: families and files.
+// The inputs of a campaign, from families and from files.
 #pragma once
 
 #include <optional>

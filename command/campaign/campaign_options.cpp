@@ -37,10 +37,11 @@ void add_bytes(CLI::App& command, const std::string& name, std::uint64_t& bytes,
 
 void add_files(CLI::App& command, SubjectOptions& options) {
   command
-      .add_option("--points", options.points_name,
-                  "The name of the file from which the program reads the points (default: x.node). "
-                  "Its extension says the format: .node, .qhull, .off, .json, or .xyz with one "
-                  "line of coordinates for each point")
+      .add_option(
+          "--points", options.points_name,
+          "The name of the file from which the program reads the points (default: x.node). Its "
+          "extension selects the format: .node, .qhull, .off, .json, or .xyz with one line of "
+          "coordinates for each point")
       ->option_text("NAME");
   command
       .add_option(
@@ -51,22 +52,21 @@ void add_files(CLI::App& command, SubjectOptions& options) {
   command
       .add_option(
           "--mesh", options.mesh_name,
-          "The name of the file to which the program writes the mesh (default: x.ele): what {mesh} "
-          "stands for, or the name that the program itself chooses, such as x.1.ele for tetgen. "
-          "Its extension says the format: .ele, .qhull-i, .off, .mesh, .msh, .vtk, .vtu, .tet, "
-          ".json")
+          "The name of the file to which the program writes the mesh (default: x.ele). {mesh} "
+          "stands for this name; if the program chooses the name itself, give that one, such as "
+          "x.1.ele for tetgen. Its extension selects the format: .ele, .qhull-i, .off, .mesh, "
+          ".msh, .vtk, .vtu, .tet, .json")
       ->option_text("NAME");
   command.add_flag("--stdin", options.reads_stdin, "The program reads the input from stdin");
   command.add_flag("--stdout", options.writes_stdout, "The program writes the mesh to stdout");
   command.add_flag(
       "--worker", options.is_worker,
-      "The program is a worker: it reads one case after another from stdin, and answers each on "
-      "stdout. circumspect adapter LANGUAGE prints one to begin with. With --mesh x.off or x.tet "
-      "its "
-      "answers are such files, as they always are for domains");
+      "The program is a worker: it reads one case after another from stdin, and answers each "
+      "on stdout. circumspect adapter LANGUAGE prints one to begin with. For domains, and "
+      "with --mesh x.off or x.tet, its answers are such files");
   command
       .add_option("--worker-cases", options.worker_cases,
-                  "After so many cases a worker is started anew (default: 1000)")
+                  "Start a new worker after N cases (default: 1000)")
       ->check(whole_number(1, 1'000'000'000))
       ->option_text("N");
   using generators::UpdateKind;
@@ -74,10 +74,11 @@ void add_files(CLI::App& command, SubjectOptions& options) {
                                                    {"delete", UpdateKind::kDelete},
                                                    {"restore", UpdateKind::kRestore}};
   command
-      .add_option("--updates", options.updates,
-                  "The worker holds a structure that lives: before it answers, points come and go, "
-                  "and with restore it is written and read again. Its cases then have a seventh "
-                  "count, that of the updates")
+      .add_option(
+          "--updates", options.updates,
+          "The worker keeps a structure that changes: before it answers, it inserts and deletes "
+          "points, and with restore it writes the structure and reads it again. A case then has "
+          "a seventh count, the number of updates")
       ->delimiter(',')
       ->transform(one_of(kinds))
       ->option_text("insert,delete,restore");
@@ -95,10 +96,11 @@ void add_comparisons(CLI::App& command, SubjectOptions& options) {
                                                      {"scaling", Relation::kScaling},
                                                      {"repetition", Relation::kRepetition}};
   command
-      .add_option("--metamorphic", options.relations,
-                  "Also try each input changed: in another order, moved, reflected or scaled (all "
-                  "exactly), with points that come twice. A program that was right has to be so "
-                  "still, and one that refused it has to refuse it still")
+      .add_option(
+          "--metamorphic", options.relations,
+          "Also try each input in a changed form: in another order, moved, reflected or scaled "
+          "(all exactly), or with points that come twice. If the program was right, it must be "
+          "right again; if it refused the input, it must refuse it again")
       ->delimiter(',')
       ->transform(one_of(relations))
       ->option_text("order,translation,reflection,scaling,repetition");
@@ -110,18 +112,18 @@ void add_comparisons(CLI::App& command, SubjectOptions& options) {
   command
       .add_option(
           "--untidy", options.untidiness,
-          "Of domains: segments touch, cross and overlap inside or go through polygons, and "
-          "vertices come twice. Their meshes are held against the exact arrangement. No "
-          "polygons cross")
+          "Draw domains whose segments touch, cross, overlap or go through polygons, and whose "
+          "vertices come twice. The meshes are judged against the exact arrangement. No polygons "
+          "cross")
       ->delimiter(',')
       ->transform(one_of(kinds))
       ->option_text("touching,crossing,overlapping,repetition");
   command
       .add_option(
           "--against", options.against,
-          "Another program with its arguments, in one word, that is called in the same way "
-          "and given the same inputs: this one may not refuse what that one gets right, nor "
-          "make another mesh where only one is Delaunay")
+          "Another program with its arguments, as one word, which is called in the same way with "
+          "the same inputs. Your program fails if it refuses an input that the other gets right, "
+          "or makes another mesh where only one is Delaunay")
       ->option_text("COMMAND");
 }
 
@@ -134,18 +136,19 @@ void add_claims(CLI::App& command, SubjectOptions& options) {
       ->check(whole_number(1, 8))
       ->option_text("D");
   command.add_flag("--full-dimension", options.full_dimension,
-                   "Skip points that lie in a hyperplane, and domains whose points do");
+                   "Skip points that all lie in one hyperplane, and domains with such points");
   command
       .add_option(
           "--refusal-exit-code", options.refusal_codes,
-          "With this exit code the program refuses an input, which is no failure. May be given "
+          "The program refuses an input by this exit code, which is not a failure. May be given "
           "several times")
       ->check(whole_number(0, 255))
       ->option_text("N");
   command
-      .add_option("--refusal-text", options.refusal_texts,
-                  "With this text in its output the program refuses an input, which is no failure. "
-                  "May be given several times")
+      .add_option(
+          "--refusal-text", options.refusal_texts,
+          "The program refuses an input by this text in its output, which is not a failure. May "
+          "be given several times")
       ->option_text("TEXT");
 }
 
@@ -237,12 +240,11 @@ std::string fault_of(const SubjectOptions& options, const Subject& subject) {
     return "expected --untidy with {domain} or --domain, found another input";
   }
   if (!options.said.holes.empty() || !options.said.regions.empty()) {
-    return "expected no --hole and no --region, which are points of one domain, found one: domains "
-           "of a "
-           "campaign are many";
+    return "expected no --hole and no --region, which are points of one domain, found one: a "
+           "campaign has many domains";
   }
   if (!options.is_worker && !subject.updates.empty()) {
-    return "expected --worker with --updates, found none: a program that reads files ends with its "
+    return "expected --worker with --updates, found none: such a program must go on after each "
            "mesh";
   }
   const std::string fault = options.is_worker ? worker_fault_of(options, subject) : "";
@@ -287,35 +289,35 @@ void add_subject_options(CLI::App& command, SubjectOptions& options) {
           "command", options.command,
           "The program and its arguments, after --. In them, {points} or {domain} stands for the "
           "input file, {mesh} for the file of the mesh, and {folder} for the folder of both. The "
-          "program runs in that folder; paths with a slash to files of yours still work, such as "
-          "./script.py")
+          "program runs in that folder. A path to a file of yours still works if it has a slash, "
+          "such as ./script.py")
       ->required();
   add_files(command, options);
   add_claims(command, options);
   add_comparisons(command, options);
   add_duration(command, "--limit-time", options.seconds,
-               "How long one run may take (default: 10s)");
+               "Limit the time of one run (default: 10s)");
   add_bytes(command, "--limit-memory", options.memory,
-            "How much address space each of its processes may have (default: 4G). 0 sets no limit, "
-            "which programs built with AddressSanitizer need");
+            "Limit the address space of each process of the program (default: 4G). 0 sets no "
+            "limit, which programs built with AddressSanitizer need");
   add_bytes(command, "--limit-output", options.output,
-            "How much it may write, in each file and in all together (default: 64M)");
+            "Limit the output of the program, in each file and in all together (default: 64M)");
   command
       .add_option("--limit-processes", options.processes,
-                  "How many processes it may have at a time (default: 256)")
+                  "Limit the number of its processes at a time (default: 256)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   add_duration(command, "--limit-judging", options.judging_seconds,
-               "How long it may take to judge one of its meshes (default: ten times --limit-time)");
+               "Limit the time for judging one of its meshes (default: ten times --limit-time)");
   const std::map<std::string, campaign::Containment> ways = {
       {"namespaces", campaign::Containment::kNamespaces},
       {"supervisor", campaign::Containment::kSupervisor}};
   command
       .add_option(
           "--containment", options.containment,
-          "What keeps the processes of the program together: a process namespace of its own, "
-          "from which it sees no other process, or a supervisor that looks for them "
-          "(default: namespaces where the system allows them)")
+          "Keep the processes of the program together in a process namespace, from which they "
+          "see no other process, or by a supervisor that searches for them (default: namespaces "
+          "where the system allows them)")
       ->transform(one_of(ways))
       ->option_text("namespaces|supervisor");
   add_duration(command, "--minimize-time", options.minimise_seconds,

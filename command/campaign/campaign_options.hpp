@@ -1,4 +1,4 @@
-// What campaign and minimize let their users say about the program under test.
+// The options of campaign and minimize that describe the program under test.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a campaign found, to look at: --html FILE of campaign and minimize.
+// The findings of a campaign as a page: --html FILE of campaign and minimize.
 #pragma once
 
 #include <string>

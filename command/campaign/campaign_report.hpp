@@ -1,4 +1,4 @@
-// What a campaign found, for people, for programs and for CI; and how it is stopped.
+// Reports the findings of a campaign to people, programs and CI, and stops a campaign.
 #pragma once
 
 #include <atomic>

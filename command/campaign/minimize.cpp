@@ -46,7 +46,8 @@ std::string write_input(const MinimizeOptions& options, const campaign::Subject&
                         const campaign::Input& input) {
   const auto text = campaign::file_text(input, output_extension(options, subject),
                                         subject.first_index, subject.dimension);
-  if (!text) return options.output_file + ": its format has no way to say this domain";
+  if (!text)
+    return options.output_file + ": expected a format that can express this domain, found another";
   return write_file(options.output_file, [&](std::ostream& stream) { stream << *text; });
 }
 
@@ -152,15 +153,17 @@ ExitCode run(const MinimizeOptions& options) {
 void add_minimize(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<MinimizeOptions>();
   CLI::App* command =
-      app.add_subcommand("minimize", "Make an input small on which a program fails");
+      app.add_subcommand("minimize", "Reduce an input on which a program fails to a small one");
   command->footer(
       "Examples:\n"
       "  circumspect minimize big.node -o small.node -- ./my_program {points} {mesh}\n"
-      "  circumspect minimize part.poly -o small.poly --mesh x.1.ele -- tetgen -pQ {domain}\n\n"
-      "Points and cells are left out, and coordinates become small integers, as long as the same "
-      "rule\n"
-      "is broken or the program ends in the same way.\n\n"
-      "Exit codes: 0 it is written, 2 usage, 3 the input is at fault or the program does not fail "
+      "  circumspect minimize part.poly -o small.poly --mesh x.1.ele -- tetgen -pQ {domain}\n"
+      "\n"
+      "minimize leaves out points and cells, and turns coordinates into small integers, as "
+      "long as the\n"
+      "mesh breaks the same rule or the program ends in the same way.\n"
+      "\n"
+      "Exit codes: 0 written, 2 usage, 3 the input is at fault or the program does not fail "
       "on\n"
       "it, 4 interrupted (the smallest input so far is written), 5 internal error.");
   command->add_option("input", options->input, "Points or a domain, in any format")->required();
@@ -168,7 +171,7 @@ void add_minimize(CLI::App& app, ExitCode& exit_code) {
       ->add_option("-o,--output", options->output_file, "The file for the small input; - is stdout")
       ->required()
       ->option_text("OUT");
-  add_page_option(*command, options->html, "the small input and the witness in the mesh of it");
+  add_page_option(*command, options->html, "the small input, and the witness in its mesh");
   add_subject_options(*command, options->subject);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });

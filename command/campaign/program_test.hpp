@@ -1,4 +1,4 @@
-// Programs that campaigns are tried with.
+// Programs on which the tests run campaigns.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Writes what proves a verdict.
+// Writes the certificate or the refutation that proves a verdict.
 #pragma once
 
 #include <string>

@@ -98,7 +98,7 @@ std::string usage_fault(const CertifyOptions& options) {
   }
   if (!options.domain && !options.said.is_given()) return "";
   return fmt::format("expected a claim about a domain beside {}, found {}",
-                     options.domain ? "--domain" : "what --domain can have", name(options.claim()));
+                     options.domain ? "--domain" : "an option of domains", name(options.claim()));
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -134,26 +134,31 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Example:\n"
       "  circumspect certify points.1.ele -o points.cert\n"
-      "  circumspect-verified points.cert        # trusts nothing that stands above\n\n"
-      "If the claim holds, a certificate is written, and otherwise a refutation; of claims about\n"
-      "domains not every one has a refutation.\n"
-      "proofs/CERTIFICATE.md describes both and says what follows from them.\n\n"
-      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span the\n"
+      "  circumspect-verified points.cert        # checks it without trusting circumspect\n"
+      "\n"
+      "If the claim holds, certify writes a certificate, and otherwise a refutation. Some "
+      "failures of\n"
+      "claims about domains have no refutation. proofs/CERTIFICATE.md describes both, and "
+      "says what\n"
+      "they prove.\n"
+      "\n"
+      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, or points that do not span "
+      "the\n"
       "plane or space, 3 the input is at fault, 4 interrupted or stopped by --limit, 5\n"
       "internal error.");
   command->add_option("mesh", options->mesh, "A mesh, in any format that check reads")->required();
   command
       ->add_option("-o,--output", options->certificate,
-                   "The file for the certificate or the refutation; - is stdout, which then holds "
-                   "nothing else")
+                   "The file for the certificate or the refutation. With -, it goes to stdout, and "
+                   "nothing else does")
       ->option_text("FILE")
       ->required();
   add_claim_option(*command, options->asked,
-                   "The claim to judge (default: delaunay); weights are read as by check")
+                   "The claim to judge (default: delaunay). Weights are read as check reads them")
       ->option_text("CLAIM");
   command
       ->add_option("--domain", options->domain,
-                   "The domain that the mesh is held against, if the claim is about one")
+                   "The domain of the mesh, for a claim about a domain")
       ->option_text("FILE");
   add_domain_options(*command, options->said);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")

@@ -172,7 +172,7 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain", square},
           "expected a claim about a domain beside --domain, found delaunay");
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
-          "expected a claim about a domain beside what --domain can have, found delaunay");
+          "expected a claim about a domain beside an option of domains, found delaunay");
   const std::string dangling = meshes.write("dangling", "5 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n9 4 4\n",
                                             "2 3\n1 5 6 7\n2 5 7 8\n");
   meshes.folder.write("dangling.edge", "1 0\n1 7 9\n");

@@ -255,11 +255,11 @@ std::string usage_fault(const CheckOptions& options) {
   }
   if (std::string fault = domain_options_fault(options.said); !fault.empty()) return fault;
   if (options.input.neighbors && !options.input.kept_labels.empty()) {
-    return "expected no --neighbors beside --keep-label, found it: a .neigh file tells of all "
+    return "expected no --neighbors beside --keep-label, found it: a .neigh file is about all "
            "cells";
   }
   if (options.certificate && !options.input.kept_labels.empty()) {
-    return "expected no --certificate beside --keep-label, found one: a certificate tells of all "
+    return "expected no --certificate beside --keep-label, found one: a certificate is about all "
            "cells of a file";
   }
   if (options.certificate && options.meshes.size() != 1) {
@@ -283,7 +283,7 @@ std::string usage_fault(const CheckOptions& options) {
              {!picture_files(options.picture).empty(), "pictures"}}) {
       if (!is_given) continue;
       return fmt::format(
-          "expected no {} beside --memory, found it: for that the mesh has to be in memory", word);
+          "expected no {} beside --memory, found it: this needs the whole mesh in memory", word);
     }
   }
   const std::string fault = picture_fault(options.picture, options.meshes.size());
@@ -333,12 +333,17 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
   CLI::App* command = app.add_subcommand("check", "Judge meshes that any program made");
   command->footer(
       "Example:\n"
-      "  tetgen points.node                      # TetGen writes points.1.node, points.1.ele\n"
-      "  circumspect check points.1.ele          # exit 0: Delaunay; 1: not, with a witness\n"
+      "  tetgen points.node                      # TetGen writes points.1.node, "
+      "points.1.ele\n"
+      "  circumspect check points.1.ele          # exit 0: it is Delaunay; 1: it is not, and "
+      "a witness shows it\n"
       "  tetgen -pq part.poly                    # part.1.node, part.1.ele, part.1.face\n"
-      "  circumspect check part.1.ele --domain part.poly\n\n"
-      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also if it\n"
-      "has neither points nor simplices), 4 interrupted or stopped by --limit, 5 internal error.");
+      "  circumspect check part.1.ele --domain part.poly\n"
+      "\n"
+      "Exit codes: 0 the claim holds, 1 it does not, 2 usage, 3 the input is at fault (also "
+      "if it\n"
+      "has neither points nor simplices), 4 interrupted or stopped by --limit, 5 internal "
+      "error.");
   command
       ->add_option(
           "mesh", options->meshes,
@@ -351,11 +356,11 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "the mesh has more vertices than the domain). Weights are the first attribute "
                    "of a .node file, as for tetgen -w, or the key weights of JSON");
   command
-      ->add_option("--domain", options->domain,
-                   "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, "
-                   ".mesh, .msh, .vtk, .vtu, .vtp. "
-                   "Dangling triangles and edges of the mesh are read from the .face and the .edge "
-                   "file beside the .ele")
+      ->add_option(
+          "--domain", options->domain,
+          "The domain that the mesh must fill: .poly, .smesh, .off, .stl, .ply, .obj, .mesh, "
+          ".msh, .vtk, .vtu, .vtp. The dangling triangles and edges of the mesh are read from "
+          "the .face and the .edge file beside the .ele")
       ->option_text("FILE");
   add_domain_options(*command, options->said, true);
   add_within_option(*command, options->within);

@@ -63,14 +63,15 @@ void add_memory_option(CLI::App& command, std::optional<std::uint64_t>& bytes) {
       text = std::to_string(*said);
       return "";
     }
-    return fmt::format("expected a size of at least {}M, as 500M or 2G, found {}",
+    return fmt::format("expected a size of at least {}M, such as 500M or 2G, found {}",
                        kLeastMemory / kMega, text);
   };
   command
-      .add_option("--memory", bytes,
-                  "Take about so much memory, as 500M or 2G: judge the mesh part after part, of "
-                  "which the others lie in files in TMPDIR (or /var/tmp). For .npy and .ele, and "
-                  "claims about points")
+      .add_option(
+          "--memory", bytes,
+          "Use about SIZE of memory, such as 500M or 2G: judge the mesh part by part, and keep "
+          "the other parts in files in TMPDIR (or /var/tmp). For .npy and .ele, and claims about "
+          "points")
       ->transform(CLI::Validator(read, ""))
       ->option_text("SIZE");
 }

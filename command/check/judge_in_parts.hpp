@@ -1,4 +1,4 @@
-// The verdict on a mesh in files that is read part after part: check --memory.
+// Judges a mesh in files part by part: check --memory.
 #pragma once
 
 #include <cstdint>

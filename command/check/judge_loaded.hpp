@@ -1,4 +1,4 @@
-// From a mesh that was read to the verdict on it.
+// Judges a mesh that was read from files.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What may be all that is wrong with a mesh of a domain, for the notes under a verdict.
+// Finds options with which a mesh of a domain would hold, for the notes under a verdict.
 #pragma once
 
 #include <optional>

@@ -17,8 +17,8 @@ std::string read_distance(const std::string& text, Distance& distance) {
   const auto value = read_number(number, NumberReading::kDecimal);
   if (!value || sign(*value) < 0) {
     return fmt::format(
-        "expected a distance of at least 0, such as 1e-9, 1/3, or 1e-12x for so many times the "
-        "longest side of the bounding box of the domain, found {}",
+        "expected a distance of at least 0, such as 1e-9 or 1/3, or 1e-12x, which is 1e-12 "
+        "times the longest side of the domain's bounding box, found {}",
         text);
   }
   distance.number = *value;
@@ -55,10 +55,10 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
   command
       .add_option(
           "--within", read,
-          "Judge, exactly, the claim for the domain with its vertices, segments and polygons "
-          "moved by at most so much, as rounded coordinates move them: a number, or 1e-12x for "
-          "so many times the longest side of the domain's bounding box; the verdict ends with "
-          "the distance that was needed")
+          "Allow for rounded coordinates: judge exactly whether the claim holds for the domain "
+          "when its vertices, segments and polygons may move by at most DISTANCE. This is a "
+          "number, or a multiple of the longest side of the domain's bounding box: 1e-12x is "
+          "1e-12 times that side. The verdict ends with the distance that was needed")
       ->option_text("DISTANCE");
 }
 

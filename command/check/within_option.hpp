@@ -1,4 +1,4 @@
-// --within DISTANCE: by how much the cells of a domain may have been moved.
+// --within DISTANCE: how far the cells of a domain may have been moved.
 #pragma once
 
 #include <optional>

@@ -312,36 +312,41 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Example:\n"
       "  circumspect build delaunay points.node -o ours.json\n"
-      "  circumspect compare theirs.1.ele ours.json\n\n"
+      "  circumspect compare theirs.1.ele ours.json\n"
+      "\n"
       "Points are matched by their exact coordinates and weights, and simplices as sets of\n"
-      "points. The order of points, simplices and vertices means nothing. Weights are what JSON\n"
-      "calls so, and with --weighted the first attributes of a .node file; a point without one "
-      "has\n"
-      "weight 0. If the points are not generic, two Delaunay triangulations may differ and both "
-      "be\n"
-      "right, which check can tell.\n\n"
-      "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 4 interrupted or\n"
+      "points. The order of points, simplices and vertices means nothing. Weights are read "
+      "from\n"
+      "the key weights of JSON and, with --weighted, from the first attribute in a .node "
+      "file; a point\n"
+      "without one has weight 0. If the points are not generic, two Delaunay triangulations "
+      "may differ\n"
+      "and both be right; check tells whether they are.\n"
+      "\n"
+      "Exit codes: 0 the same, 1 different, 2 usage, 3 the input is at fault, 4 interrupted "
+      "or\n"
       "stopped by --limit, 5 internal error.");
   command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
   command->add_option("b", options->b, "The other mesh")->required();
   command
       ->add_option(
           "-o,--output", options->output_file,
-          "Also write the simplices that only one of the meshes has, for viewers: .vtu and "
-          ".msh with the label 1 for those of A and 2 for those of B, .obj and .ply their "
-          "surfaces")
+          "Also write the simplices that only one of the meshes has, for viewers. In .vtu and "
+          ".msh, those of A have the label 1 and those of B the label 2; .obj and .ply have "
+          "their surfaces")
       ->option_text("OUT.vtu");
   add_page_option(*command, options->html,
-                  "the simplices that differ, those of A and those of B in colours of their own");
+                  "the simplices that differ, those of A in one colour and those of B in another");
   command
       ->add_option("--max-errors", options->most,
                    "Show at most N differences of each kind (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
-  command->add_flag("--weighted", options->input.weighted,
-                    "Both meshes have weights: the first attribute of a .node file, as for check "
-                    "--claim weighted-delaunay, or the key weights of JSON. Without it only the "
-                    "latter count");
+  command->add_flag(
+      "--weighted", options->input.weighted,
+      "Both meshes have weights: the first attribute of a .node file, as for check --claim "
+      "weighted-delaunay, or the key weights of JSON. Without this option, only the weights "
+      "of JSON count");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_keep_label_option(*command, options->input);

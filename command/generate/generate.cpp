@@ -91,16 +91,17 @@ tl::expected<Draw, std::string> draw(const GenerateOptions& options) {
     const std::size_t dimension = options.dimension_or_space();
     if (family->exists_in(dimension)) return draw_points(*family, options);
     return tl::unexpected(
-        fmt::format("{} exists in dimension {}; expected --dimension so, found {}", family->name,
-                    dimensions_text(*family), dimension));
+        fmt::format("{} exists in dimension {}; expected such a --dimension, found {}",
+                    family->name, dimensions_text(*family), dimension));
   }
   const auto* family = properties::find_domain_family(options.family);
   if (family == nullptr) return tl::unexpected(unknown_family(options.family));
   if (options.dimension.value_or(family->dimension) == family->dimension) {
     return draw_domains(*family, options);
   }
-  return tl::unexpected(fmt::format("{} exists in dimension {}; expected --dimension so, found {}",
-                                    family->name, family->dimension, *options.dimension));
+  return tl::unexpected(
+      fmt::format("{} exists in dimension {}; expected such a --dimension, found {}", family->name,
+                  family->dimension, *options.dimension));
 }
 
 bool is_json(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
@@ -183,17 +184,17 @@ void add_drawing_options(CLI::App& command, GenerateOptions& options) {
       ->option_text("N");
   command
       .add_option("--count", options.count,
-                  "How many inputs to draw, with the seeds N, N+1, ... (default: 1)")
+                  "Draw K inputs, with the seeds N, N+1, ... (default: 1)")
       ->check(whole_number(1, 1'000'000'000))
       ->option_text("K");
   command
-      .add_option("--points", options.points,
-                  "How many points to draw, equal ones counted once; domains have about as many "
-                  "(default: 12)")
+      .add_option(
+          "--points", options.points,
+          "Draw N points, of which equal ones count once; domains have about N (default: 12)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
   command.add_flag("--fewer", options.fewer,
-                   "Draw any number of points up to that, as campaigns do");
+                   "Draw any number of points up to that of --points, as campaigns do");
   command
       .add_option("--dimension", options.dimension,
                   "The dimension of the points (default: 3; domains have their own)")
@@ -218,14 +219,17 @@ void add_generate(CLI::App& app, ExitCode& exit_code) {
       "Example:\n"
       "  circumspect generate --list\n"
       "  circumspect generate sphere+ulp --seed 7 -o points.node\n"
-      "  circumspect generate protected-solids --count 100 -o domains\n\n"
-      "Points are written as a .node file, with weights as its attribute, and domains as a .poly "
-      "file.\n"
-      "Without -o they go to stdout; then --format json writes JSON (points only), as -o OUT.json "
-      "does.\n"
-      "In a folder the files are FAMILY-SEED.node and FAMILY-SEED.poly.\n\n"
-      "Exit codes: 0 written, 2 usage, no such family or not in that dimension, or a place that\n"
-      "cannot be written to.");
+      "  circumspect generate protected-solids --count 100 -o domains\n"
+      "\n"
+      "Points are written as a .node file, with weights as its attribute, and domains as a "
+      ".poly file.\n"
+      "Without -o they go to stdout; then --format json writes JSON (points only), as -o "
+      "OUT.json does.\n"
+      "In a folder the files are FAMILY-SEED.node and FAMILY-SEED.poly.\n"
+      "\n"
+      "Exit codes: 0 written, 2 usage, an unknown family, a family that does not exist in "
+      "that\n"
+      "dimension, or an output that cannot be written.");
   command->add_option("family", options->family, "A family of points or domains; see --list");
   command->add_flag("--list", options->list, "Print the table of families");
   add_drawing_options(*command, *options);

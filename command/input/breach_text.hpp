@@ -1,4 +1,4 @@
-// What keeps an input from being a piecewise linear complex, in words and for pictures.
+// Says in words, and for pictures, why an input is not a piecewise linear complex.
 #pragma once
 
 #include <optional>

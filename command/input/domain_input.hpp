@@ -1,4 +1,4 @@
-// From a file to a domain that meshes can be held against.
+// Reads a file as a domain against which meshes are judged.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Which part of the plane or of space a domain fills, where its user says so and where nobody does.
+// Finds which part of the plane or of space a domain fills, by the user's options or by default.
 // Book: Section 4.5.1, Definition 4.3.
 #pragma once
 

@@ -23,9 +23,10 @@ void add_coordinates_option(CLI::App& command, InputOptions& options) {
   const std::map<std::string, NumberReading> readings = {{"double", NumberReading::kDouble},
                                                          {"decimal", NumberReading::kDecimal}};
   command
-      .add_option("--coordinates", options.coordinates,
-                  "How decimals are read: as the doubles that other programs saw ('double', "
-                  "default), or exactly as written ('decimal')")
+      .add_option(
+          "--coordinates", options.coordinates,
+          "Read decimals as the doubles that other programs saw ('double', default), or exactly "
+          "as written ('decimal')")
       ->transform(one_of(readings))
       ->option_text("double|decimal");
 }
@@ -36,8 +37,8 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
   command
       .add_option(
           "--duplicates", options.duplicates,
-          "What to do about equal points: 'reject' the input (default), or 'merge' them into "
-          "the first, or where weights count into the heaviest")
+          "If points are equal, 'reject' the input (default) or 'merge' them into the first; if "
+          "weights count, into the heaviest")
       ->transform(one_of(policies))
       ->option_text("reject|merge");
 }
@@ -45,16 +46,17 @@ void add_duplicates_option(CLI::App& command, InputOptions& options) {
 void add_allow_empty_option(CLI::App& command, InputOptions& options) {
   command.add_flag(
       "--allow-empty", options.allow_empty,
-      "Take a file without points and simplices for a mesh of no points; otherwise it is "
-      "the input's fault, exit code 3");
+      "Accept a file without points and simplices as a mesh of no points. Without this "
+      "option, such an input is at fault (exit code 3)");
 }
 
 void add_keep_label_option(CLI::App& command, InputOptions& options) {
   command
-      .add_option("--keep-label", options.kept_labels,
-                  "Of the mesh, take only cells with this label: the reference in Medit's .mesh, "
-                  "the physical group in Gmsh's .msh, the first attribute in .ele. May be given "
-                  "several times")
+      .add_option(
+          "--keep-label", options.kept_labels,
+          "Take only the cells of the mesh that have this label: the reference in Medit's .mesh, "
+          "the physical group in Gmsh's .msh, the first attribute in .ele. May be given several "
+          "times")
       ->option_text("N");
 }
 

@@ -1,4 +1,4 @@
-// From files to meshes and point sets: what stands between the formats and the checkers.
+// Reads files as meshes and point sets; it is the layer between the formats and the checkers.
 #pragma once
 
 #include <optional>

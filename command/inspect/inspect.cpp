@@ -81,27 +81,29 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand(
       "inspect",
-      "Facts about a point set: dimension, duplicates, genericity with a witness, counts; or about "
-      "a domain: validity, polyhedra, edge-protection, whether it has a CDT");
+      "Print facts about points (dimension, duplicates, genericity, counts) or about a "
+      "domain (validity, polyhedra, edge-protection, existence of a CDT)");
   command->footer(
       "Example:\n"
       "  circumspect inspect points.node\n"
-      "  circumspect inspect part.poly\n\n"
-      "A set is generic if no k+2 of its points lie on one sphere (k the dimension of its affine\n"
-      "hull). 'unique' says that there is only one Delaunay triangulation.\n\n"
-      "A domain that is no piecewise linear complex gets exit code 3, and its breaches are "
-      "listed.\n"
-      "Of one that is, each fact is printed as soon as it is known, and the last line says "
+      "  circumspect inspect part.poly\n"
+      "\n"
+      "A set is generic if no k+2 of its points lie on one sphere, where k is the dimension "
+      "of its\n"
+      "affine hull. 'unique' says that there is only one Delaunay triangulation.\n"
+      "\n"
+      "If a domain is not a piecewise linear complex, inspect lists its breaches and ends "
+      "with exit\n"
+      "code 3. Otherwise it prints each fact as soon as it is known, and the last line says "
       "whether\n"
-      "it has a constrained Delaunay triangulation (CDT):\n"
-      "  cdt canonical   it has one, by the symbolic perturbation\n"
-      "  cdt another     it has one, by other tie-breaks\n"
-      "  cdt none        it has none without Steiner points, which is proved\n"
-      "  cdt unknown     the search reached a limit (exit code 4 if --decide asks for the "
-      "answer)\n\n"
+      "the domain has a constrained Delaunay triangulation (CDT):\n"
+      "  cdt canonical   it has the CDT that the symbolic perturbation selects\n"
+      "  cdt another     it has a CDT, but not that one\n"
+      "  cdt none        it has no CDT without Steiner points; this is proved\n"
+      "  cdt unknown     the search reached a limit (exit code 4 with --decide)\n"
+      "\n"
       "Exit codes: 0 inspected, 2 usage, 3 the input is at fault, 4 interrupted, stopped by "
-      "--limit "
-      "or\n"
+      "--limit or\n"
       "undecided in spite of --decide, 5 internal error.");
   command
       ->add_option("input", options->inputs,
@@ -111,7 +113,7 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
       ->required();
   command
       ->add_option("--subsets", options->points.subsets,
-                   "Look at no more than N subsets for genericity (default: 200000; 0: all)")
+                   "Test at most N subsets for genericity (default: 200000; 0: all)")
       ->check(whole_number())
       ->option_text("N");
   command
@@ -122,13 +124,12 @@ void add_inspect(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option(
           "--only", options->only,
-          "Find no more than these facts: of points dimension, genericity, simplices; of a "
-          "domain validity, regions, edge-protection, cdt")
+          "Find only these facts: for points dimension, genericity, simplices; for a domain "
+          "validity, regions, edge-protection, cdt")
       ->option_text("FACTS")
       ->delimiter(',');
   add_domain_inspection_options(*command, options->domain);
-  add_page_option(*command, options->html,
-                  "what is found, and each breach of a domain as a picture");
+  add_page_option(*command, options->html, "the facts, and each breach of a domain as a picture");
   add_coordinates_option(*command, options->input);
   add_duplicates_option(*command, options->input);
   add_limit_option(*command, options->output);

@@ -338,7 +338,7 @@ class Inspection {
 
 void add_domain_inspection_options(CLI::App& command, DomainInspection& options) {
   command.add_flag("--domain", options.is_asked_for,
-                   "The input is a domain, whatever its name says: an .off file, for example");
+                   "Read the input as a domain, whatever its extension, for example an .off file");
   add_domain_options(command, options.said);
   command.add_flag("--all-segments", options.all_segments,
                    "Name every segment of a domain, not only those that are not strongly Delaunay");
@@ -347,16 +347,16 @@ void add_domain_inspection_options(CLI::App& command, DomainInspection& options)
                   "Report at most N breaches of a domain (default: 20; 0: all)")
       ->check(whole_number())
       ->option_text("N");
-  command.add_flag(
-      "--decide", options.decide,
-      "Decide whether a domain of any size has a canonical CDT, by gift-wrapping if need "
-      "be, which may take long; and end with exit code 4 if the answer stays open");
+  command.add_flag("--decide", options.decide,
+                   "Decide whether a domain of any size has a canonical CDT, by gift-wrapping if "
+                   "necessary, which may take long. If no answer is found, end with exit code 4");
   add_search_options(command, options.limits);
   command
-      .add_option("--refutations", options.refutations,
-                  "Where there is no CDT or no triangulation, write the proofs for replay: "
-                  "PREFIX-cdt.cnf and .drat, PREFIX-triangulation.cnf and .drat; and "
-                  "PREFIX-triangulation.proof, or PREFIX-cdt.proof, for circumspect-verified")
+      .add_option(
+          "--refutations", options.refutations,
+          "If there is no CDT or no triangulation, write the proofs: for replay PREFIX-cdt.cnf "
+          "and .drat, PREFIX-triangulation.cnf and .drat; for circumspect-verified "
+          "PREFIX-triangulation.proof or PREFIX-cdt.proof")
       ->option_text("PREFIX");
 }
 

@@ -1,4 +1,4 @@
-// `inspect` of a piecewise linear complex: is it one, what is it made of, has it a CDT?
+// `inspect` of a domain: is it a piecewise linear complex, what are its parts, and does it have a CDT?
 // Book: Sections 4.5 and 5.6.
 #pragma once
 

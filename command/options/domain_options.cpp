@@ -72,23 +72,25 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
                                              {"winding", Fill::kWinding},
                                              {"hull", Fill::kHull}};
   command
-      .add_option("--fill,--domain-kind", options.fill,
-                  "What the domain fills: 'enclosed', all that its polygons (in the plane its "
-                  "segments) enclose; 'even-odd', of that what a way from the outside enters by "
-                  "an odd number of walls, so that a sphere in a sphere is hollow; 'winding', what "
-                  "its walls wind around, as they are listed; or 'hull', its convex hull. The "
-                  "default is 'enclosed' if they enclose anything, and 'hull' if there are none. "
-                  "If there are some and they enclose nothing, say which you mean: 'enclosed' "
-                  "meshes them alone and fills nothing. 'hull' needs points that do not all lie in "
-                  "one plane")
+      .add_option(
+          "--fill,--domain-kind", options.fill,
+          "Say which part of space the domain fills. Its walls are its polygons, in the plane "
+          "its segments. 'enclosed': all that the walls enclose. 'even-odd': the part of it that "
+          "a path from outside enters through an odd number of walls, so that a sphere in a "
+          "sphere is hollow. 'winding': the part that the walls wind around, in the orientation "
+          "in which they are listed. 'hull': the convex hull of the points, which must not all "
+          "lie in one plane. The default is 'enclosed' if the walls enclose something, and "
+          "'hull' if there are no walls. If the walls enclose nothing, check and build need this "
+          "option, unless all points lie in one plane. With 'enclosed' they then mesh the walls "
+          "and fill nothing")
       ->transform(one_of(fills))
       ->option_text("enclosed|even-odd|winding|hull");
   add_points(command, "--hole", options.holes,
-             "A point in a hole: what encloses it is not filled. May be given several times, and "
-             "adds to the holes of the file");
+             "A point in a hole: the enclosed region around it is not filled. May be given several "
+             "times. The holes in the file remain");
   add_points(command, "--region", options.regions,
-             "A point in what is filled: of all that is enclosed, nothing else is. May be given "
-             "several times");
+             "A point in a region to fill: enclosed regions without such a point are not filled. "
+             "May be given several times");
   const auto read = [&options](const CLI::results_t& texts) {
     options.merged_slope = Rational(0);
     if (texts.front() == "true") return true;
@@ -97,9 +99,11 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
     return true;
   };
   const std::string with_angle =
-      takes_angle ? ". With an angle of at most 5deg, as 0.1deg, also polygons whose planes differ "
-                    "by no more, if their vertices are within the DISTANCE of --within of one plane"
-                  : "";
+      takes_angle
+          ? ". With an ANGLE of at most 5deg, such as 0.1deg, also join polygons whose planes "
+            "differ by at most that angle, if their vertices are within the DISTANCE of --within "
+            "of one plane"
+          : "";
   const auto reader = takes_angle ? CLI::callback_t(read) : [read](const CLI::results_t& texts) {
     if (texts.front() != "true") {
       throw CLI::ValidationError(kMerge, "expected no angle, found " + texts.front() +
@@ -109,11 +113,12 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
   };
   CLI::Option* const merge =
       command
-          .add_option(kMerge, reader,
-                      "Take polygons that share a segment and lie in one plane for one polygon, as "
-                      "tetgen -p does; the segments between them, unless they are listed as "
-                      "segments, need not be in the mesh" +
-                          with_angle)
+          .add_option(
+              kMerge, reader,
+              "Join polygons that share a segment and lie in one plane, as tetgen -p does. The "
+              "mesh "
+              "need not have the segments between them, unless the file lists these as segments" +
+                  with_angle)
           ->expected(0)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   if (takes_angle) merge->option_text("[ANGLE]");

@@ -1,4 +1,4 @@
-// What a user says about a domain beside its file: what it fills, and which of its polygons are one.
+// The options that describe a domain beside its file: what it fills, and which of its polygons are joined.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What all options have in common, and how --help is laid out: in groups, with lines that fit the terminal.
+// The layout of --help, in groups and in lines that fit the terminal, and the messages about wrong options.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The word that somebody meant who mistyped one.
+// Finds the word that a user who mistyped one probably meant.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What long work shows while it goes on, and how it ends before it is done.
+// Shows the progress of long work, and ends it early.
 #pragma once
 
 #include <atomic>

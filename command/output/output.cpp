@@ -98,7 +98,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       {"auto", Colour::kAuto}, {"always", Colour::kAlways}, {"never", Colour::kNever}};
   command
       .add_option("--color", options.colour,
-                  "Print text in colour: on a terminal, unless NO_COLOR is set ('auto', default), "
+                  "Print text in colour on a terminal, unless NO_COLOR is set ('auto', default), "
                   "'always' or 'never'")
       ->transform(one_of(colours))
       ->option_text("auto|always|never");
@@ -114,8 +114,8 @@ void add_limit_option(CLI::App& command, OutputOptions& options) {
             if (!fault.empty()) throw CLI::ValidationError(fault);
             options.limit = seconds;
           },
-          "End after so long, with what is known by then and exit code 4: 90s, 15m, 1h (default: "
-          "never)")
+          "Stop after TIME, such as 90s, 15m or 1h, print what is known by then, and end with "
+          "exit code 4 (default: never)")
       ->option_text("TIME");
 }
 

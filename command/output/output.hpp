@@ -1,4 +1,4 @@
-// How subcommands speak: results on stdout, errors on stderr, files whole or not at all, and exit codes.
+// The output of subcommands: results on stdout, errors on stderr, files complete or not at all, and exit codes.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// No command writes over a file that it reads, however the two are spelt: what every command that writes
-// files asks before it reads any.
+// Prevents a command from writing over a file that it reads, whatever names the two have. Every command that
+// writes files calls this before it reads any.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ void add_page_option(CLI::App& command, std::string& html, const std::string& wh
   command
       .add_option(
           "--html", html,
-          "Also write a page that shows " + what + "; it opens in any browser and loads nothing")
+          "Also write a page that shows " + what + "; it opens in any browser, without a network")
       ->option_text("FILE");
 }
 
@@ -33,8 +33,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command
       .add_option(
           "--html", options.html,
-          "Also write a page that shows each witness as a picture; it opens in any browser and "
-          "loads nothing")
+          "Also write a page that shows each witness as a picture; it opens in any browser, "
+          "without a network")
       ->option_text("FILE");
   command
       .add_option(

@@ -1,4 +1,4 @@
-// Witnesses to look at: --html FILE and --vtu FILE.
+// Writes witnesses as pictures: --html FILE and --vtu FILE.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Man pages and completions, made of the options of the command itself, so that they say what `--help` says.
+// Man pages and completions, made from the options of the command itself, so that they agree with `--help`.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the standard library of Debian's Emscripten (libc++ 14, without threads) lacks of C++20 and the sources use.
+// The parts of C++20 that the sources use and that libc++ 14 of Debian's Emscripten (without threads) lacks.
 // The build for the browser includes it before every file; no other build sees it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Runs a program on many inputs, and keeps what goes wrong.
+// Runs a program on many inputs, and keeps the failures.
 #pragma once
 
 #include <atomic>

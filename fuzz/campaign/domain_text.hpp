@@ -1,4 +1,4 @@
-// Domains as the files of mesh generators.
+// Writes domains in the formats that mesh generators read.
 #pragma once
 
 #include <optional>

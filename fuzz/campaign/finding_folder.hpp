@@ -1,4 +1,4 @@
-// What a user gets for a finding: a folder with everything that is needed to see it again.
+// Writes the folder of a finding, which has everything that is needed to reproduce it.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a program under test is given: points, points that come and go, or a domain, and the files that say so.
+// The input of a program under test: points, points with updates, or a domain; and the text of its file.
 #pragma once
 
 #include <cstddef>

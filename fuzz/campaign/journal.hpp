@@ -1,4 +1,4 @@
-// What a campaign has done so far, on disk: whatever ends it, it can go on from there.
+// The record of a campaign on disk, from which it continues after any interruption.
 #pragma once
 
 #include <map>

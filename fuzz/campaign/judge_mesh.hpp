@@ -1,4 +1,4 @@
-// From the file that a program wrote to an outcome.
+// Judges the file that a program wrote, and says how the case ended.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The program under test, and what became of one case: told apart by what a person would do about it.
+// The program under test, and the outcome of one case. Outcomes differ if a person would react to them differently.
 #pragma once
 
 #include <optional>

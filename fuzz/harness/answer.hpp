@@ -1,4 +1,4 @@
-// What a program under test answers, whether it returns, throws, crashes or never ends.
+// The answer of a program under test, which may return, throw, crash or never end.
 #pragma once
 
 #include <chrono>

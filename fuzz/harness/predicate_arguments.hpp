@@ -1,5 +1,4 @@
-// Arguments on which floating-point predicates go wrong, and the exact signs to hold them
-// against.
+// Arguments on which floating-point predicates go wrong, with the exact signs.
 #pragma once
 
 #include <cstddef>

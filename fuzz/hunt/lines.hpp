@@ -1,4 +1,5 @@
-// What every adapter in C and C++ does: it answers the cases of `circumspect campaign --worker` (docs/workers.md).
+// The code that all adapters in C and C++ share: it answers the cases of `circumspect campaign --worker`
+// (docs/workers.md).
 #pragma once
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Work of our own that may take too long, or too much memory: it is done in a process apart, which can be killed.
+// Runs work of our own that may take too much time or memory in a separate process, which can be killed.
 #pragma once
 
 #include <atomic>

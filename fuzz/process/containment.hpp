@@ -1,4 +1,4 @@
-// How much of the system a program sees that others wrote, and with what it can be ended for certain.
+// The ways to confine a program of somebody else: what it sees of the system, and how all its processes are ended.
 #pragma once
 
 #include <atomic>

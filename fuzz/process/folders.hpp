@@ -1,4 +1,4 @@
-// Folders that somebody else has filled: however deep, with whatever permissions and links.
+// Measures, empties and removes folders that somebody else has filled, whatever their depth, permissions and links.
 #pragma once
 
 #include <cstdint>

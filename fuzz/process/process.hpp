@@ -1,4 +1,4 @@
-// Running other people's programs: whatever they do, they end, and nothing of them is left.
+// Runs other people's programs. Whatever they do, they end, and no process of theirs is left.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What happens inside the process of a Supervisor.
+// The code that runs inside the process of a Supervisor.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// A program that answers one case after another, and is not started anew for each.
+// A program that answers one case after another without a new start for each.
 #pragma once
 
 #include <cstddef>

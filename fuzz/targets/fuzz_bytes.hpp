@@ -1,4 +1,4 @@
-// What the fuzz targets share: a head of bytes that steer, then a recipe for points.
+// How all fuzz targets read their bytes: the first few select what is done, and the others make points.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Holds refutations against what each rule takes as evidence, and whatever proves a verdict
-// against its conditions, for tests.
+// For tests: checks that refutations have the evidence that each rule requires, and that certificates fulfil their
+// conditions.
 #pragma once
 
 #include <algorithm>

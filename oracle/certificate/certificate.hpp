@@ -1,6 +1,5 @@
-// What proves that a mesh is a triangulation, Delaunay or not: the mesh with everything that a
-// proved checker needs to see it in linear time. proofs/CERTIFICATE.md says what it has to
-// fulfil.
+// Proof that a mesh is a triangulation, Delaunay or not: the mesh, and all that a proved checker needs to see
+// this in linear time. proofs/CERTIFICATE.md has the conditions that it has to fulfil.
 #pragma once
 
 #include <array>

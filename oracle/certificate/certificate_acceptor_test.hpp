@@ -1,5 +1,5 @@
-// Reads certificates and refutations and holds them against proofs/CERTIFICATE.md, for tests. It
-// shares nothing with what writes them: plain rational arithmetic by way of barycentric coordinates.
+// For tests: reads certificates and refutations, and checks them by proofs/CERTIFICATE.md. It shares no code with
+// the writers: it uses plain rational arithmetic and barycentric coordinates.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// What proves that a claim does not hold, and a verdict with what proves it, one way or the
-// other.
+// Proof that a claim does not hold; and a verdict together with its proof, whichever way it went.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
-// What proves that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull,
-// and how segments, polygons and holes lie in it; and what proves that it is none. proofs/CERTIFICATE.md
-// says what both have to fulfil.
+// Proof that a mesh is a triangulation of a domain: the mesh as part of one of a whole convex hull, with the places of
+// segments, polygons and holes in it; and proof that it is not. proofs/CERTIFICATE.md has the conditions of both.
 #pragma once
 
 #include <functional>

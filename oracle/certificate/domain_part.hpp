@@ -1,4 +1,4 @@
-// The part of a domain certificate that is the same for a domain and for a polygon seen as one.
+// The part of a domain certificate that a domain and a polygon, seen as a domain of its plane, have in common.
 #pragma once
 
 #include <map>

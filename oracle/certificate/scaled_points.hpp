@@ -1,5 +1,4 @@
-// Points as integers over one scale, as a certificate lists them, and on which side of facets
-// they lie.
+// Points as integers with one common scale, as a certificate lists them, and their sides of facets.
 #pragma once
 
 #include <array>

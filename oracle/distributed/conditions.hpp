@@ -1,5 +1,5 @@
-// The conditions of docs/theory/points.md for simplices that several ranks have. docs/theory/distributed.md
-// restates them.
+// The conditions of docs/theory/points.md for a mesh whose simplices are spread over several ranks;
+// docs/theory/distributed.md restates them.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Every place at fault of a mesh that several ranks have, stage by stage, as fast::faults goes through them.
+// Lists all places at fault of a mesh that is spread over several ranks, by the stages of fast::faults.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Simplices and points of many ranks, brought together at the first one: those that are at fault.
+// Brings the simplices and points at fault from all ranks together on the first rank.
 #pragma once
 
 #include <algorithm>

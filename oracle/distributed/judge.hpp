@@ -1,4 +1,4 @@
-// The judge of meshes that many ranks have: each its part, and none the whole.
+// Judges a mesh that is spread over many ranks. Each rank has a part, and none has the whole.
 #pragma once
 
 #include <cstdint>

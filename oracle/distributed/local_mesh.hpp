@@ -1,4 +1,4 @@
-// What one rank has of a mesh: simplices with points that it numbers for itself, as the fast judge takes them.
+// The part of a mesh that one rank has: simplices, and points with numbers of this rank, as the fast judge needs them.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Ranks that are processes of an MPI program.
+// Ranks that are the processes of an MPI program.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The ranks of a program, what they send each other, and how equal things meet that several ranks have.
+// The ranks of a program, their messages, and how equal items of several ranks meet on one of them.
 #pragma once
 
 #include <algorithm>

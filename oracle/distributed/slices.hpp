@@ -1,4 +1,4 @@
-// Files of one mesh, of which each rank reads its part.
+// Reads one mesh from files, of which each rank reads its part.
 #pragma once
 
 #include <optional>

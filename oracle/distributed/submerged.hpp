@@ -1,4 +1,4 @@
-// Condition 4w of docs/theory/points.md for simplices that several ranks have: points of a weighted set that are no
+// Condition 4w of docs/theory/points.md for a mesh spread over several ranks: points of a weighted set that are not
 // vertices.
 #pragma once
 

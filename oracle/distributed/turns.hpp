@@ -1,5 +1,5 @@
-// Ranks within one process that has no memory for the whole mesh: the parts are worked off one after the other, and
-// what they have lies in files meanwhile.
+// Ranks within one process that cannot hold the whole mesh in memory: the process works on one part after the other,
+// and keeps the data of the others in files.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Files of domains: what each holds in any format, and how they are found and read.
+// Files of domains: their content in any format, and how they are found and read.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Finds what belongs together the way users name it, and reads it: the points of x.1.ele are in
-// x.1.node. Files are told apart by their extension, or by what they hold if that says nothing.
+// Finds the files of a mesh from the name that a user gives, and reads them: the points of x.1.ele are in x.1.node.
+// The extension tells the format, or, if there is none, the content.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// The formats of meshes and of points, and files of other programs that are not read.
+// The formats of meshes and of points, and formats of other programs that are recognized but not read.
 #pragma once
 
 #include <optional>

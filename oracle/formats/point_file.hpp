@@ -1,4 +1,4 @@
-// What a file of points or a list of simplices holds, in any format.
+// The contents of a file of points, or of a list of simplices, in any format.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// What the tests of readers have in common: a source, what a reader complains of, and the bytes
-// of .npy and .npz files.
+// For the tests of readers: sources, error messages, and the bytes of .npy and .npz files.
 #pragma once
 
 #include <cstdint>

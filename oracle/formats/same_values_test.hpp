@@ -1,4 +1,4 @@
-// Whether the reader of plain files and the reader of all files say the same.
+// For tests: whether the reader of plain files and the reader of all files give the same result.
 #pragma once
 
 #include <string>

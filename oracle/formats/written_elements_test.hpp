@@ -1,5 +1,5 @@
-// One mesh of elements in every form of every format that has them, as other programs write it: tests hold
-// what is read equal, and what is judged.
+// For tests: one mesh of elements in every form of every format, as other programs write it. All must be read and
+// judged alike.
 #pragma once
 
 #include <bit>

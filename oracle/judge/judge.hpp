@@ -1,4 +1,4 @@
-// The judge of meshes, for whoever has one: files, arrays, campaigns and harnesses.
+// The judge of meshes, for files, arrays, campaigns and harnesses.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Are two meshes the same complex, up to numbering? What cells.hpp says, of meshes in arrays.
+// Are two meshes the same complex, up to numbering? The answer of cells.hpp for meshes in arrays.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// From what the fast judge says of a mesh, facts or places at fault, to the verdict that
-// judge_points() gives on it.
+// Turns the answer of the fast judge about a mesh, facts or places at fault, into the verdict of judge_points()
+// on it.
 #pragma once
 
 #include <algorithm>

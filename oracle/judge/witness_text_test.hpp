@@ -1,4 +1,4 @@
-// A verdict in words, for tests to compare: with labels for vertices, as all reports have them.
+// For tests: verdicts as text, with labels for vertices, as all reports have them.
 #pragma once
 
 #include <sstream>

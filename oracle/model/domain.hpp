@@ -1,4 +1,4 @@
-// What a user hands in beside a mesh: the domain that the mesh is meant to fill.
+// The domain that a mesh is meant to fill, as a user gives it.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Indices as users list them, and meshes of exact numbers and of lists: what the checkers judge
-// that are written for clarity.
+// Indices as users list them, and meshes of exact numbers in lists. The checkers that are written for clarity
+// judge these.
 #pragma once
 
 #include <cstddef>

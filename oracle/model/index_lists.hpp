@@ -1,4 +1,4 @@
-// Numbers and lists of indices in one piece of memory: what large meshes are read into.
+// Numbers and lists of indices in one piece of memory, into which large meshes are read.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a user hands in, as it was read, and how points of it that are equal are made one.
+// A mesh as it was read, and how equal points of it are merged.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Names of files, and what other programs print, as they may be shown: both hold any bytes, and a line end
-// would forge a line, an escape sequence move the cursor, a byte that is no UTF-8 break a document.
+// Makes names of files and the output of other programs safe to print. Both hold any bytes: a line end would forge
+// a line, an escape sequence would move the cursor, and a byte that is not UTF-8 would break a document.
 #pragma once
 
 #include <string>

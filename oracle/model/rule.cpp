@@ -9,8 +9,10 @@ namespace {
 constexpr std::array kRules = {
     RuleEntry{Rule::kUnknownVertex, "triangulation.unknown-vertex",
               "a simplex has an index that names no point"},
-    RuleEntry{Rule::kWrongDimension, "simplex.wrong-dimension",
-              "a simplex has not one vertex more than the dimension of the points' affine hull"},
+    RuleEntry{
+        Rule::kWrongDimension, "simplex.wrong-dimension",
+        "the number of vertices of a simplex is not one more than the dimension of the points' "
+        "affine hull"},
     RuleEntry{Rule::kRepeatedVertex, "simplex.repeated-vertex",
               "a simplex names the same vertex twice"},
     RuleEntry{Rule::kDegenerateSimplex, "simplex.degenerate",
@@ -42,10 +44,10 @@ constexpr std::array kRules = {
               "a segment of the domain is not a union of edges of the mesh"},
     RuleEntry{Rule::kPolygonNotTiled, "domain.polygon-not-tiled",
               "a polygon of the domain is not a union of triangles of the mesh"},
-    RuleEntry{
-        Rule::kImagesMeet, "domain.images-meet",
-        "under --within, two cells of the domain have faces of the mesh in common for images that "
-        "are no image of a common face, or polygons stand in another order about a segment"},
+    RuleEntry{Rule::kImagesMeet, "domain.images-meet",
+              "under --within, the images of two cells of the domain share faces of the mesh that "
+              "are not the image of a common face, or the polygons around a segment are in another "
+              "order"},
     RuleEntry{Rule::kUncovered, "domain.uncovered",
               "part of the domain is covered by no simplex of the mesh"},
     RuleEntry{Rule::kOutside, "domain.outside",

@@ -1,4 +1,4 @@
-// The answer to a claim, and the witness by which a broken rule is shown.
+// The answer to a claim, and the witness that shows a broken rule.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A page that shows verdicts: one HTML file that opens anywhere and loads nothing.
+// A page that shows verdicts: one HTML file that opens in any browser, without a network.
 #pragma once
 
 #include <ostream>

@@ -1,5 +1,5 @@
-// A file whose words stand in text and whose numbers may be binary: Gmsh's .msh, VTK's legacy
-// files, the arrays of its XML files.
+// A file of words in text and numbers that may be binary: Gmsh's .msh, VTK's legacy files, and the arrays of
+// VTK's XML files.
 #pragma once
 
 #include <cstddef>

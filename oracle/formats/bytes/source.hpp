@@ -1,5 +1,4 @@
-// The text of a file, its bytes at any place, and what a reader answers when it is not what it
-// should be: an error for people, in one line.
+// The text of a file with access to its bytes, and the error of a reader: one line that people understand.
 #pragma once
 
 #include <cstddef>

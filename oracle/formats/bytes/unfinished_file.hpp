@@ -1,4 +1,4 @@
-// A file that is there whole or not at all: it has no name until it is complete.
+// A file that appears complete or not at all: it gets its name when it is complete.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Meshes of the tests as arrays, and what both judges say of them.
+// For tests: meshes as arrays, and the verdicts of both judges on them.
 #pragma once
 
 #include <algorithm>

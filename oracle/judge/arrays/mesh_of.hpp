@@ -1,4 +1,4 @@
-// Arrays of a user's as a mesh, and their claims by name.
+// Turns a user's arrays into a mesh, and names of claims into claims.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Do the simplices cover the inside of a domain once, and nothing else? Why is nothing beyond a
-// facet of one simplex that lies in no wall?
+// Do the simplices cover the inside of a domain once, and nothing else? If a facet of one simplex lies in no wall, why
+// is there no simplex beyond it?
 #pragma once
 
 #include <vector>

@@ -1,5 +1,4 @@
-// Meshes and domains for tests, what is known of them by exact numbers, and what a verdict says
-// as text.
+// For tests: meshes and domains, exact facts about them, and verdicts as text.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Judging a mesh of a domain: the claims of Section 4.5 and the two ways to judge each.
+// Judges a mesh of a domain: the claims of Section 4.5, each in two ways.
 #pragma once
 
 #include "oracle/judge/fast/simplex_facts.hpp"

@@ -1,5 +1,5 @@
-// The facets of a mesh that there is something to say of, and the triangles and edges that a
-// program lists beside its simplices.
+// The facets of a mesh that matter for a domain, and the triangles and edges that a program lists beside its
+// simplices.
 #pragma once
 
 #include <vector>

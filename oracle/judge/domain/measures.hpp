@@ -1,4 +1,4 @@
-// Lengths, areas and volumes, exact, and points of space in a plane.
+// Exact lengths, areas and volumes, and points of space projected to a plane.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// A mesh and the domain it is held against, with what was found out about both: its segments as
-// chains of mesh vertices first.
+// A mesh together with its domain, and facts about both, such as the segments as chains of mesh vertices.
 #pragma once
 
 #include <array>

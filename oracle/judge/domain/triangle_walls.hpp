@@ -1,6 +1,5 @@
-// Domains in space whose polygons are triangles of doubles: most that programs mesh. What is right with such a domain, and
-// with a mesh that has all its triangles for facets, is seen on doubles; what is wrong, or is otherwise, the exact
-// checkers find.
+// Domains in space whose polygons are triangles of doubles, as most domains are. Doubles suffice to see that such a domain
+// is valid, and that a mesh with all its triangles as facets is right. The exact checkers judge everything else.
 #pragma once
 
 #include <optional>

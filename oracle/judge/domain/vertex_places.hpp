@@ -1,5 +1,5 @@
-// Which vertices of a mesh are vertices of the domain, where the others lie in it, and which is
-// nearest to what the mesh has not.
+// Which vertices of a mesh are vertices of the domain, where the others lie in it, and which vertex is nearest to one
+// that is missing.
 #pragma once
 
 #include <cstddef>

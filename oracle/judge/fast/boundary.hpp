@@ -1,5 +1,5 @@
-// Condition 2 and what condition 3 says of boundary facets (docs/theory/points.md), for links of which
-// docs/theory/fast.md says what must be verified before.
+// Condition 2, and the part of condition 3 about boundary facets (docs/theory/points.md). docs/theory/fast.md says
+// what must be verified before.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Boxes of doubles along the axes, and a tree of them.
+// Axis-parallel boxes of doubles, and a tree of them.
 #pragma once
 
 #include <algorithm>

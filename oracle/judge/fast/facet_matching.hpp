@@ -1,5 +1,5 @@
-// Which simplices share a facet, where nobody says so; and memory for the large arrays that this
-// takes.
+// Finds which simplices share a facet if no neighbours are given; and memory for the large arrays that this
+// needs.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The facets of a mesh as words of 64 bits, and how those that two simplices share are found.
+// The facets of a mesh as words of 64 bits, and the search for facets that two simplices share.
 #pragma once
 
 #include <algorithm>

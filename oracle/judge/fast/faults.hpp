@@ -1,5 +1,5 @@
-// Where a mesh of doubles is at fault: every place that breaks a rule, by the stages of the exact checkers
-// (ARCHITECTURE.md: "Stages"). These look at the places again and say what is wrong there.
+// Lists every place where a mesh of doubles breaks a rule, by the stages of the exact checkers
+// (ARCHITECTURE.md: "Stages"). The exact checkers look at these places again and name what is wrong.
 #pragma once
 
 #include <array>

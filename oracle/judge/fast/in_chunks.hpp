@@ -1,4 +1,4 @@
-// Work on ranges of a list, by one thread or by several; which one does what changes no answer.
+// Works on ranges of a list with one thread or several. The answer does not depend on which thread does what.
 #pragma once
 
 #include <cstddef>

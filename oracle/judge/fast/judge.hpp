@@ -1,5 +1,5 @@
-// Does a mesh of doubles hold? Quickly and exactly. What else may be wrong with a mesh than that facets are
-// not locally Delaunay is listed by faults.hpp. docs/theory/fast.md proves that the answers are right.
+// Does a mesh of doubles hold? The answer is quick and exact. faults.hpp lists what else may be wrong than facets that are
+// not locally Delaunay. docs/theory/fast.md proves that the answers are right.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// A mesh where it lies: arrays of a user's, which nothing here copies, and the names of its
-// facets.
+// A view of a mesh in a user's arrays, which nothing here copies, and the names of its facets.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What there is to say of the simplices of a mesh whatever they cover: for meshes of domains, whose
+// Facts about the simplices of a mesh that do not depend on the region that they cover: for meshes of domains, whose
 // walls decide the rest (docs/theory/domains.md).
 #pragma once
 

@@ -1,5 +1,5 @@
-// One pass over the simplices that looks at every simplex and every facet once, and what it
-// notes: orientations, used points, simplices at the boundary.
+// One pass over the simplices that looks at every simplex and every facet once, and notes orientations, used points,
+// and simplices at the boundary.
 #pragma once
 
 #include <algorithm>

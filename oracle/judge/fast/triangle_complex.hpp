@@ -1,4 +1,4 @@
-// Triangles in space that meet properly: what most domains are made of.
+// Triangles in space that meet properly. Most domains consist of them.
 #pragma once
 
 #include <array>

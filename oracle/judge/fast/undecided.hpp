@@ -1,4 +1,4 @@
-// Why the fast judge left a mesh to the checkers of oracle/judge/points.
+// The reason why the fast judge left a mesh to the checkers of oracle/judge/points.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Judging a mesh: the claims and the two ways to judge each.
+// Judges a mesh of points: the claims, each in two ways.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Is every simplex Delaunay, or weighted Delaunay? Are the points submerged that are no vertices?
+// Is every simplex Delaunay, or weighted Delaunay? Are the points that are not vertices submerged?
 // Book: Definition 4.1, Lemma 4.1 (the Delaunay Lemma), Sections 2.8 and 5.2 (weights).
 #pragma once
 

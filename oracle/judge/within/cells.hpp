@@ -1,4 +1,4 @@
-// The cells of a domain whose images a mesh is to have, and their faces.
+// The cells of a domain that must have images in the mesh, and their faces.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-// Exact squared distances between points, segments and triangles, and a filter that saves most of them.
+// Exact squared distances between points, segments and triangles, and a filter that avoids most of them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Holds the search for the least reach against the definition, and the verdict against the fault that was planted.
+// For tests: compares the search for the least reach with the definition, and the verdict with the planted fault.
 #pragma once
 
 #include <set>

@@ -1,4 +1,4 @@
-// A domain that is a convex hull, with the hull's own boundary for walls: only what is a cell can have an image.
+// A domain that is a convex hull, with the hull's own boundary as walls. Only cells can have images.
 // docs/theory/within.md, "Convex hulls".
 #pragma once
 

@@ -1,5 +1,5 @@
-// Judging a mesh of a domain whose vertices were rounded: the claim is of a complex that is the domain with
-// its cells moved by no more than a given distance. docs/theory/within.md is the definition.
+// Judges a mesh of a domain whose vertices were rounded: the claim is about the domain with its cells moved by no
+// more than a given distance. docs/theory/within.md is the definition.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Meshes of domains, slanted, whose vertices are then moved: what the tests of this folder draw from.
+// For tests: meshes of slanted domains, whose vertices are then moved.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Joining polygons that are nearly in one plane, of whose images alone a distance can be asked. The
-// definition, and what it implies, is in docs/theory/within.md, "Polygons that are not flat".
+// Joins polygons that lie nearly in one plane, so that only their union needs an image. docs/theory/within.md has the
+// definition, and what it implies, under "Polygons that are not flat".
 #pragma once
 
 #include <optional>

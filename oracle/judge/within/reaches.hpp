@@ -1,4 +1,4 @@
-// How far the vertices of a mesh are from the cells of a domain, and which cell carries each.
+// The distances of the vertices of a mesh from the cells of a domain, and the cell that carries each vertex.
 #pragma once
 
 #include <memory>

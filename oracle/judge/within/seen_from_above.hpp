@@ -1,4 +1,4 @@
-// How triangles lie as seen along the normal of a polygon.
+// The positions of triangles as seen along the normal of a polygon.
 #pragma once
 
 #include <array>

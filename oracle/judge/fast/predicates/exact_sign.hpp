@@ -1,4 +1,4 @@
-// The exact stages: signs of the polynomials by integers, after the filter could not tell.
+// The exact stages: signs of the polynomials by integers, for cases that the filter leaves open.
 #pragma once
 
 #include <array>

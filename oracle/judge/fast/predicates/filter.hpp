@@ -1,5 +1,4 @@
-// The first stage: polynomials with doubles, how far they may be from their exact values, and
-// when their signs are certain.
+// The first stage: polynomials with doubles, bounds on their errors, and whether their signs are certain.
 #pragma once
 
 #include <cmath>

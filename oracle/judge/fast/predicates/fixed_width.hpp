@@ -1,5 +1,5 @@
-// Integers of fixed width, for the exact stages. Whoever computes with them knows from the sizes of the
-// factors that nothing overflows; nothing is checked.
+// Integers of fixed width for the exact stages. Nothing is checked: callers know from the sizes of the factors
+// that nothing overflows.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What the fast predicates take, and what they count.
+// The arguments of the fast predicates, and their counters.
 #pragma once
 
 #include <array>

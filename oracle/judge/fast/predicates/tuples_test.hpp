@@ -1,5 +1,4 @@
-// Tuples of points that are hard on predicates, and what reference/kernel/predicates says of
-// them.
+// For tests: tuples of points that are hard for predicates, and the answers of reference/kernel/predicates.
 #pragma once
 
 #include <array>
