@@ -156,7 +156,7 @@ Status unpack_archive(MeshRequest& request) {
   const auto unpack = [&](std::string_view name) {
     Result<Source> array = array_of_npz(*archive, name);
     // What numpy.savez did not name is an archive of some other files.
-    if (extension(request.mesh) != ".npz") array = explained(std::move(array), *archive);
+    if (extension(archive->name) != ".npz") array = explained(std::move(array), *archive);
     if (!array) return Result<std::string>(tl::unexpected(array.error()));
     const std::string path = array->name;
     request.loaded.push_back({path, std::move(array)});
