@@ -29,7 +29,8 @@ std::set<std::string> mesh_files() {
   for (const char* folder : {"accept", "reject", "peers", "regressions"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string extension = formats::extension(entry.path().string());
-      if (std::set<std::string>{".ele", ".off", ".json", ".qhull-i"}.contains(extension)) {
+      if (std::set<std::string>{".ele", ".off", ".json", ".qhull-i", ".msh", ".ply"}.contains(
+              extension)) {
         found.insert(fs::relative(entry.path(), root).generic_string());
       }
     }

@@ -123,6 +123,9 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
+  for (std::string& note : notes_without_domain(*verdict, loaded->mesh, path)) {
+    loaded->notes.push_back(std::move(note));
+  }
   for (const std::string& note : loaded->notes) output.note(note);
   report_verdict(path, *verdict, loaded->mesh, loaded->notes, options, nullptr, output);
   if (options.certificate) {
@@ -139,6 +142,8 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
     output.error(judged.error().code, "mesh", path, judged.error().message);
     return;
   }
+  const auto notes = notes_without_domain(judged->verdict, judged->named, path);
+  for (const std::string& note : notes) output.note(note);
   report_verdict(path, judged->verdict, judged->named, {}, options, nullptr, output);
 }
 

@@ -110,6 +110,32 @@ TEST_CASE("the same verdict against a domain, whatever the formats of both") {
   }
 }
 
+TEST_CASE("without a domain, a surface and a mesh that is not convex get a note that leads on") {
+  const ScratchFolder folder;
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string surface = folder.write("s.off", "OFF\n4 4 0\n" + points + faces);
+  const Run judged = run({"check", surface});
+  CHECK(judged.exit_code == 1);
+  CHECK(begins_with(judged.out, "note: " + surface + ": triangles in space are a surface, "));
+  CHECK(has(judged.out, "circumspect inspect --domain " + surface + " tells"));
+  CHECK(has(judged.out, "circumspect check MESH --domain " + surface + " judges"));
+  CHECK(run({"inspect", "--domain", surface}).exit_code == 0);
+  CHECK(!has(run({"check", surface, "--format", "json"}).out, "triangles in space"));
+  // Where the mesh has tetrahedra as well, or the file cannot be a domain, nobody meant a surface.
+  folder.write("t.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
+  const std::string triangle = folder.write("t.ele", "1 3\n0 0 1 2\n");
+  CHECK(!has(run({"check", triangle}).out, "note: "));
+
+  const std::string dented =
+      folder.write("d.off", "OFF\n4 2 0\n-2 0 0\n2 0 0\n0 3 0\n0 1 0\n3 0 3 2\n3 1 2 3\n");
+  const Run not_convex = run({"check", dented});
+  CHECK(not_convex.exit_code == 1);
+  CHECK(has(not_convex.out, "is judged with --domain FILE: what its mesher was given\n"));
+  CHECK(run({"check", dented, "--domain", dented}).exit_code != 2);
+  CHECK(!has(run({"check", dented, "--format", "json"}).out, "--domain"));
+}
+
 TEST_CASE("build writes what check reads, in every format") {
   const ScratchFolder folder;
   const std::string domain = folder.write("d.off", off_of(two_tetrahedra(2)));

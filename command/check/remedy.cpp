@@ -1,10 +1,11 @@
 #include "command/check/remedy.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 
+#include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/report/text.hpp"
 
@@ -34,6 +35,23 @@ std::optional<std::size_t> lone_polygon(const Witness& witness, const LoadedDoma
   return lone;
 }
 
+// Triangles in space, of a file that can be read as a domain, too.
+std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& mesh,
+                                           const std::string& path) {
+  if (!breaks(verdict, Rule::kWrongDimension) || mesh.points() == 0 || mesh.dimension() != 3) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < mesh.simplices.size(); ++i) {
+    if (mesh.simplices[i].size() != 3) return std::nullopt;
+  }
+  if (formats::extension(path) != ".off" && !formats::is_domain_file(path)) return std::nullopt;
+  return fmt::format(
+      "{0}: triangles in space are a surface, not a mesh of what it encloses. circumspect inspect "
+      "--domain {0} tells whether the surface is valid, and circumspect check MESH --domain {0} "
+      "judges a mesh of its inside",
+      path);
+}
+
 }  // namespace
 
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
@@ -59,6 +77,16 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
     if (auto smaller = judged()) verdict = std::move(smaller);
   }
   return verdict;
+}
+
+std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh& mesh,
+                                              const std::string& path) {
+  std::vector<std::string> notes;
+  for (auto& note : {note_of_surface(verdict, mesh, path),
+                     report::note_of_domain_not_given(verdict, mesh, path)}) {
+    if (note) notes.push_back(*note);
+  }
+  return notes;
 }
 
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -20,6 +21,11 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
                                                       const check::Options& options,
                                                       const BentDomain* bent = nullptr,
                                                       const check::Markers& markers = {});
+
+// What may have been meant where no domain was given: that triangles in space are a surface, which is a domain, and that
+// what is not convex is a mesh of one.
+std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh& mesh,
+                                              const std::string& path);
 
 // Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not what is missing.
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,

@@ -1,4 +1,6 @@
 // The surfaces of corpus/domains/written, as programs write them, with the options that say what is meant.
+#include <set>
+
 #include <doctest/doctest.h>
 
 #include "command/run_command.hpp"

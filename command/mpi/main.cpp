@@ -133,7 +133,10 @@ std::string said(const Judged& judged, const MpiOptions& options) {
     return document(report::verdict(*judged.verdict, judged.named, options.files.mesh,
                                     circumspect::check::By::kLemma));
   }
+  const auto note =
+      report::note_of_domain_not_given(*judged.verdict, judged.named, options.files.mesh);
   return circumspect::on_lines(
+      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
       report::explanation(*judged.verdict, judged.named) +
       report::verdict_line(*judged.verdict, judged.named, options.files.mesh) + "\n");
 }

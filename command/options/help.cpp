@@ -221,8 +221,14 @@ std::string argument_text(const CLI::App& command, const std::string& word) {
                      word, nearest_text(word, names));
 }
 
-// What was expected where nothing was found, if it is a subcommand.
+// What was expected where nothing was found: an argument or an option that must be there, or a subcommand.
 std::string missing_text(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_required() || option->count() > 0) continue;
+    const std::string kind = option->nonpositional() ? "the option " : "the argument ";
+    return fmt::format("{}: expected {}{}, found none", whole_name(command), kind,
+                       option->get_name());
+  }
   if (command.get_require_subcommand_min() == 0 || !command.get_subcommands().empty()) return "";
   return fmt::format("{}: expected {}, found none", whole_name(command),
                      fmt::join(names_of(subcommands(command)), "|"));

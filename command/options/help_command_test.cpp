@@ -229,6 +229,15 @@ TEST_CASE(
         "circumspect compare: expected no further argument, found b.ele");
 }
 
+TEST_CASE("arguments and options that are missing") {
+  CHECK(said({"compare", "a.ele"}) == "circumspect compare: expected the argument b, found none");
+  CHECK(said({"check"}) == "circumspect check: expected the argument mesh, found none");
+  CHECK(said({"build", "cdt"}) ==
+        "circumspect build cdt: expected the argument domain, found none");
+  CHECK(said({"minimize", "x.node"}) ==
+        "circumspect minimize: expected the option --output, found none");
+}
+
 TEST_CASE("arguments that are too many") {
   CHECK(said({"compare", "a.ele", "b.ele", "c.ele"}) ==
         "circumspect compare: expected no further argument, found c.ele");

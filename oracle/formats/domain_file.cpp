@@ -8,6 +8,7 @@
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/ply.hpp"
@@ -194,7 +195,7 @@ PointsElsewhere points_beside(const Source& source, NumberReading reading, std::
     }
     const Result<Source> points = load(name);
     if (!points) return tl::unexpected(points.error());
-    return read_node(*points, reading);
+    return explained(read_node(*points, reading), *points);
   };
 }
 
@@ -302,13 +303,14 @@ Result<DomainFile> read_domain(const std::string& path, NumberReading reading) {
   const DomainFormat* format = domain_format_of(end);
   const std::optional<std::string> other = other_kind(end);
   if (format == nullptr && !other) format = sniff(*source);
-  if (format != nullptr) return format->read(*source, reading);
+  if (format != nullptr) return explained(format->read(*source, reading), *source);
   std::string kinds;
   for (const DomainFormat& one : kDomainFormats) {
     kinds += (kinds.empty() ? "" : ", ") + std::string(one.extension);
   }
-  return tl::unexpected(
-      FormatError{source->name, 0, "a domain (" + kinds + ")", other.value_or("another format")});
+  const FormatError error{source->name, 0, "a domain (" + kinds + ")",
+                          other.value_or(kind_of_mesh(end).value_or("another format"))};
+  return tl::unexpected(other ? error : explained(error, *source));
 }
 
 }  // namespace circumspect::formats

@@ -250,6 +250,12 @@ Result<DomainFile> domain_of(const ElementFile& elements, const std::string& nam
   if (std::find(dropped.begin(), dropped.end(), true) != dropped.end()) {
     drop_points(domain, dropped);
   }
+  if (domain.input.points.empty() && !elements.points.points.empty()) {
+    return tl::unexpected(FormatError{
+        name, 0, "edges and polygons of a domain",
+        "cells alone (Gmsh also lists the triangles of the boundary with -save_all; the domain may "
+        "be in another file, which the program was given that made the mesh)"});
+  }
   return domain;
 }
 

@@ -83,7 +83,7 @@ std::vector<Simplex> surface_of(const ElementFile& file);
 
 // The surface: edges are segments; triangles and polygons are polygons in space, and in the
 // plane, if there are no edges, theirs are taken. Where there are cells, vertices that belong to
-// these alone are left out: they are the mesh's, not its domain's. Errors: curved elements.
+// these alone are left out: they are the mesh's, not its domain's. Errors: curved elements; cells alone.
 Result<DomainFile> domain_of(const ElementFile& elements, const std::string& name);
 
 }  // namespace circumspect::formats

@@ -50,6 +50,10 @@ std::string difference(const WrittenForm& form, const WrittenMesh& mesh) {
   return "";
 }
 
+bool has_part(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 double any_double() {
   const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
   return std::isfinite(value) ? value : 1.5;
@@ -174,6 +178,26 @@ TEST_CASE("gmsh: comments in front, sections that are read over, elements of poi
   CHECK(file->triangles.simplices == std::vector<Simplex>{{1, 2, 3}});
   CHECK(file->tetrahedra.simplices == std::vector<Simplex>{{1, 2, 3, 4}});
   CHECK(file->tetrahedra.lines == std::vector<std::size_t>{24});
+}
+
+TEST_CASE("gmsh in binary: what is read over may end without a line end, names as in text") {
+  const std::string names =
+      "$PhysicalNames\n1\n3 1 \"$EndPhysicalNames is no end here\"\n$EndPhysicalNames\n";
+  for (const WrittenForm& form : all_forms(kTwoTetrahedra)) {
+    if (form.extension != ".msh" || !has_part(form.name, "endian")) continue;
+    CAPTURE(form.name);
+    WrittenForm other = form;
+    const std::size_t nodes = form.text.find("$Nodes\n");
+    REQUIRE(nodes != std::string::npos);
+    other.text.insert(nodes, names + "$NodeData\n1\n\"a\"\n\x01\x02$EndNodeData");
+    CHECK_MESSAGE(difference(other, kTwoTetrahedra) == "", difference(other, kTwoTetrahedra));
+    for (const std::string end : {"\n$EndNodes", "\n$EndElements"}) {
+      other.text.erase(other.text.find(end), 1);
+    }
+    CHECK_MESSAGE(difference(other, kTwoTetrahedra) == "", difference(other, kTwoTetrahedra));
+    other.text = form.text + "$NodeData\n\x01$EndNode";
+    CHECK(has_part(error_of(read_form(other, kDouble)), "expected $EndNodeData behind $NodeData"));
+  }
 }
 
 TEST_CASE("gmsh: tags in a row are indices, in whatever order; gaps are noted") {

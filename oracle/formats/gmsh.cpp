@@ -333,7 +333,9 @@ Status GmshReader::read_section(std::string_view keyword) {
     return status ? expect_word(end) : status;
   }
   const std::size_t line = text_.line();
-  if (text_.skip_behind(end)) return {};
+  // Some writers end no line behind binary data. Names and comments are text in every file, and may quote the end.
+  const bool is_text = !text_.is_binary() || keyword == "$PhysicalNames" || keyword == "$Comments";
+  if (text_.skip_behind(end, is_text)) return {};
   return tl::unexpected(FormatError{text_.name(), line,
                                     end + " behind " + std::string(keyword).substr(0, 40),
                                     "the end of the file"});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/tetgen.hpp"
@@ -63,8 +64,8 @@ Result<RawPoints> points_of(const Result<Source>& source, const std::string& pat
     }
     format = sniff_points(*source);
   }
-  if (format == nullptr) return no_points(*source);
-  if (format->points != nullptr) return format->points(*source, reading);
+  if (format == nullptr) return explained<RawPoints>(no_points(*source), *source);
+  if (format->points != nullptr) return explained(format->points(*source, reading), *source);
   return tl::unexpected(
       FormatError{source->name, 0, expected, "a " + std::string(format->extension) + " file"});
 }
@@ -154,6 +155,8 @@ Status unpack_archive(MeshRequest& request) {
   if (!archive) return tl::unexpected(archive.error());
   const auto unpack = [&](std::string_view name) {
     Result<Source> array = array_of_npz(*archive, name);
+    // What numpy.savez did not name is an archive of some other files.
+    if (extension(archive->name) != ".npz") array = explained(std::move(array), *archive);
     if (!array) return Result<std::string>(tl::unexpected(array.error()));
     const std::string path = array->name;
     request.loaded.push_back({path, std::move(array)});
@@ -184,9 +187,12 @@ Result<Contents> read_contents(const MeshRequest& request, const std::string& pa
     }
     format = sniff_mesh(*source, request.points || request.own_points);
   }
-  if (format != nullptr && format->mesh != nullptr) return format->mesh(*source, request.reading);
+  if (format != nullptr && format->mesh != nullptr) {
+    return explained(format->mesh(*source, request.reading), *source);
+  }
   const std::string_view first = first_word(*source);
-  return tl::unexpected(FormatError{name, 1, expected, first.empty() ? "nothing" : quote(first)});
+  return tl::unexpected(
+      explained(FormatError{name, 1, expected, first.empty() ? "nothing" : quote(first)}, *source));
 }
 
 Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& path,

@@ -51,6 +51,10 @@ constexpr std::array kOtherKinds = {
     OtherKind{".glb", "a glTF model", "write it as PLY or OBJ"},
     OtherKind{".wrl", "a VRML model", "write it as PLY or OBJ"},
     OtherKind{".x3d", "an X3D model", "write it as PLY or OBJ"},
+    OtherKind{".poly", "a domain", "inspect IN.poly, or check MESH --domain IN.poly"},
+    OtherKind{".smesh", "a domain", "inspect IN.smesh, or check MESH --domain IN.smesh"},
+    OtherKind{".stl", "a surface, which is a domain",
+              "inspect IN.stl, or check MESH --domain IN.stl"},
 };
 
 }  // namespace
@@ -286,6 +290,15 @@ const MeshFormat* sniff_mesh(const Source& source, bool has_points) {
   if (const MeshFormat* const format = sniff_beginning(source, beginning)) return format;
   if (!has_points || beginning.on_first_line == 0) return nullptr;
   return format_of(beginning.on_first_line == 1 ? ".qhull-i" : ".ele");
+}
+
+std::optional<std::string> kind_of_mesh(std::string_view extension) {
+  const MeshFormat* const format = format_of(extension);
+  if (format == nullptr || (format->mesh == nullptr && format->points == nullptr)) {
+    return std::nullopt;
+  }
+  if (format->mesh == nullptr) return "points alone (a domain has segments and polygons as well)";
+  return "a mesh (the domain is what the program was given that made the mesh)";
 }
 
 std::string kinds_of_points() { return kinds(&MeshFormat::points); }

@@ -13,9 +13,12 @@ namespace circumspect::formats {
 // ---- Other kinds ----
 // Files of other programs that are not read, and how to make one of them that is.
 
-// What a file of this extension (".step") is and which command converts it, for a message "found …"; none
-// if nothing is known of it.
+// What a file of this extension (".step") is and which command converts it, for a message "found …" where a mesh
+// or points were expected; none if nothing is known of it. A domain (".poly") is one of these.
 std::optional<std::string> other_kind(std::string_view extension);
+
+// The same for what is read, but not as a domain: meshes (".ele") and points (".node").
+std::optional<std::string> kind_of_mesh(std::string_view extension);
 
 // ---- Mesh formats ----
 // The formats of meshes and of points: which reader reads the files of an extension, and which format a file

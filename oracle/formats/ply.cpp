@@ -236,9 +236,17 @@ Result<PlyFile> read_ply_body(PlyRows& rows, const PlyHeader& header) {
   return file;
 }
 
+// What ends the lines: a carriage return alone, if the first line ends with one.
+char end_of_lines(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == std::string_view::npos || text[end] == '\n') return '\n';
+  const std::size_t next = text.find_first_not_of('\r', end);
+  return next != std::string_view::npos && text[next] == '\n' ? '\n' : '\r';
+}
+
 Result<PlyFile> read_points_and_faces(const Source& source, NumberReading reading,
                                       bool wants_faces) {
-  Lines lines(source);
+  Lines lines(source, end_of_lines(source.text));
   const Result<PlyHeader> header = read_ply_header(lines);
   if (!header) return tl::unexpected(header.error());
   if (Status known = check_header(lines, *header, wants_faces); !known) {

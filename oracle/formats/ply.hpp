@@ -10,7 +10,8 @@
 //     end_header
 //     …                                           the elements, one list of each kind
 //
-// Elements and properties of other names are read over.
+// Elements and properties of other names are read over. Lines may also end with a carriage return alone, as
+// programs for old Macintoshes write them.
 #pragma once
 
 #include <cstddef>

@@ -159,6 +159,31 @@ TEST_CASE("ply in binary, of either byte order") {
   }
 }
 
+TEST_CASE("ply: lines that end with a carriage return alone, or with one too many") {
+  const std::string text =
+      kPlyHeader + "255 0 0 0\n0 1 0 0\n0 0 1/2 0\n0 0 0 1\n2 5 6\n0.5 3 0 1 2\n1 4 0 1 2 3\n";
+  const auto with_ends = [](const std::string& lines, const std::string& end) {
+    std::string other;
+    for (const char c : lines) other += c == '\n' ? end : std::string(1, c);
+    return other;
+  };
+  for (const std::string end : {"\r", "\r\n", "\r\r\n"}) {
+    CAPTURE(end);
+    const auto file = ply(with_ends(text, end));
+    REQUIRE_MESSAGE(file, error_of(file));
+    CHECK(file->input.points == ply(text)->input.points);
+    CHECK(file->polygon_lines == std::vector<std::size_t>{20, 21});
+  }
+  CHECK(error_of(ply(with_ends(text, "\r") + "5")) ==
+        "f:22: expected the end of the file after the last element, found \"5\"");
+  // Binary numbers may begin with the byte of a line end.
+  const std::string binary = binary_ply(false);
+  const std::size_t begin = binary.find("end_header\n") + 11;
+  const auto file = ply(with_ends(binary.substr(0, begin), "\r") + binary.substr(begin));
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->input.points == ply(binary)->input.points);
+}
+
 TEST_CASE("ply: a cloud of points, and a surface as elements") {
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"

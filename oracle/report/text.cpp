@@ -176,7 +176,21 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
   return text;
 }
 
+std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
+                                                    const std::string& mesh_name) {
+  const bool may_have_domain = mesh.dimension() == 2 || mesh.dimension() == 3;
+  if (!may_have_domain || !verdict.tallies().contains(Rule::kHullNotConvex) ||
+      verdict.claim() == Claim::kWeightedDelaunay) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "{}: a triangulation of points fills their convex hull, and this mesh does not. A mesh of a "
+      "domain, which need not be convex, is judged with --domain FILE: what its mesher was given",
+      mesh_name);
+}
+
 // ---- Words that texts and JSON share ----
+
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
   if (count == 1) return fmt::format("1 {}", one);
   return several.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, several);

@@ -28,6 +28,11 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
 // decimals; JSON has them whole.
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain = nullptr);
 
+// For a note, where no domain was given: that the mesh may be one of a domain, since it does not fill the convex hull
+// of its points. None if it does, if weights count, or if domains have another dimension.
+std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
+                                                    const std::string& mesh_name);
+
 // ---- Words that texts and JSON share ----
 // The words that texts and JSON share.
 

@@ -61,6 +61,21 @@ TEST_CASE("verdict line: a rule whose witnesses were all dropped is counted all 
         "fails: triangulation m complex.overlap 1 also triangulation.unused-point 1");
 }
 
+TEST_CASE("note: what does not fill its hull may be a mesh of a domain") {
+  const ExactMesh dented{PointSet({{-2, 0}, {2, 0}, {0, 3}, {0, 1}}), {{0, 3, 2}, {1, 2, 3}}};
+  const auto note = [](const Verdict& verdict, const ExactMesh& mesh) {
+    return note_of_domain_not_given(verdict, in_rows(mesh), "m.msh").value_or("none");
+  };
+  CHECK(note(check::triangulation(dented), dented) ==
+        "m.msh: a triangulation of points fills their convex hull, and this mesh does not. A mesh "
+        "of a domain, which need not be convex, is judged with --domain FILE: what its mesher was "
+        "given");
+  CHECK(note(check::weighted_delaunay(dented), dented) == "none");
+  CHECK(note(check::delaunay(kite()), kite()) == "none");
+  const ExactMesh line{PointSet({{0}, {1}, {2}}), {{0, 1}}};
+  CHECK(note(check::triangulation(line), line) == "none");
+}
+
 TEST_CASE("explanation: nothing of a claim that holds") {
   const ExactMesh mesh = kite();
   CHECK(explanation(check::triangulation(mesh), in_rows(mesh)).empty());

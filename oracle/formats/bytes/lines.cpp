@@ -44,7 +44,7 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
   return read_number(token, reading);
 }
 
-Lines::Lines(const Source& source) : source_(source), rest_(source.text) {
+Lines::Lines(const Source& source, char end) : source_(source), rest_(source.text), end_(end) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     rest_.remove_prefix(kByteOrderMark.size());
@@ -55,7 +55,7 @@ bool Lines::next() {
   tokens_.clear();
   while (!rest_.empty()) {
     ++line_;
-    const std::size_t length = std::min(rest_.find('\n'), rest_.size());
+    const std::size_t length = std::min(rest_.find(end_), rest_.size());
     split(rest_.substr(0, length), tokens_);
     rest_.remove_prefix(std::min(length + 1, rest_.size()));
     if (!tokens_.empty()) return true;

@@ -40,11 +40,11 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
 
 // Walks over the lines that have tokens on them. Blanks separate tokens, '#' starts a comment, a
 // carriage return is a blank, the last line needs no end, a byte order mark is skipped. All other
-// bytes belong to tokens.
+// bytes belong to tokens. `end`: what ends a line; where that is a carriage return, it is no blank.
 // Requires: the source outlives this object and the tokens.
 class Lines {
  public:
-  explicit Lines(const Source& source);
+  explicit Lines(const Source& source, char end = '\n');
 
   // Goes to the next line with a token; false, with no tokens, if there is none.
   bool next();
@@ -76,6 +76,7 @@ class Lines {
  private:
   const Source& source_;
   std::string_view rest_;
+  char end_;
   std::size_t line_ = 0;
   std::vector<std::string_view> tokens_;
 };

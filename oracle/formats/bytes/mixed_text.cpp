@@ -84,9 +84,9 @@ std::string_view MixedText::rest_of_line() {
   return rest;
 }
 
-bool MixedText::skip_behind(std::string_view text) {
+bool MixedText::skip_behind(std::string_view text, bool begins_line) {
   std::size_t found = text_.find(text, at_);
-  while (found != std::string_view::npos && found > 0 && text_[found - 1] != '\n') {
+  while (begins_line && found != std::string_view::npos && found > 0 && text_[found - 1] != '\n') {
     found = text_.find(text, found + 1);
   }
   const std::size_t end = found == std::string_view::npos ? text_.size() : found + text.size();

@@ -69,8 +69,9 @@ class MixedText {
   std::string_view peek();
   // What is left of the current line, which is read over.
   std::string_view rest_of_line();
-  // Reads over everything up to behind this text, if it begins a line; false if it never does.
-  bool skip_behind(std::string_view text);
+  // Reads over everything up to behind this text, where it begins a line or, if it need not, wherever it comes
+  // first; false if it never does.
+  bool skip_behind(std::string_view text, bool begins_line);
   // Reads over so many bytes; false if there are not as many.
   bool skip_bytes(std::size_t count);
   // Are there no bytes left, or blanks alone where numbers are text?

@@ -1,0 +1,104 @@
+#include "oracle/formats/foreign_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "oracle/formats/bytes/lines.hpp"
+#include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/mesh_formats.hpp"
+
+namespace circumspect::formats {
+namespace {
+
+struct Signature {
+  std::string_view bytes;
+  std::string_view what;
+};
+
+using namespace std::string_view_literals;
+
+constexpr std::array kSignatures = {
+    Signature{"\x1f\x8b"sv, "a file that gzip packed (unpack it first)"},
+    Signature{"BZh"sv, "a file that bzip2 packed (unpack it first)"},
+    Signature{"\xfd"
+              "7zXZ"sv,
+              "a file that xz packed (unpack it first)"},
+    Signature{"\x28\xb5\x2f\xfd"sv, "a file that zstd packed (unpack it first)"},
+    Signature{"PK\x03\x04"sv, "a ZIP archive (unpack it first)"},
+    Signature{"version https://git-lfs."sv,
+              "a pointer of Git LFS in place of the file (git lfs pull fetches it)"},
+    Signature{"MFEM "sv, "a mesh of MFEM (its Mesh::PrintVTU writes one that is read)"},
+    Signature{"$NOD"sv,
+              "a mesh in version 1 of Gmsh's format (gmsh -0 IN.msh -format msh41 -o OUT.msh)"},
+};
+
+// Beyond these bytes nobody looks for a beginning: the file may be large, and of one line.
+constexpr std::size_t kLongestBeginning = 4096;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The first line of Fluent's has an index of a section in parentheses, "(0 "made by …")".
+bool is_fluent(std::string_view first) {
+  return first.size() > 1 && first[0] == '(' && is_digit(first[1]);
+}
+
+// The first line that is no comment is a keyword, "*Node". Comments begin with two asterisks.
+bool is_abaqus(const Source& beginning) {
+  Lines lines(beginning);
+  while (lines.next()) {
+    const std::string_view first = lines.tokens()[0];
+    if (first.starts_with("**")) continue;
+    return first.size() > 1 && first[0] == '*' &&
+           std::isalpha(static_cast<unsigned char>(first[1])) != 0;
+  }
+  return false;
+}
+
+// Three counts, of vertices, triangles and edges, and the first vertex of the plane with its label.
+bool is_freefem(const Source& beginning) {
+  Lines lines(beginning);
+  if (!lines.next() || lines.size() != 3) return false;
+  for (std::size_t column = 0; column < 3; ++column) {
+    if (!lines.count(column, "a count")) return false;
+  }
+  return lines.next() && lines.size() == 3;
+}
+
+}  // namespace
+
+std::optional<std::string> foreign_kind(const Source& source) {
+  const std::string end = extension(source.name);
+  for (const auto& [bytes, what] : kSignatures) {
+    if (source.text.starts_with(bytes)) return std::string(what);
+  }
+  // Files of VTK's XML form are read, but not under the name of another format, as that of VTK's older form.
+  if (is_vtu(source.text)) {
+    if (format_of(end) == nullptr || end == ".vtu" || end == ".vtp") return std::nullopt;
+    return "XML (if it is a mesh of VTK, give its name the extension .vtu)";
+  }
+  const Source beginning{source.name, source.text.substr(0, kLongestBeginning)};
+  Lines lines(beginning);
+  if (!lines.next()) return std::nullopt;
+  if (is_fluent(lines.tokens()[0])) {
+    return "a mesh of Fluent (meshio convert --input-format ansys IN.msh IN.vtu)";
+  }
+  if (is_abaqus(beginning)) {
+    return "a mesh of Abaqus (meshio convert --input-format abaqus IN.inp IN.vtu)";
+  }
+  if (end == ".msh" && is_freefem(beginning)) {
+    return "a mesh of FreeFem (load \"iovtk\" and savevtk(\"OUT.vtk\", Th) write one that is read)";
+  }
+  return std::nullopt;
+}
+
+FormatError explained(FormatError error, const Source& source) {
+  std::optional<std::string> kind = foreign_kind(source);
+  if (!kind) return error;
+  error.found = std::move(*kind);
+  error.line = std::min<std::size_t>(error.line, 1);  // all of it is another file, not that line
+  return error;
+}
+
+}  // namespace circumspect::formats
