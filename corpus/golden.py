@@ -4,6 +4,8 @@
     golden.py COMMAND             compare with golden.tsv; exit 1 and name what differs
     golden.py COMMAND --update    write golden.tsv
 
+CIRCUMSPECT_ONE_INPUT_IN=4 in the environment, as `make test` has it, compares one JSON report in four, and all texts.
+
 A row is a command line, run in the folder of the corpus; its exit code; the first 16 digits of the SHA-256 of what
 it printed on standard output and error; and its last line, so that a reader sees what has changed. A change of
 the inside of the program leaves every row as it is. A change of a message changes rows on purpose: read
@@ -93,12 +95,17 @@ def main():
     parser.add_argument("command", type=os.path.abspath)
     parser.add_argument("--update", action="store_true")
     options = parser.parse_args()
+    one_in = 1 if options.update else int(os.environ.get("CIRCUMSPECT_ONE_INPUT_IN", "1"))
+    lines = [line for i, line in enumerate(command_lines())
+             if not line.startswith("check ") or not line.endswith("json") or i // 2 % one_in == 0]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = list(pool.map(lambda line: row_of(options.command, line), command_lines()))
+        found = list(pool.map(lambda line: row_of(options.command, line), lines))
     if options.update:
         TABLE.write_text("\n".join(found) + "\n", encoding="utf-8")
         return 0
     expected = {line.split("\t")[0]: line for line in TABLE.read_text(encoding="utf-8").splitlines()}
+    for left_out in set(command_lines()) - set(lines):
+        expected.pop(left_out, None)
     different = [(expected.pop(row.split("\t")[0], "no row"), row) for row in found]
     different = [pair for pair in different if pair[0] != pair[1]] + [(row, "no run") for row in expected.values()]
     for was, now in different[:20]:
