@@ -102,12 +102,13 @@ check: test-style
 	@$(CONFIGURE) --preset release $(ALL_TESTS) >build/check.log || { cat build/check.log; exit 1; }
 	@RC_PARAMS="$(TEST_RC_PARAMS)" $(TEST_ONE_INPUT) python3 tidy/check.py build/release --jobs $(JOBS)
 
-# The proofs are compiled beside the C++ sources, and the sanitizers' build and its tests run beside the release's: all of
-# them have times at which they keep one processor waiting. What only the proofs need, and what only the
-# tests run, is installed beside the compilers.
+# The proofs are compiled before the C++ sources: side by side, four compilers take turns on two processors and get in each
+# other's way. The browser is installed beside the compilers, and the sanitizers' build and its tests run beside the release's
+# tests, which have times at which they keep one processor waiting.
 test:
-	@cmake/packages.sh build test
-	@$(MAKE) --no-print-directory -j 2 test-style test-beside build-release
+	@cmake/packages.sh build proofs test
+	@$(MAKE) --no-print-directory -j 2 test-style test-proofs
+	@$(MAKE) --no-print-directory -j 2 test-browser build-release
 	@$(MAKE) --no-print-directory -j 2 test-release test-sanitize-beside
 	@python3 tidy/check.py build/release --green
 	@echo
@@ -133,7 +134,7 @@ test-style:
 test-proofs: deps-proofs
 	@MAKEFLAGS= $(MAKE) --no-print-directory -C proofs -j $(JOBS) all holes filter-bounds mutants
 
-test-beside: test-proofs
+test-browser:
 	@cmake/packages.sh browser
 
 # What it prints would stand between the lines of the release's tests.
