@@ -21,7 +21,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
-.PHONY: build demo build-demo docs page proofs check test test-style test-beside test-proofs test-release \
+.PHONY: build demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
         coverage bench format clean deb dist fresh-root web web-soak deps deps-build deps-docs deps-proofs deps-test deps-deb \
         deps-bench deps-web
