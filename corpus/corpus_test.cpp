@@ -123,9 +123,8 @@ TEST_CASE("arrays are judged as files are, and by the fast judge wherever they h
 }
 
 // ---- The one judge ----
-// Every mesh with its points beside it that the corpus has, by the one judge and by the exact checkers alone:
-// the same word for word; and the fast engine decides where a claim holds, or only facets are not locally
-// Delaunay.
+// The one judge and the exact checkers alone give the same verdict, word for word, on every mesh of the corpus that has
+// its points beside it. The fast engine decides it wherever the claim holds or only facets are not locally Delaunay.
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Every file of corpus/malformed gets the message that its table expects; and what is told of files that no reader reads.
+// Every file of corpus/malformed gets the message that its table expects. Messages say what a file is that no reader reads.
 #include <filesystem>
 #include <fstream>
 #include <set>
