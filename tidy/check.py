@@ -5,9 +5,10 @@
     check.py BUILD_FOLDER --green         remembers that everything is green now (`make test` does)
 
 Each test is about some files. A unit test is about the folder that it stands in, a property about the folders
-whose headers it includes, the tests of the corpus and of the pages about everything that the command links.
-A test runs if a file has changed that it is about, or the test itself. Slow tests are left to `make test`,
-which runs everything.
+whose headers it includes. If one of these files has changed, or the test itself, the test runs. The tests of the
+command, of the corpus, of the pages and of Python see a change of anything that is shipped, from a distance. Of
+these run the quickest, as many as take FAR_SECONDS together. Slow tests and the rest of the distant ones are left
+to `make test`, which runs everything; `make check` names them until then.
 """
 import argparse
 import hashlib
@@ -24,7 +25,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([\w./]+/[\w.]+)[">]', re.MULTILINE)
 # What the tests of the command, of the corpus, of the pages and of Python see, beside the folders below.
 DATA = ("corpus/", "docs/", "README.md", "tidy/", "c/", "python/", "include/", "examples/")
-SHIPPED = ("reference/", "inputs/", "oracle/", "fuzz/campaign/", "fuzz/process/", "oracle/", "command/")
+SHIPPED = ("reference/", "inputs/", "oracle/", "fuzz/campaign/", "fuzz/process/", "command/")
+# How long the distant tests may take on each processor. Compiling and linking takes about thirty seconds before that.
+FAR_SECONDS = 12
+NEAR, FAR = "near", "far"
+LOGGED = re.compile(r"^\d+/\d+ Test: (\S+)$.*?^Test time =\s+([\d.]+) sec$", re.MULTILINE | re.DOTALL)
 
 
 def digests():
@@ -53,19 +58,50 @@ def included_folders(path, seen):
     return folders
 
 
-def is_about(test, changed):
-    """Is the test about one of the changed files?"""
+def distance(test, changed):
+    """NEAR if the test is about one of the changed files, FAR if it sees one through what is shipped, or None."""
     source = test["name"] + ".cpp"
     if source in changed:
-        return True
+        return NEAR
     if not (ROOT / source).is_file():  # scripts: the corpus, the pages, the examples
-        return any(path.startswith(DATA + SHIPPED) for path in changed)
+        scripts = {os.path.relpath(word, ROOT) for word in test.get("command", []) if word.startswith(f"{ROOT}/")}
+        if scripts & changed:
+            return NEAR
+        return FAR if any(path.startswith(DATA + SHIPPED) for path in changed) else None
     room = folder(source)
+    code = [path for path in changed if path.endswith((".hpp", ".cpp", ".h"))
+            and not path.endswith(("_test.cpp", "_property.cpp"))]
     if room.startswith(("corpus", "command")):
-        return any(path.startswith(SHIPPED + ("corpus/",)) for path in changed)
+        if any(folder(path) == room for path in code):
+            return NEAR
+        return FAR if any(path.startswith(SHIPPED + ("corpus/",)) for path in changed) else None
     rooms = included_folders(source, set()) | {room}
-    return any(folder(path) in rooms and path.endswith((".hpp", ".cpp", ".h")) for path in changed
-               if not path.endswith(("_test.cpp", "_property.cpp")))
+    return NEAR if any(folder(path) in rooms for path in code) else None
+
+
+def choose(found, changed, seconds, jobs):
+    """The tests that run, and the names of the distant ones that are left out. SECONDS has what each took when it
+    last ran. Of the distant tests the quickest run, so that as many as possible do; one that never ran comes first."""
+    by_distance = {NEAR: [], FAR: []}
+    for test in found:
+        how_far = distance(test, changed)
+        if how_far:
+            by_distance[how_far].append(test)
+    chosen, left_out, total = by_distance[NEAR], [], 0.0
+    for test in sorted(by_distance[FAR], key=lambda test: seconds.get(test["name"], 0)):
+        total += seconds.get(test["name"], 0)
+        if total <= FAR_SECONDS * jobs:
+            chosen.append(test)
+        else:
+            left_out.append(test["name"])
+    return chosen, left_out
+
+
+def times(build):
+    """What each test of ctest's last run took."""
+    log = pathlib.Path(build) / "Testing" / "Temporary" / "LastTest.log"
+    text = log.read_text(encoding="utf-8", errors="replace") if log.is_file() else ""
+    return {name: float(seconds) for name, seconds in LOGGED.findall(text)}
 
 
 def tests(build):
@@ -78,37 +114,52 @@ def tests(build):
             yield test
 
 
+def built_and_passed(build, chosen, jobs):
+    """Builds what the tests need, and runs them."""
+    programs = {pathlib.Path(test["command"][0]).name for test in chosen if "command" in test}
+    known = subprocess.run(["cmake", "--build", build, "--target", "help"], check=True,
+                           capture_output=True, text=True).stdout
+    targets = sorted(name for name in programs if re.search(rf"^{re.escape(name)}: ", known, re.MULTILINE))
+    if any(test["name"].startswith("python/") for test in chosen):
+        targets.append("circumspect_python")
+    if subprocess.run(["cmake", "--build", build, "-j", str(jobs), "--target", "circumspect_cli", *targets],
+                      check=False).returncode != 0:
+        return False
+    names = "|".join(re.escape(test["name"]) for test in chosen)
+    return subprocess.run(["ctest", "--test-dir", build, "-j", str(jobs), "--output-on-failure",
+                           "-R", f"^({names})$"], check=False).returncode == 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("build")
-    parser.add_argument("--jobs", default=str(os.cpu_count()))
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--green", action="store_true")
     options = parser.parse_args()
     stamp = pathlib.Path(options.build) / "green.json"
+    green = {"files": {}, "seconds": {}, "left out": []}
+    if stamp.is_file():
+        green |= json.loads(stamp.read_text(encoding="utf-8"))
+
+    def remember(files, left_out):
+        seconds = green["seconds"] | times(options.build)
+        stamp.write_text(json.dumps({"files": files, "seconds": seconds, "left out": left_out}), encoding="utf-8")
+
     now = digests()
     if options.green:
-        stamp.write_text(json.dumps(now), encoding="utf-8")
+        remember(now, [])
         return 0
-    before = json.loads(stamp.read_text(encoding="utf-8")) if stamp.is_file() else {}
+    before = green["files"]
     changed = {path for path in now.keys() | before.keys() if now.get(path) != before.get(path)}
-    chosen = [test for test in tests(options.build) if is_about(test, changed)]
-    print(f"check: {len(changed)} files have changed since the last green run, {len(chosen)} tests are about them")
-    if chosen:
-        programs = {pathlib.Path(test["command"][0]).name for test in chosen if "command" in test}
-        known = subprocess.run(["cmake", "--build", options.build, "--target", "help"], check=True,
-                               capture_output=True, text=True).stdout
-        targets = sorted(name for name in programs if re.search(rf"^{re.escape(name)}: ", known, re.MULTILINE))
-        if any(test["name"].startswith("python/") for test in chosen):
-            targets.append("circumspect_python")
-        built = subprocess.run(["cmake", "--build", options.build, "-j", options.jobs,
-                                "--target", "circumspect_cli", *targets], check=False)
-        names = "|".join(re.escape(test["name"]) for test in chosen)
-        if built.returncode != 0 or subprocess.run(
-                ["ctest", "--test-dir", options.build, "-j", options.jobs, "--output-on-failure",
-                 "-R", f"^({names})$"], check=False).returncode != 0:
-            return 1
-    stamp.write_text(json.dumps(now), encoding="utf-8")
-    return 0
+    chosen, left_out = choose(list(tests(options.build)), changed, green["seconds"], options.jobs)
+    left_out = sorted({*green["left out"], *left_out} - {test["name"] for test in chosen})
+    print(f"check: {len(changed)} files have changed since the last green run; {len(chosen)} tests run", flush=True)
+    passed = not chosen or built_and_passed(options.build, chosen, options.jobs)
+    remember(now if passed else before, left_out if passed else green["left out"])
+    if left_out:
+        print(f"check: left to `make test`: what is slow, and {len(left_out)} tests that see the change from a "
+              f"distance: {', '.join(left_out)}")
+    return 0 if passed else 1
 
 
 if __name__ == "__main__":
