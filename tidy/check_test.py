@@ -69,6 +69,30 @@ class Choice(unittest.TestCase):
         self.assertIn("oracle/judge/judge_test", self.chosen({"oracle/judge/judge_test": 1000.0})[0])
 
 
+class Targets(unittest.TestCase):
+    def targets(self, *command, name="a/b_test"):
+        return check.targets({"name": name, "command": list(command)}, "build/release")
+
+    def test_the_program_and_those_that_a_script_starts(self):
+        release = os.path.abspath("build/release")
+        self.assertEqual(self.targets(f"{release}/tests/judge_test", "--source-file=*/a.cpp"), {"judge_test"})
+        self.assertEqual(self.targets("/usr/bin/python3", "/a/mpi_test.py", f"{release}/bin/circumspect-mpi",
+                                      f"{release}/bin/circumspect"), {"circumspect_mpi", "circumspect_cli"})
+
+    def test_everything_for_a_script_that_is_given_the_folder(self):
+        release = os.path.abspath("build/release")
+        self.assertEqual(self.targets("/a/outside_test.sh", release), {"all"})
+        self.assertEqual(self.targets("/a/replay.py", f"{release}/tests"), {"all"})
+
+    def test_a_program_that_was_never_built_is_found_where_cmake_registered_it(self):
+        with tempfile.TemporaryDirectory() as build:
+            os.makedirs(os.path.join(build, "corpus"))
+            with open(os.path.join(build, "CTestTestfile.cmake"), "w", encoding="utf-8") as file:
+                file.write(f'add_test([=[a/a_test]=] "{build}/tests/a_test" "--source-file=*/a/a_test.cpp")\n'
+                           f'add_test([=[b/c_test]=] "{build}/tests/b_test" "--source-file=*/b/c_test.cpp")\n')
+            self.assertEqual(check.targets({"name": "b/c_test"}, build), {"b_test"})
+
+
 class Times(unittest.TestCase):
     def test_they_are_read_from_the_log_of_ctest(self):
         with tempfile.TemporaryDirectory() as build:
