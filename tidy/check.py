@@ -125,7 +125,7 @@ def targets(test, build):
         path = pathlib.Path(os.path.relpath(word, os.path.abspath(build)))
         if str(path) in (".", "tests"):  # it looks for programs there by itself
             return {"all"}
-        if path.parent.name in ("tests", "bin"):
+        if str(path.parent) in ("tests", "bin"):
             found.add({"circumspect": "circumspect_cli"}.get(path.name, path.name.replace("-", "_")))
     return found
 
