@@ -129,6 +129,7 @@ test-style:
 	@python3 tidy/tidy_test.py
 	@python3 tidy/links.py
 	@python3 tidy/links_test.py
+	@python3 tidy/check_test.py
 
 # All but coqchk, and the filters' bounds that must be refused: these compile nothing and are slow. `make proofs` runs them.
 test-proofs: deps-proofs
