@@ -64,8 +64,15 @@ def read_table():
     return [Mutant(number, row) for number, row in enumerate(rows, 1)]
 
 
+def folders():
+    """The folder whose tests a program runs, for the programs of the layers."""
+    text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    return {f"{layer}_test": folder for layer, folder in re.findall(r"circumspect_layer\((\w+)\s+([\w/]+)", text)}
+
+
 def faults(mutants):
     """What is wrong with the table, a line each."""
+    folder_of = folders()
     names = [mutant.name for mutant in mutants]
     for mutant in mutants:
         where = f"{TABLE}: {mutant.name}"
@@ -82,6 +89,10 @@ def faults(mutants):
         for source in mutant.sources:
             if source != "*" and not list(ROOT.glob(f"*/**/{source}.cpp")):
                 yield f"{where}: expected a test, found no {source}.cpp"
+            elif source != "*" and mutant.program in folder_of:
+                folder = folder_of[mutant.program]
+                if not (ROOT / folder / f"{source}.cpp").is_file():
+                    yield f"{where}: expected a test of {mutant.program}, found no {source}.cpp in {folder}"
             if "_soak_" in source:
                 yield f"{where}: expected a test of `make test`, found {source}"
 

@@ -75,7 +75,7 @@ campaign::Settings settings_of(const CampaignOptions& options, const campaign::P
           {"--known", join(plan.known)},
           {"--corpus", join(corpus)},
           {"--dimension", std::to_string(subject.dimension)},
-          {"--domain-kind",
+          {"--fill",
            std::string(name(subject.fill)) + (subject.merges_coplanar ? " --merge-coplanar" : "")},
           {subject.is_about_domains() ? "--domain" : "--points",
            subject.input_name + (subject.reads_stdin ? " on stdin" : "")},

@@ -78,7 +78,7 @@ Draw draw_domains(const generators::ComplexFamily& family, const GenerateOptions
     return {count, ".poly",
             [made](std::ostream& out) {
               // At the end: some programs do not read files that begin with a comment.
-              out << campaign::poly_text(made.input, 0) << "# " << made.family << "; --domain-kind "
+              out << campaign::poly_text(made.input, 0) << "# " << made.family << "; --fill "
                   << (made.input.kind == DomainKind::kHull ? "hull" : "enclosed") << "\n";
             },
             nullptr};

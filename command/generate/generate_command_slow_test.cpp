@@ -51,7 +51,7 @@ TEST_CASE("generate: one set on stdout, the same bytes for a seed") {
         "4 0 1\n"
         "5 0 1\n"
         "0\n"
-        "# planar; --domain-kind hull\n");
+        "# planar; --fill hull\n");
   CHECK(generate({"grid"}).out == generate({"grid", "--seed", "0", "-o", "-"}).out);
   CHECK(generate({"grid"}).out != generate({"grid", "--seed", "1"}).out);
 }

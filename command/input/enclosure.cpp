@@ -92,7 +92,7 @@ std::string flat_hull(const Domain& domain) {
   const bool in_plane = is_planar(domain);
   return fmt::format(
       "expected points that span {}, so that their convex hull has something to fill, found {}; "
-      "--domain-kind enclosed meshes {} alone{}",
+      "--fill enclosed meshes {} alone{}",
       in_plane ? "the plane" : "space", flat_text(domain),
       in_plane ? "segments and vertices" : "polygons, segments and vertices",
       in_plane ? "" : ", and points with two coordinates are meshed in their plane");
@@ -103,7 +103,7 @@ std::string leak_text(const std::vector<Simplex>& walls, const Domain& domain) {
       is_planar(domain) ? domain.complex.segments.size() : domain.complex.polygons.size();
   return fmt::format(
       "expected {} that enclose something, found {} that {} nothing: {}; close the gap, or say "
-      "--domain-kind enclosed if they are to be meshed alone and nothing filled, --domain-kind "
+      "--fill enclosed if they are to be meshed alone and nothing filled, --fill "
       "hull "
       "if the convex hull is to be filled",
       wall_noun(domain, 2), count, count == 1 ? "encloses" : "enclose",
@@ -122,7 +122,7 @@ tl::expected<ChosenKind, std::string> kind_without_enclosure(const Domain& domai
   if (some.empty()) {
     return ChosenKind{
         DomainKind::kHull,
-        {fmt::format("no {} to enclose anything: the domain is the convex hull (--domain-kind)",
+        {fmt::format("no {} to enclose anything: the domain is the convex hull (--fill)",
                      wall_noun(domain, 2))}};
   }
   std::string text = leak_text(some, domain);
@@ -234,7 +234,7 @@ Dangling dangling_polygons(const Domain& domain, const std::set<Simplex>& walls)
   return dangling;
 }
 
-constexpr std::string_view kIsMeant = "; --domain-kind enclosed says that this is meant";
+constexpr std::string_view kIsMeant = "; --fill enclosed says that this is meant";
 
 // Something is enclosed, and something else may have leaked: walls between the outside and itself, or
 // between what is not filled.

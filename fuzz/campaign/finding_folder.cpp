@@ -232,7 +232,7 @@ std::string check_line(const Subject& subject, const Input& minimal, const std::
                      std::string(name(subject.claim));
   if (subject.is_about_domains()) {
     return line + " --domain \"$here/" + (subject.is_untidy ? "arranged" : stem) +
-           ".poly\" --domain-kind " + std::string(name(subject.fill)) +
+           ".poly\" --fill " + std::string(name(subject.fill)) +
            (subject.merges_coplanar ? " --merge-coplanar" : "");
   }
   const std::string extension = formats::extension(subject.mesh_name);
