@@ -47,8 +47,8 @@ TEST_CASE("a surface with a leak is refused, with an open edge, until its kind i
                                        "enclose nothing: edge 2 3, from (4, 0, 0) to (0, 4, 0), "
                                        "belongs to one polygon alone, polygon 1 (line 8), and so "
                                        "do 2 more; "));
-    CHECK(has(refused.err, "--domain-kind enclosed if "));
-    CHECK(has(refused.err, "--domain-kind hull if "));
+    CHECK(has(refused.err, "--fill enclosed if "));
+    CHECK(has(refused.err, "--fill hull if "));
   }
   for (const char* what : {"cdt", "steiner-cdt", "conforming-delaunay"}) {
     const Run refused = run({"build", what, leaky, "-o", meshes.folder.path("leaky.1.ele")});
@@ -160,7 +160,7 @@ TEST_CASE("the hull of points in one plane of space is no domain to fill") {
     CHECK(is_error_line(hull.err));
     CHECK(has(hull.err,
               ": expected points that span space, so that their convex hull has something "
-              "to fill, found all in one plane; --domain-kind enclosed "));
+              "to fill, found all in one plane; --fill enclosed "));
     CHECK(run({"check", mesh, "--domain", lone}).exit_code == 3);
   }
   CHECK(run({"check", full, "--domain", square, "--domain-kind", "enclosed"}).exit_code == 0);

@@ -103,9 +103,8 @@ std::string leak_text(const std::vector<Simplex>& walls, const Domain& domain) {
       is_planar(domain) ? domain.complex.segments.size() : domain.complex.polygons.size();
   return fmt::format(
       "expected {} that enclose something, found {} that {} nothing: {}; close the gap, or say "
-      "--fill enclosed if they are to be meshed alone and nothing filled, --fill "
-      "hull "
-      "if the convex hull is to be filled",
+      "--fill enclosed if they are to be meshed alone and nothing filled, --fill hull if the "
+      "convex hull is to be filled",
       wall_noun(domain, 2), count, count == 1 ? "encloses" : "enclose",
       open_place(open_ridges(walls), domain));
 }
