@@ -34,8 +34,9 @@ SCRATCH = ("reference", "proof", "drawn", "certificate", "differences")
 SESSION = "/tmp/try$ "
 # What differs from run to run.
 SECONDS = re.compile(r"\bin \d+\.\d s$", re.MULTILINE)
-# What a campaign says about its time while it works; no page shows it.
-NARRATION = re.compile(r"^campaign: \d.*\n", re.MULTILINE)
+# What no page shows: what a campaign says about its time while it works, and what campaigns and MPI add in a container
+# without namespaces or /sys.
+NARRATION = re.compile(r"^(campaign: \d|note: a supervisor contained |\[hwloc/).*\n", re.MULTILINE)
 FILE = re.compile(r"<!-- file: (\S+) -->")
 
 
