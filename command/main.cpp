@@ -76,7 +76,8 @@ constexpr auto kSubcommands = std::to_array<Subcommand>({
 // if it names none, as --help lists them, and for command-pages, which describes them.
 std::span<const Subcommand> called(int argc, char** argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
-  const auto found = std::ranges::find(kSubcommands, word, &Subcommand::name);
+  const auto found = std::find_if(kSubcommands.begin(), kSubcommands.end(),
+                                  [&](const Subcommand& one) { return one.name == word; });
   if (found == kSubcommands.end() || word == "command-pages") return kSubcommands;
   return {found, 1};
 }

@@ -82,6 +82,9 @@ FLOATING_FILES = ["reference/kernel/piecewise_linear/cell_index.hpp",
                   "reference/kernel/piecewise_linear/cell_index.cpp"]
 NUMBER_LIBRARY_FOLDERS = ["reference/kernel/exact", "bench"]
 
+# What `make web` compiles against libc++ 14, which has no algorithms of ranges.
+WEB_FOLDERS = ["reference", "oracle", "inputs", "command"]
+
 LONGEST_FILE, LONG_FILE = 450, 400
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
 CPP = (".hpp", ".cpp", ".h")
@@ -89,6 +92,7 @@ SOURCES = CPP + (".py", ".sh", ".cmake", "CMakeLists.txt")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 NUMBER_LIBRARY = re.compile(r"\b(mp[zqf]_\w+|mpfr_\w+|__gmp\w+|gmp_\w+)|<(gmp|gmpxx|mpfr)\.h>")
+RANGES = re.compile(r"\bstd::(ranges|views)::")
 FLOATING = re.compile(r"\b(float|double)\b")
 MARK = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 LAYER = re.compile(r"circumspect_layer\((\w+)\s+([\w/]+)([^)]*)\)")
@@ -206,6 +210,9 @@ class Tidy:
                     and path not in CGAL_FILES and not path.endswith("_cgal_test.cpp"):
                 self.fault(path, number, "number-library",
                            "only reference/kernel/exact names GMP and MPFR; say Integer or Rational")
+            if RANGES.search(line) and inside(path, WEB_FOLDERS) and not is_test(path):
+                self.fault(path, number, "ranges",
+                           "`make web` has no algorithms of ranges; give begin() and end()")
             if FLOATING.search(line) and path.startswith("reference/") \
                     and not inside(path, ["reference/kernel/exact"]) and not is_test(path) \
                     and path not in FLOATING_FILES:

@@ -98,6 +98,13 @@ class Libraries(unittest.TestCase):
             self.assertEqual(rules("reference/delaunay/a.cpp", text), [], text)
 
 
+    def test_what_runs_in_a_browser_has_no_algorithms_of_ranges(self):
+        for folder in ["reference/delaunay", "oracle/judge/points", "command/check"]:
+            self.assertEqual(rules(f"{folder}/a.cpp", "return std::ranges::find(a, b);\n"), ["ranges"])
+            self.assertEqual(rules(f"{folder}/a_test.cpp", "return std::ranges::find(a, b);\n"), [])
+        self.assertEqual(rules("fuzz/campaign/a.cpp", "return std::ranges::find(a, b);\n"), [])
+
+
 class Style(unittest.TestCase):
     def test_a_file_holds_one_idea(self):
         self.assertEqual(rules("oracle/judge/points/a.cpp", "\n" * 450), [])

@@ -193,7 +193,8 @@ class FaultFinder {
           const std::size_t s = simplices[i];
           // A simplex with a vertex twice is flat.
           int sign = 0;
-          if (std::ranges::all_of(mesh_.row(s), [&](Index v) { return mesh_.names_point(v); })) {
+          const auto row = mesh_.row(s);
+          if (std::all_of(row.begin(), row.end(), [&](Index v) { return mesh_.names_point(v); })) {
             sign = orientation<kDimension>(sites_of(s), stages);
           }
           orientations_[s] = static_cast<std::int8_t>(sign);

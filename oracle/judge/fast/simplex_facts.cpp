@@ -136,7 +136,8 @@ bool have_empty_balls(const MeshView<3, Index>& mesh, const std::vector<FacetId>
         steps, [&](const AxisBox& box) { return bounds->is_beyond(box); },
         [&](std::uint32_t point) {
           const auto v = static_cast<Index>(point);
-          return std::ranges::find(mesh.row(s), v) != mesh.row(s).end() ||
+          const auto corners = mesh.row(s);
+          return std::find(corners.begin(), corners.end(), v) != corners.end() ||
                  ball.contains(mesh.template site<false>(v), stages) * own <= 0;
         });
   };
