@@ -4,6 +4,7 @@ from domain_meshes import *
 E = 1e-9
 NEAR = "steiner-triangulation --within 1e-8"
 EXACT = "steiner-triangulation"
+TRIANGLE_AND_POINT = [(0, 0), (1, 0), (0, 1), (5, 5)]
 
 
 def moved(points, at, by):
@@ -52,6 +53,13 @@ def accepted():
     ring = moved(RING, 4, (2 * E, -E))
     yield DomainMesh("accept/within--plane-ring", "a square with a square hole, one corner of which was moved", RING, RING_LINES, ring,
                      RING_TRIANGLES, [("plc-triangulation --within 1e-8", HOLD), (EXACT, "domain.vertex-missing")], holes=[(4, 4)])
+    with_lone = CUBE + [(9, 9, 9)]
+    points, mesh = cube_with_middle()
+    yield DomainMesh("accept/within--lone-vertex", "a vertex of the domain alone outside the cube, and a Steiner point off its segment",
+                     with_lone, facets(CUBE_SQUARES), points + [(9, 9, 9)], mesh,
+                     [(NEAR, HOLD), (EXACT, "domain.segment-missing")])
+    yield DomainMesh("accept/within--plane-lone-vertex", "a triangle of a domain that has a vertex alone outside", TRIANGLE_AND_POINT,
+                     [(0, 1), (1, 2), (2, 0)], TRIANGLE_AND_POINT, [(0, 1, 2)], [("cdt --within 0", HOLD), ("cdt", HOLD)])
 
 
 def rejected():

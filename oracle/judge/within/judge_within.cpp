@@ -128,6 +128,29 @@ Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer
   return domain.in_own_words(std::move(witness));
 }
 
+// Which points of the mesh are its vertices. A lone vertex of the domain outside what is filled has no simplex around
+// it: there the exact claim asks for a point alone.
+std::vector<bool> vertices_of(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
+                              const Regions& regions) {
+  VertexPlaces places = match_vertices(mesh, complex);
+  std::vector<bool> is_lone(complex.points.size(), true);
+  const auto belong = [&](const std::vector<Vertex>& vertices) {
+    for (const Vertex v : vertices) is_lone[VertexPlaces::place(v)] = false;
+  };
+  for (const Simplex& segment : complex.segments) belong(segment);
+  for (const auto& polygon : complex.polygons) belong(polygon.vertices);
+  for (Vertex v = 0; complex.points.names(v); ++v) {
+    const Vertex there = places.in_mesh[VertexPlaces::place(v)];
+    if (!is_lone[VertexPlaces::place(v)] || there == kNoVertex) continue;
+    if (places.used[VertexPlaces::place(there)]) continue;
+    const Where where = regions.locate(complex.points[v]);
+    if (where == Where::kOutside || where == Where::kHole) {
+      places.used[VertexPlaces::place(there)] = true;
+    }
+  }
+  return std::move(places.used);
+}
+
 // The vertices of the mesh that are no image of a vertex of the domain.
 void add_steiner_points(const ExactMesh& mesh, const std::vector<bool>& used,
                         const ReachAnswer& answer, Verdict& verdict) {
@@ -238,9 +261,9 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
     if (is_full) faces = by_definition ? hull_faces_by_definition(points) : hull_faces(points);
     walled = with_hull_walls(domain.complex, faces);
   }
-  const std::vector<bool> used = match_vertices(mesh, domain.complex).used;
   const Cells cells(walled ? *walled : domain.complex, markers);
   const Regions regions = walled ? Regions(*walled) : domain.regions();
+  const std::vector<bool> used = vertices_of(mesh, domain.complex, regions);
   const CellsOfDomain all{domain, cells, regions, domain.complex.polygons.size()};
   if (by_definition && !is_small_enough_for_definition(mesh, used, cells, squared_distance)) {
     return tl::unexpected(

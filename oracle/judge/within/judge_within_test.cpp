@@ -364,6 +364,21 @@ TEST_CASE("within: dangling polygons that are not flat any more are counted") {
   CHECK(verdict->within->not_compared == 1);
 }
 
+TEST_CASE("within: a lone vertex of the domain outside what is filled has no simplex") {
+  MovedMesh box = box_with_steiner_points();
+  PiecewiseLinearInput input = cuboid({0, 0, 0}, {4, 4, 4});
+  input.points.push_back({9, 9, 9});
+  box.domain = domain_of(input);
+  std::vector<Point> points = box.mesh.points.points();
+  points.push_back({9, 9, 9});
+  box.mesh = with_points(box.mesh, points);
+  CHECK(both_answers(box) == "holds 0");
+  box.mesh = moved_vertex(box.mesh, {2, 0, 0}, {0, bits(3), bits(4)});
+  CHECK(both_answers(box) == "holds 5");
+  box.mesh = moved_vertex(box.mesh, {9, 9, 9}, {bits(1), 0, 0});
+  CHECK(both_answers(box) == "fails domain.vertex-missing");
+}
+
 TEST_CASE("within: holes and regions keep the side that they had") {
   // A square ring, meshed exactly but for a vertex of the hole; then the hole filled.
   const auto keep = [](std::size_t i, std::size_t j, std::size_t) { return i != 1 || j != 1; };
