@@ -159,6 +159,7 @@ void build(const ConstrainedOptions& options, Output& output) {
   const auto loaded = load_domain(options.input_file, options.input, options.said, kBreachLimit,
                                   Leak::kRefused, {.progress = output.progress()});
   if (!loaded) {
+    for (const std::string& note : loaded.error().file.notes) say_note(options, note, output);
     output.error(ExitCode::kInputFault, "domain", options.input_file, loaded.error().message);
     return;
   }

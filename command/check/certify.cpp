@@ -55,6 +55,7 @@ void certify(const CertifyOptions& options, Output& output) {
     output.begin("reading " + *options.domain);
     auto read = load_domain(*options.domain, options.input, options.said);
     if (!read) {
+      for (const std::string& note : read.error().file.notes) output.note(note);
       output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
       return;
     }

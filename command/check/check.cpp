@@ -120,6 +120,7 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
   if (!verdict) {
+    for (const std::string& note : loaded->notes) output.note(note);
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
@@ -156,11 +157,13 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   // The claim may depend on which points there are.
   const std::string fault =
       loaded ? settle_equal_points(*loaded, options.input.duplicates) : loaded.error();
+  if (loaded) {
+    for (const std::string& note : loaded->notes) output.note(note);
+  }
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", path, fault);
     return;
   }
-  for (const std::string& note : loaded->notes) output.note(note);
   const Mesh& mesh = loaded->mesh;
   if (mesh.points() > 0 && mesh.dimension() != dimension) {
     output.error(
@@ -218,6 +221,7 @@ void check_against_domain(const CheckOptions& options, Output& output) {
       load_domain(*options.domain, options.input, options.said, options.check.max_violations,
                   Leak::kRefused, {.progress = output.progress()});
   if (!domain) {
+    for (const std::string& note : domain.error().file.notes) output.note(note);
     output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
     return;
   }

@@ -187,6 +187,27 @@ TEST_CASE("a domain at fault: duplicates, unless they are merged") {
   CHECK(has(merge.out, " 4 vertices 6 segments 4 polygons 1 polyhedron enclosed "));
 }
 
+TEST_CASE("a domain at fault: notes say how the file was read, where the fault names points") {
+  const ScratchFolder folder;
+  const auto with_elements = [&](const std::string& elements) {
+    return folder.write("gaps.msh",
+                        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n10 0 0 0\n20 1 0 0\n"
+                        "30 1 1 0\n40 0 1 1\n$EndNodes\n$Elements\n1\n" +
+                            elements + "\n$EndElements\n");
+  };
+  const std::string bent = with_elements("1 3 2 0 1 10 20 30 40");
+  const std::string note =
+      bent + ": the tags of nodes leave gaps; nodes are counted from 1 in their order";
+  const Run inspected = run({"inspect", bent, "--domain"});
+  CHECK(inspected.exit_code == 3);
+  CHECK(inspected.out.starts_with("note: " + note + "\nplc.polygon-not-planar"));
+  CHECK(document(run(
+            {"inspect", bent, "--domain", "--format", "json"}))["results"][0]["notes"][0] == note);
+  CHECK(run({"check", bent, "--domain", bent}).out == "note: " + note + "\n");
+  CHECK(run({"certify", bent, "--domain", bent, "--claim", "cdt", "-o", folder.path("c")}).out ==
+        "note: " + note + "\n");
+}
+
 TEST_CASE("inspect: what a domain is made of, and its canonical CDT") {
   const ScratchFolder folder;
   const std::string domain = folder.write("cube.poly", lifted_cube());

@@ -235,6 +235,24 @@ bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
   return fault.empty();
 }
 
+// False, and said, if one of the simplices that only this mesh has names no point: nothing tells what it is.
+bool names_points(const LoadedMesh& input, const std::vector<Simplex>& simplices, Output& output) {
+  for (const Simplex& simplex : simplices) {
+    Simplex labels = simplex;
+    for (Vertex& v : labels) v = input.mesh.label(v);
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      if (input.mesh.names(simplex[i])) continue;
+      output.error(
+          ExitCode::kInputFault, "mesh", input.name,
+          fmt::format("{}: expected simplices that name points of the mesh, found simplex {}: "
+                      "there is no point {}",
+                      input.name, fmt::join(labels, " "), labels[i]));
+      return false;
+    }
+  }
+  return true;
+}
+
 // What is wrong with the names of the files to be written; empty if nothing is.
 std::string output_fault(const CompareOptions& options) {
   std::vector<Written> written;
@@ -272,6 +290,8 @@ void compare(const CompareOptions& options, Output& output) {
     if (!are_settled) return;
     found = check::difference(a->mesh, b->mesh);
   }
+  const bool are_known = names_points(*a, found->simplices_only_in_a, output);
+  if (!names_points(*b, found->simplices_only_in_b, output) || !are_known) return;
   // Whatever is to be written is made first, since an interrupt ends that at once, and what is being written
   // would stay behind, unfinished.
   formats::ElementFile elements;

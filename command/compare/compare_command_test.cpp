@@ -128,6 +128,18 @@ TEST_CASE("compare: of merged points the heaviest counts") {
   CHECK(run({"compare", twice, once}).exit_code == 3);
 }
 
+TEST_CASE("compare: a simplex that names no point is a fault of the input") {
+  const ScratchFolder folder;
+  const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);
+  const std::string unknown = mesh(folder, "unknown", kUnitSquare, "1 3 0\n1 1 2 9\n");
+  for (const auto& [first, second] : {std::pair{a, unknown}, {unknown, a}, {unknown, unknown}}) {
+    const Run refused = run({"compare", first, second});
+    CHECK(refused.exit_code == 3);
+    CHECK(has(refused.err, unknown + ": expected simplices that name points of the mesh, found "
+                                     "simplex 1 2 9: there is no point 9\n"));
+  }
+}
+
 TEST_CASE("compare: a file that cannot be read, and two on one standard input") {
   const ScratchFolder folder;
   const std::string a = mesh(folder, "a", kUnitSquare, kRisingDiagonal);

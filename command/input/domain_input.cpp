@@ -129,7 +129,9 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
   auto chosen = choose_kind(loaded.domain, loaded.file.input, said, leak);
-  if (!chosen) return tl::unexpected(DomainFault{path + ": " + chosen.error()});
+  if (!chosen) {
+    return tl::unexpected(DomainFault{path + ": " + chosen.error(), {}, std::move(loaded.file)});
+  }
   for (const std::string& note : chosen->notes) loaded.file.notes.push_back(path + ": " + note);
   PiecewiseLinearComplex& valid = loaded.domain.complex;
   for (std::vector<Point>* const seeds : {&valid.hole_seeds, &loaded.file.input.hole_seeds}) {

@@ -30,7 +30,7 @@ struct LoadedDomain {
 };
 
 // What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could
-// be read. `file` has the points and lines that breaches are about.
+// be read. `file` has the points and lines that breaches are about, and notes of how they were read.
 struct DomainFault {
   std::string message;
   std::vector<Breach> breaches = {};

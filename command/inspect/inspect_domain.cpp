@@ -156,6 +156,8 @@ class Inspection {
     if (!loaded && breaches_ > 0) {
       end_invalid(loaded.error().file);
     } else if (!loaded) {
+      const std::vector<std::string>& notes = loaded.error().file.notes;
+      for (std::size_t i = notes_told_; i < notes.size(); ++i) output_.note(notes[i]);
       output_.error(ExitCode::kInputFault, "domain", path_, loaded.error().message);
     } else {
       inspect(*loaded);
@@ -174,7 +176,11 @@ class Inspection {
     if (breaches_ == 0) {
       output_.exit_with(ExitCode::kInputFault);
       first_ = breach.kind;
-      known_ = {{"domain", path_}, {"valid", false}, {"breaches", report::Json::array()}};
+      known_ = {{"domain", path_},
+                {"valid", false},
+                {"notes", file.notes},
+                {"breaches", report::Json::array()}};
+      for (const std::string& note : file.notes) output_.note(note);
     }
     ++breaches_;
     if (options_.max_errors != 0 && breaches_ > options_.max_errors) return;
