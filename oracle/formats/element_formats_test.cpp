@@ -200,6 +200,24 @@ TEST_CASE("gmsh in binary: what is read over may end without a line end, names a
   }
 }
 
+TEST_CASE("gmsh: lines outside of sections are read over as Gmsh does, which is noted") {
+  const std::string elements = "$Elements\n1\n1 1 0 1 2\n$EndElements";
+  const auto behind = gmsh(kHeader2 + kNodes2 + elements + "\n\nShow \"*\"; $Nodes\r\nMore\n");
+  REQUIRE_MESSAGE(behind, error_of(behind));
+  CHECK(behind->notes == std::vector<std::string>{"f:16: lines outside of sections were read over, "
+                                                  "the first is \"Show \"*\"; $Nodes\""});
+  const auto between = gmsh(kHeader2 + "x\n" + kNodes2 + elements + " y");
+  REQUIRE_MESSAGE(between, error_of(between));
+  CHECK(between->edges.simplices == std::vector<Simplex>{{1, 2}});
+  CHECK(between->notes == std::vector<std::string>{
+                              "f:4: lines outside of sections were read over, the first is \"x\""});
+  const auto binary = gmsh(gmsh_2(kTwoTetrahedra, ByteOrder::kLittleEndian) + "Show \"*\";\n");
+  REQUIRE_MESSAGE(binary, error_of(binary));
+  CHECK(binary->notes ==
+        std::vector<std::string>{
+            "f: lines outside of sections were read over, the first is \"Show \"*\";\""});
+}
+
 TEST_CASE("gmsh: tags in a row are indices, in whatever order; gaps are noted") {
   const std::string elements = "$Elements\n1\n1 1 0 8 7\n$EndElements\n";
   const auto in_a_row = gmsh(kHeader2 + "$Nodes\n2\n8 1 0 0\n7 0 0 0\n$EndNodes\n" + elements);
@@ -242,7 +260,9 @@ TEST_CASE("gmsh: headers that are refused") {
   CHECK(error_of(gmsh(kHeader2 + kNodes2 + kNodes2)) ==
         "f:11: expected one section $Nodes, found \"$Nodes\"");
   CHECK(error_of(gmsh(kHeader2 + "Nodes")) ==
-        "f:4: expected a section, as $Nodes, found \"Nodes\"");
+        "f:4: expected the section $Nodes, found the end of the file");
+  CHECK(error_of(gmsh(kHeader2 + "Nodes\n1\n1 0 0 0\n$EndNodes\n")) ==
+        "f:7: expected a section, as $Nodes, found \"$EndNodes\"");
   CHECK(error_of(gmsh(kHeader2 + "$Periodic\n1\n")) ==
         "f:4: expected $EndPeriodic behind $Periodic, found the end of the file");
 }

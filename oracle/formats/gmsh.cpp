@@ -73,11 +73,14 @@ class GmshReader {
     if (text_.is_binary()) text_.rest_of_line();
   }
   Status count_from_lowest_tag();
+  // The rest of a line that is in no section. Requires: `first_word` has just been read.
+  void skip_line(std::string_view first_word);
 
   MixedText text_;
   std::size_t version_ = 0;  // 2 or 4
   bool has_nodes_ = false;
   bool has_elements_ = false;
+  bool has_skipped_line_ = false;
   ElementFile file_;
   std::vector<Vertex> tags_;                            // of the points
   std::map<std::pair<Vertex, Vertex>, Vertex> groups_;  // the first physical group of an entity
@@ -385,6 +388,16 @@ Status GmshReader::count_from_lowest_tag() {
   return {};
 }
 
+// Gmsh appends options there (Show "*";), and its own reader goes to the next line with a '$'.
+void GmshReader::skip_line(std::string_view first_word) {
+  const std::size_t line = text_.line();
+  const std::string whole = std::string(first_word) + std::string(text_.rest_of_line());
+  if (has_skipped_line_) return;
+  has_skipped_line_ = true;
+  file_.notes.push_back(text_.name() + (line == 0 ? "" : ":" + std::to_string(line)) +
+                        ": lines outside of sections were read over, the first is " + quote(whole));
+}
+
 Result<ElementFile> GmshReader::read() {
   if (text_.peek() == "$Comments") {
     text_.word();
@@ -397,7 +410,11 @@ Result<ElementFile> GmshReader::read() {
   while (true) {
     const std::string_view keyword = text_.word();
     if (keyword.empty()) break;
-    if (keyword.front() != '$') return text_.fail_at_word("a section, as $Nodes");
+    if (keyword.front() != '$') {
+      skip_line(keyword);
+      continue;
+    }
+    if (keyword.starts_with("$End")) return text_.fail_at_word("a section, as $Nodes");
     if (Status section = read_section(keyword); !section) return tl::unexpected(section.error());
   }
   if (!has_nodes_) return text_.fail_at_word("the section $Nodes");
