@@ -1,5 +1,4 @@
 #include <array>
-#include <cctype>
 #include <map>
 
 #include "oracle/formats/bytes/lines.hpp"
@@ -63,14 +62,6 @@ class Surface {
   std::size_t corners_ = 0;
   std::size_t collapsed_ = 0;
 };
-
-bool is_word(std::string_view token, std::string_view word) {
-  if (token.size() != word.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(token[i])) != word[i]) return false;
-  }
-  return true;
-}
 
 class TextReader {
  public:
