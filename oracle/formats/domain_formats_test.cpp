@@ -7,7 +7,9 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/reading_test.hpp"
+#include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
+#include "oracle/formats/vtk.hpp"
 
 namespace circumspect::formats {
 namespace {
@@ -248,6 +250,36 @@ TEST_CASE("medit in the plane: edges are the domain, else those of the triangles
       domain_of(*read_medit({"f", vertices + "Triangles 1 1 2 3 0 End"}, kDouble), "f");
   REQUIRE(without);
   CHECK(without->input.segments == std::vector<Line>{{0, 1}, {1, 2}, {0, 2}});
+}
+
+TEST_CASE("polygons of a domain are in the order of the file, triangles among others") {
+  const std::vector<std::size_t> lines = {9, 10, 11, 12};
+  const std::vector<Line> polygons = {{0, 1, 2, 3}, {4, 5, 6}, {0, 1, 4, 5}, {1, 2, 3}};
+  const auto corners_of = [](const DomainFile& domain) {
+    std::vector<Line> all;
+    for (const PolygonLines& polygon : domain.input.polygons) all.push_back(polygon.lines.front());
+    return all;
+  };
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 1\n5 0 0\n6 0 0\n5 1 0\n";
+  const auto obj = read_obj({"f",
+                             "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nv 5 0 0\nv 6 0 0\n"
+                             "v 5 1 0\nf 1 2 3 4\nf 5 6 7\nf 1 2 5 6\nf 2 3 4\n"},
+                            kDouble);
+  REQUIRE_MESSAGE(obj, error_of(obj));
+  const auto of_obj = domain_of(*obj, "f");
+  REQUIRE_MESSAGE(of_obj, error_of(of_obj));
+  CHECK(corners_of(*of_obj) == polygons);
+  CHECK(of_obj->polygon_lines == lines);
+  // One line of a VTK file may hold all of its cells.
+  const auto vtk = read_vtk({"f",
+                             "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 7 "
+                             "float\n" +
+                                 points + "POLYGONS 4 18\n4 0 1 2 3 3 4 5 6 4 0 1 4 5 3 1 2 3\n"},
+                            kDouble);
+  REQUIRE_MESSAGE(vtk, error_of(vtk));
+  const auto of_vtk = domain_of(*vtk, "f");
+  REQUIRE_MESSAGE(of_vtk, error_of(of_vtk));
+  CHECK(corners_of(*of_vtk) == polygons);
 }
 
 }  // namespace circumspect::formats

@@ -41,6 +41,7 @@ void add_polygon(ElementFile& file, Simplex vertices, std::string_view name, std
   }
   if (!file.first_other) file.first_other = {std::string(name), line};
   add_to(file.polygons, std::move(vertices), line, label);
+  file.triangles_before.push_back(file.triangles.simplices.size());
 }
 
 void add_strip(ElementFile& file, const Simplex& vertices, std::size_t line,
@@ -174,6 +175,24 @@ Status add_edges(DomainFile& domain, const SimplexFile& edges) {
   return {};
 }
 
+// Triangles and polygons as the file lists them: messages count them in this order.
+SimplexFile faces_in_order(const ElementFile& elements) {
+  SimplexFile faces;
+  const auto add = [&faces](const SimplexFile& list, std::size_t place) {
+    faces.simplices.push_back(list.simplices[place]);
+    faces.lines.push_back(list.lines[place]);
+  };
+  std::size_t triangle = 0;
+  for (std::size_t i = 0; i < elements.polygons.simplices.size(); ++i) {
+    for (; triangle < elements.triangles_before[i]; ++triangle) add(elements.triangles, triangle);
+    add(elements.polygons, i);
+  }
+  for (; triangle < elements.triangles.simplices.size(); ++triangle) {
+    add(elements.triangles, triangle);
+  }
+  return faces;
+}
+
 // Whether each point belongs to a segment or a polygon.
 std::vector<bool> points_in_use(const DomainFile& domain) {
   std::vector<bool> used(domain.input.points.size());
@@ -239,8 +258,7 @@ Result<DomainFile> domain_of(const ElementFile& elements, const std::string& nam
   Status status = take_points(domain, elements.points, 0);
   if (status) status = add_edges(domain, elements.edges);
   if (domain.dimension == 3 || elements.edges.simplices.empty()) {
-    if (status) status = add_faces(domain, elements.triangles);
-    if (status) status = add_faces(domain, elements.polygons);
+    if (status) status = add_faces(domain, faces_in_order(elements));
   }
   if (!status) return tl::unexpected(status.error());
   const std::vector<bool> dropped =

@@ -38,6 +38,8 @@ struct ElementFile {
   SimplexFile edges = {};
   SimplexFile triangles = {};
   SimplexFile polygons = {};  // of four vertices and more
+  // How many triangles the file lists before each of these polygons.
+  std::vector<std::size_t> triangles_before = {};
   SimplexFile tetrahedra = {};
   SimplexFile other_solids = {};
   // The first element that is no simplex, and the first that is curved: what it is and its line.

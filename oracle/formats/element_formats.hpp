@@ -17,7 +17,8 @@ namespace circumspect::formats {
 //     $Elements                                   of all dimensions; the (first) physical group of each is
 //                                                 its label, 0 if it is in none
 //     $Entities                                   of version 4.1: to which physical groups each belongs
-//     $PhysicalNames, $NodeData, …                other sections are read over
+//     $PhysicalNames, $NodeData, …                other sections are read over, and so are, with a note,
+//                                                 lines between sections
 //
 // Numbers follow one another, wherever lines end.
 

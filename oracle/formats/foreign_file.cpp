@@ -56,14 +56,37 @@ bool is_abaqus(const Source& beginning) {
   return false;
 }
 
-// Three counts, of vertices, triangles and edges, and the first vertex of the plane with its label.
+// Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first vertex with its label.
 bool is_freefem(const Source& beginning) {
   Lines lines(beginning);
   if (!lines.next() || lines.size() != 3) return false;
   for (std::size_t column = 0; column < 3; ++column) {
     if (!lines.count(column, "a count")) return false;
   }
-  return lines.next() && lines.size() == 3;
+  return lines.next() && (lines.size() == 3 || lines.size() == 4);
+}
+
+// "MESH dimension 3 ElemType Triangle Nnode 3", in any case, perhaps with a name and with signs of equality.
+bool is_gid(const std::vector<std::string_view>& first) {
+  return is_word(first[0], "mesh") &&
+         std::any_of(first.begin(), first.end(),
+                     [](std::string_view token) { return is_word(token, "elemtype"); });
+}
+
+// "MSHID=3;euclidean-mesh", in any case.
+bool is_jigsaw(const std::vector<std::string_view>& first) {
+  constexpr std::string_view kKey = "mshid";
+  if (!is_word(first[0].substr(0, kKey.size()), kKey)) return false;
+  const std::string_view behind = first[0].substr(kKey.size());
+  return behind.empty() ? first.size() > 1 && first[1].front() == '=' : behind.front() == '=';
+}
+
+// What compilers write as .obj: of COFF for x86 and for x64, and of ELF.
+bool is_object_file(std::string_view text) {
+  return text.starts_with("\x4c\x01"sv) || text.starts_with("\x64\x86"sv) ||
+         text.starts_with(
+             "\x7f"
+             "ELF"sv);
 }
 
 }  // namespace
@@ -72,6 +95,9 @@ std::optional<std::string> foreign_kind(const Source& source) {
   const std::string end = extension(source.name);
   for (const auto& [bytes, what] : kSignatures) {
     if (source.text.starts_with(bytes)) return std::string(what);
+  }
+  if (end == ".obj" && is_object_file(source.text)) {
+    return "an object file of a compiler (a mesh of Wavefront's is another file, of text)";
   }
   // Files of VTK's XML form are read, but not under the name of another format, as that of VTK's older form.
   if (is_vtu(source.text)) {
@@ -86,6 +112,13 @@ std::optional<std::string> foreign_kind(const Source& source) {
   }
   if (is_abaqus(beginning)) {
     return "a mesh of Abaqus (meshio convert --input-format abaqus IN.inp IN.vtu)";
+  }
+  if (is_gid(lines.tokens())) {
+    return "a mesh of GiD (its lines of coordinates and of elements are those of .node and .ele "
+           "files, which begin with a line of counts)";
+  }
+  if (is_jigsaw(lines.tokens())) {
+    return "a mesh of JIGSAW (jigsawpy.savevtk(\"OUT.vtk\", mesh) writes one that is read)";
   }
   if (end == ".msh" && is_freefem(beginning)) {
     return "a mesh of FreeFem (load \"iovtk\" and savevtk(\"OUT.vtk\", Th) write one that is read)";

@@ -1,5 +1,5 @@
 // Files that no reader reads, told by what they hold: what they are, and what to do about it. A name may say
-// too little (.msh is Gmsh's, Fluent's and FreeFem's) or something else (an archive, a pointer of Git LFS).
+// too little (.msh is Gmsh's, Fluent's, FreeFem's, GiD's and JIGSAW's) or something else (an archive, a pointer of Git LFS).
 #pragma once
 
 #include <optional>

@@ -6,45 +6,11 @@
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/element_formats.hpp"
+#include "oracle/formats/gmsh_types.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::formats {
 namespace {
-
-// Gmsh's types of elements: what has no shape here is curved.
-constexpr std::array kGmshTypes = {
-    ElementType{15, 1, ElementShape::kPoint, "a point"},
-    ElementType{1, 2, ElementShape::kPolyline, "an edge"},
-    ElementType{2, 3, ElementShape::kPolygon, "a triangle"},
-    ElementType{3, 4, ElementShape::kPolygon, "a quadrilateral"},
-    ElementType{4, 4, ElementShape::kTetrahedron, "a tetrahedron"},
-    ElementType{5, 8, ElementShape::kOtherSolid, "a hexahedron"},
-    ElementType{6, 6, ElementShape::kOtherSolid, "a prism"},
-    ElementType{7, 5, ElementShape::kOtherSolid, "a pyramid"},
-    ElementType{8, 3, ElementShape::kCurved, "an edge of second order"},
-    ElementType{9, 6, ElementShape::kCurved, "a triangle of second order"},
-    ElementType{10, 9, ElementShape::kCurved, "a quadrilateral of second order"},
-    ElementType{11, 10, ElementShape::kCurved, "a tetrahedron of second order"},
-    ElementType{12, 27, ElementShape::kCurved, "a hexahedron of second order"},
-    ElementType{13, 18, ElementShape::kCurved, "a prism of second order"},
-    ElementType{14, 14, ElementShape::kCurved, "a pyramid of second order"},
-    ElementType{16, 8, ElementShape::kCurved, "a quadrilateral of second order"},
-    ElementType{17, 20, ElementShape::kCurved, "a hexahedron of second order"},
-    ElementType{18, 15, ElementShape::kCurved, "a prism of second order"},
-    ElementType{19, 13, ElementShape::kCurved, "a pyramid of second order"},
-    ElementType{20, 9, ElementShape::kCurved, "a triangle of third order"},
-    ElementType{21, 10, ElementShape::kCurved, "a triangle of third order"},
-    ElementType{22, 12, ElementShape::kCurved, "a triangle of fourth order"},
-    ElementType{23, 15, ElementShape::kCurved, "a triangle of fourth order"},
-    ElementType{24, 15, ElementShape::kCurved, "a triangle of fifth order"},
-    ElementType{25, 21, ElementShape::kCurved, "a triangle of fifth order"},
-    ElementType{26, 4, ElementShape::kCurved, "an edge of third order"},
-    ElementType{27, 5, ElementShape::kCurved, "an edge of fourth order"},
-    ElementType{28, 6, ElementShape::kCurved, "an edge of fifth order"},
-    ElementType{29, 20, ElementShape::kCurved, "a tetrahedron of third order"},
-    ElementType{30, 35, ElementShape::kCurved, "a tetrahedron of fourth order"},
-    ElementType{31, 56, ElementShape::kCurved, "a tetrahedron of fifth order"},
-};
 
 class GmshReader {
  public:
@@ -64,6 +30,7 @@ class GmshReader {
   Status read_elements_2();
   Status read_elements_4();
   Status read_element_block(std::size_t& read);
+  // nullptr: elements of higher order, and the rest of $Elements cannot be read.
   Result<const ElementType*> read_type();
   Status read_vertices(const ElementType& type, NumberType of_tags, Vertex label);
   Status read_entities();
@@ -73,11 +40,15 @@ class GmshReader {
     if (text_.is_binary()) text_.rest_of_line();
   }
   Status count_from_lowest_tag();
+  // The rest of a line that is in no section. Requires: `first_word` has just been read.
+  void skip_line(std::string_view first_word);
 
   MixedText text_;
   std::size_t version_ = 0;  // 2 or 4
   bool has_nodes_ = false;
   bool has_elements_ = false;
+  bool has_unknown_nodes_ = false;  // elements of which read_type knows no number of nodes
+  bool has_skipped_line_ = false;
   ElementFile file_;
   std::vector<Vertex> tags_;                            // of the points
   std::map<std::pair<Vertex, Vertex>, Vertex> groups_;  // the first physical group of an entity
@@ -187,10 +158,18 @@ Status GmshReader::read_nodes_4() {
 Result<const ElementType*> GmshReader::read_type() {
   const Result<Vertex> code = text_.integer(kInt32, "the type of an element");
   if (!code) return tl::unexpected(code.error());
-  const auto* const type = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
-                                        [&](const ElementType& one) { return one.code == *code; });
-  if (type != kGmshTypes.end()) return type;
-  return text_.fail("a type of elements from 1 to 31", std::to_string(*code));
+  if (const ElementType* const type = find_gmsh_type(*code)) return type;
+  if (const auto name = gmsh_higher_order(*code)) {
+    has_unknown_nodes_ = true;
+    if (!file_.first_curved) file_.first_curved = {std::string(*name), text_.line()};
+    return nullptr;
+  }
+  if (!is_known_to_gmsh(*code)) {
+    return text_.fail("a type of elements that Gmsh knows", std::to_string(*code));
+  }
+  return text_.fail(
+      "edges, triangles, tetrahedra or other elements whose number of nodes their type says",
+      "type " + std::to_string(*code));
 }
 
 // In version 4.1 the physical groups of elements are those of the entity to which they belong.
@@ -255,6 +234,7 @@ Status GmshReader::read_elements_2() {
     }
     const Result<const ElementType*> type = read_type();
     if (!type) return tl::unexpected(type.error());
+    if (*type == nullptr) return {};
     Result<std::size_t> in_block = 1;
     if (text_.is_binary()) in_block = text_.count(kInt32, "the number of elements of a block");
     if (!in_block) return tl::unexpected(in_block.error());
@@ -289,6 +269,7 @@ Status GmshReader::read_element_block(std::size_t& read) {
   const Vertex label = group == groups_.end() ? 0 : group->second;
   const Result<const ElementType*> type = read_type();
   if (!type) return tl::unexpected(type.error());
+  if (*type == nullptr) return {};
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
@@ -308,13 +289,16 @@ Status GmshReader::read_elements_4() {
   if (!count) return tl::unexpected(count.error());
   Status status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of elements");
   std::size_t read = 0;
-  for (std::size_t i = 0; status && i < *blocks; ++i) status = read_element_block(read);
-  if (!status || read == *count) return status;
+  for (std::size_t i = 0; status && !has_unknown_nodes_ && i < *blocks; ++i) {
+    status = read_element_block(read);
+  }
+  if (!status || has_unknown_nodes_ || read == *count) return status;
   return text_.fail(std::to_string(*count) + " elements in all blocks", std::to_string(read));
 }
 
 // Requires: `keyword` has just been read, and begins with '$'.
 Status GmshReader::read_section(std::string_view keyword) {
+  const std::size_t line = text_.line();
   const std::string end = "$End" + std::string(keyword.substr(1));
   if (keyword == "$Nodes" || keyword == "$Elements") {
     bool& is_there = keyword == "$Nodes" ? has_nodes_ : has_elements_;
@@ -326,13 +310,13 @@ Status GmshReader::read_section(std::string_view keyword) {
     } else {
       status = version_ == 2 ? read_elements_2() : read_elements_4();
     }
-    return status ? expect_word(end) : status;
+    if (!status) return status;
+    if (keyword == "$Nodes" || !has_unknown_nodes_) return expect_word(end);
   }
   if (keyword == "$Entities" && version_ == 4) {
     Status status = read_entities();
     return status ? expect_word(end) : status;
   }
-  const std::size_t line = text_.line();
   // Some writers end no line behind binary data. Names and comments are text in every file, and may quote the end.
   const bool is_text = !text_.is_binary() || keyword == "$PhysicalNames" || keyword == "$Comments";
   if (text_.skip_behind(end, is_text)) return {};
@@ -385,6 +369,16 @@ Status GmshReader::count_from_lowest_tag() {
   return {};
 }
 
+// Gmsh appends options there (Show "*";), and its own reader goes to the next line with a '$'.
+void GmshReader::skip_line(std::string_view first_word) {
+  const std::size_t line = text_.line();
+  const std::string whole = std::string(first_word) + std::string(text_.rest_of_line());
+  if (has_skipped_line_) return;
+  has_skipped_line_ = true;
+  file_.notes.push_back(text_.name() + (line == 0 ? "" : ":" + std::to_string(line)) +
+                        ": lines outside of sections were read over, the first is " + quote(whole));
+}
+
 Result<ElementFile> GmshReader::read() {
   if (text_.peek() == "$Comments") {
     text_.word();
@@ -397,7 +391,11 @@ Result<ElementFile> GmshReader::read() {
   while (true) {
     const std::string_view keyword = text_.word();
     if (keyword.empty()) break;
-    if (keyword.front() != '$') return text_.fail_at_word("a section, as $Nodes");
+    if (keyword.front() != '$') {
+      skip_line(keyword);
+      continue;
+    }
+    if (keyword.starts_with("$End")) return text_.fail_at_word("a section, as $Nodes");
     if (Status section = read_section(keyword); !section) return tl::unexpected(section.error());
   }
   if (!has_nodes_) return text_.fail_at_word("the section $Nodes");

@@ -116,6 +116,36 @@ TEST_CASE("foreign files: what begins like one and is none") {
   CHECK_FALSE(is_known("x", " \n# MFEM\n"));
 }
 
+TEST_CASE("foreign files: FreeFem's in space, GiD's and JIGSAW's are named") {
+  CHECK(kind("x.msh", "4 1 4\n0 0 0 0\n1 0 0 0\n") == kind("x.msh", "3 1 3\n0 0 1\n1 0 1\n"));
+  CHECK_FALSE(is_known("x.msh", "4 1 4\n0 0 0 0 0\n"));
+  const std::string gid =
+      "a mesh of GiD (its lines of coordinates and of elements are those of .node and .ele files, "
+      "which begin with a line of counts)";
+  CHECK(kind("x.msh", "MESH dimension 3 ElemType Triangle Nnode 3\nCoordinates\n") == gid);
+  CHECK(kind("x.msh", "# of GiD\nmesh \"a b\" dimension = 3 elemtype linear nnode = 2\n") == gid);
+  CHECK_FALSE(is_known("x.msh", "MESH of something\n"));
+  CHECK_FALSE(is_known("x.msh", "MESHES dimension 3 ElemType Triangle\n"));
+  const std::string jigsaw =
+      "a mesh of JIGSAW (jigsawpy.savevtk(\"OUT.vtk\", mesh) writes one that is read)";
+  CHECK(kind("x.msh", "MSHID=3\nNDIMS=2\n") == jigsaw);
+  CHECK(kind("x.msh", "# made by hand\nmshid = 3;EUCLIDEAN-MESH\n") == jigsaw);
+  CHECK_FALSE(is_known("x.msh", "MSHID\n"));
+}
+
+TEST_CASE("foreign files: what compilers write as .obj is named") {
+  using namespace std::string_literals;
+  for (const std::string& bytes : {"\x4c\x01\x02"s, "\x64\x86\x09\0"s,
+                                   "\x7f"
+                                   "ELF\2"s}) {
+    CHECK(kind("x.OBJ", bytes) ==
+          "an object file of a compiler (a mesh of Wavefront's is another file, of text)");
+    CHECK_FALSE(is_known("x.msh", bytes));
+  }
+  CHECK_FALSE(is_known("x.obj", "L\n"));
+  CHECK_FALSE(is_known("x.obj", "ELF"));
+}
+
 TEST_CASE("foreign files: XML is VTK's under the names that say so") {
   const std::string xml = "\n<VTKFile type=\"UnstructuredGrid\">\n</VTKFile>\n";
   CHECK(kind("x.vtk", xml) == "XML (if it is a mesh of VTK, give its name the extension .vtu)");

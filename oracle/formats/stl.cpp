@@ -1,5 +1,4 @@
 #include <array>
-#include <cctype>
 #include <map>
 
 #include "oracle/formats/bytes/lines.hpp"
@@ -18,6 +17,10 @@ class Surface {
   explicit Surface(const std::string& name) {
     file_.name = name;
     file_.dimension = 3;
+  }
+
+  void note(std::size_t line, const std::string& text) {
+    file_.notes.push_back(file_.name + ":" + std::to_string(line) + ": " + text);
   }
 
   void add(std::array<Point, 3> corners, std::size_t line) {
@@ -60,14 +63,6 @@ class Surface {
   std::size_t collapsed_ = 0;
 };
 
-bool is_word(std::string_view token, std::string_view word) {
-  if (token.size() != word.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(token[i])) != word[i]) return false;
-  }
-  return true;
-}
-
 class TextReader {
  public:
   TextReader(const Source& source, NumberReading reading)
@@ -101,10 +96,26 @@ class TextReader {
     return lines_.fail_at(words.size(), "the end of the line");
   }
 
+  // Mathematica writes no blank between "endsolid" and the name, others write one within. No other line begins so.
+  bool is_end_of_solid() {
+    constexpr std::string_view kEnd = "endsolid";
+    const std::vector<std::string_view>& tokens = lines_.tokens();
+    if (is_word(tokens[0], kEnd)) return true;
+    const bool is_apart =
+        tokens.size() > 1 && is_word(tokens[0], "end") && is_word(tokens[1], "solid");
+    if (!is_apart && !is_word(tokens[0].substr(0, kEnd.size()), kEnd)) return false;
+    if (!has_noted_end_) {
+      const std::string written(is_apart ? "end solid" : tokens[0]);
+      surface_.note(lines_.line(), quote(written) + " was read as \"endsolid\"");
+    }
+    has_noted_end_ = true;
+    return true;
+  }
+
   // The facets of a solid and its last line.
   Status read_solid() {
     while (true) {
-      if (lines_.next() && is_word(lines_.tokens()[0], "endsolid")) return {};
+      if (lines_.next() && is_end_of_solid()) return {};
       if (lines_.size() == 0 || !is_word(lines_.tokens()[0], "facet")) {
         return lines_.fail_at(0, "\"facet\" or \"endsolid\"");
       }
@@ -138,6 +149,7 @@ class TextReader {
   Lines lines_;
   NumberReading reading_;
   Surface surface_;
+  bool has_noted_end_ = false;
 };
 
 Result<Point> read_corner(Bytes& bytes, const std::string& name, const std::string& triangle) {

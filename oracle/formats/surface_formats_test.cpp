@@ -83,6 +83,25 @@ TEST_CASE("stl in text: equal corners are one point, and that is said") {
   CHECK(file->notes == std::vector<std::string>{"f: 6 corners of triangles merged into 4 points"});
 }
 
+TEST_CASE("stl: a solid ends in the ways of Mathematica and others, which is noted") {
+  const std::string one = facet("0 0 0", "1 0 0", "0 1 0");
+  const auto joined =
+      stl("solid a\n" + one + "endsolidCreated with a program\nSOLID b\n" + one + "End Solid b\n");
+  REQUIRE_MESSAGE(joined, error_of(joined));
+  CHECK(joined->input.polygons.size() == 2);
+  CHECK(joined->notes ==
+        std::vector<std::string>{"f:9: \"endsolidCreated\" was read as \"endsolid\"",
+                                 "f: 6 corners of triangles merged into 3 points"});
+  const auto apart = stl("solid\n" + one + "end solid\n");
+  REQUIRE_MESSAGE(apart, error_of(apart));
+  CHECK(apart->notes == std::vector<std::string>{"f:9: \"end solid\" was read as \"endsolid\""});
+  CHECK(stl("solid\n" + one + "ENDSOLID a\n")->notes.empty());
+  CHECK(error_of(stl("solid\n" + one + "end\n")) ==
+        "f:9: expected \"facet\" or \"endsolid\", found \"end\"");
+  CHECK(error_of(stl("solid\n" + one + "endsoli d\n")) ==
+        "f:9: expected \"facet\" or \"endsolid\", found \"endsoli\"");
+}
+
 TEST_CASE("stl: what is left of triangles with equal corners is noted") {
   const auto file =
       stl("solid\n" + facet("0 0 0", "1 0 0", "0 0 0") + facet("0 1 0", "0 1 0", "1 0 0") +

@@ -132,6 +132,29 @@ TEST_CASE("vtu: points of several pieces follow one another") {
   CHECK(xml(document(piece(kThree, "0 1 3"))));
 }
 
+TEST_CASE("vtu: numbers in attributes have blanks around, as VTK reads them") {
+  const auto with = [](std::string text, const std::string& number, const std::string& other) {
+    for (std::size_t at = 0; (at = text.find(number, at)) != std::string::npos;) {
+      text.replace(at, number.size(), other);
+      at += other.size();
+    }
+    return text;
+  };
+  const std::string one = document(piece(kThree, "0 1 2"));
+  const auto file = xml(with(with(one, "=\"3\"", "=\"  3\t\""), "=\"1\"", "=\"\n1\""));
+  REQUIRE_MESSAGE(file, error_of(file));
+  CHECK(file->triangles.simplices == std::vector<Simplex>{{0, 1, 2}});
+  const WrittenMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const std::string appended = vtu(mesh, {VtuForm::Place::kAppendedRaw});
+  CHECK(xml(with(appended, "offset=\"0\"", "offset=\" 0 \"")));
+  CHECK(error_of(xml(with(one, "Points=\"3\"", "Points=\"1 3\""))) ==
+        "f:3: expected NumberOfPoints=\"N\", an integer, 0 or more, found \"1 3\"");
+  CHECK(error_of(xml(with(one, "Points=\"3\"", "Points=\"  \""))) ==
+        "f:3: expected NumberOfPoints=\"N\", an integer, 0 or more, found \"  \"");
+  CHECK(error_of(xml(with(one, "Components=\"3\"", "Components=\" 2\""))) ==
+        "f:5: expected NumberOfComponents=\"3\", found \" 2\"");
+}
+
 TEST_CASE("vtp: surfaces") {
   const auto file =
       xml(document("<Piece NumberOfPoints=\"3\" NumberOfVerts=\"0\" NumberOfLines=\"1\" "

@@ -58,7 +58,7 @@ Status VtuReader::read_points(pugi::xml_node piece, std::size_t count) {
     if (count == 0) return {};
     return document_->fail(piece, "an element Points with a DataArray", "none");
   }
-  if (std::string_view(node.attribute("NumberOfComponents").value()) != "3") {
+  if (trimmed(node.attribute("NumberOfComponents").value()) != "3") {
     return document_->fail(node, "NumberOfComponents=\"3\"",
                            quote(node.attribute("NumberOfComponents").value()));
   }

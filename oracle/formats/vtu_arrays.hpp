@@ -27,6 +27,9 @@ std::optional<std::string> decode_base64(std::string_view text, std::size_t coun
 // Arrays of numbers in VTK's XML files: as text, or as bytes that stand in the element or behind the
 // document, as they are or in base 64, compressed by zlib or not.
 
+// Without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
 // The document, and the bytes that are behind it.
 class VtuDocument {
  public:
@@ -41,7 +44,7 @@ class VtuDocument {
   // An error about an element.
   tl::unexpected<FormatError> fail(pugi::xml_node node, std::string expected,
                                    std::string found) const;
-  // An attribute that is a count.
+  // An attribute that is a count; blanks may stand around it, as VTK reads it.
   Result<std::size_t> count(pugi::xml_node node, const char* attribute) const;
 
   // The numbers of a DataArray. They are read by `text`.

@@ -1,6 +1,7 @@
 #include "oracle/formats/bytes/lines.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 #include "reference/kernel/exact/number.hpp"
@@ -27,6 +28,14 @@ void split(std::string_view line, std::vector<std::string_view>& tokens) {
 }
 
 }  // namespace
+
+bool is_word(std::string_view token, std::string_view word) {
+  if (token.size() != word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (std::tolower(static_cast<unsigned char>(token[i])) != word[i]) return false;
+  }
+  return true;
+}
 
 std::errc parse_integer(std::string_view token, Vertex& value) {
   const bool has_plus = token.size() > 1 && token[0] == '+' && token[1] != '-';

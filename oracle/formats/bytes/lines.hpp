@@ -24,6 +24,9 @@ namespace circumspect::formats {
 // double has an exact decimal of fewer.
 inline constexpr std::size_t kLongestNumber = 10000;
 
+// Is the token this word, in letters of any case? Requires: the word is in small letters.
+bool is_word(std::string_view token, std::string_view word);
+
 // The whole token as an integer: std::errc() if it is one and fits, result_out_of_range if it is
 // one and does not fit 64 bits, invalid_argument otherwise.
 std::errc parse_integer(std::string_view token, Vertex& value);
