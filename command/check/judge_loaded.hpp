@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <tl/expected.hpp>
 
@@ -13,13 +14,25 @@ namespace circumspect::cli {
 
 // What check::judge says of the mesh, in which equal points are merged on the way, or one line that says
 // what is wrong with them if they are refused.
-tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& loaded,
-                                                Duplicates duplicates,
-                                                const check::Options& options,
-                                                const Domain* domain = nullptr);
+inline tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& loaded,
+                                                       Duplicates duplicates,
+                                                       const check::Options& options,
+                                                       const Domain* domain = nullptr) {
+  if (duplicates == Duplicates::kMerge) {
+    return check::judge_merged(claim, loaded.mesh, domain, options);
+  }
+  auto verdict = check::judge(claim, loaded.mesh, domain, options);
+  if (verdict) return std::move(*verdict);
+  return tl::unexpected(equal_points_fault(loaded, verdict.error().repeated));
+}
 
 // How long that takes by definition, about, on a machine of 2023: every pair of simplices is looked at, and every
 // simplex with every point. By lemma nobody need wait long.
-std::optional<double> seconds_of_judging(const Mesh& mesh, const check::Options& options);
+inline std::optional<double> seconds_of_judging(const Mesh& mesh, const check::Options& options) {
+  if (options.by != check::By::kDefinition) return std::nullopt;
+  const auto simplices = static_cast<double>(mesh.simplices.size());
+  const auto points = static_cast<double>(mesh.points());
+  return simplices * simplices / 2 * 2e-5 + simplices * points * 2e-6;
+}
 
 }  // namespace circumspect::cli

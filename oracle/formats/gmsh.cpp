@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -30,7 +29,6 @@ class GmshReader {
   Status read_elements_2();
   Status read_elements_4();
   Status read_element_block(std::size_t& read);
-  // nullptr: elements of higher order, and the rest of $Elements cannot be read.
   Result<const ElementType*> read_type();
   Status read_vertices(const ElementType& type, NumberType of_tags, Vertex label);
   Status read_entities();
@@ -47,7 +45,6 @@ class GmshReader {
   std::size_t version_ = 0;  // 2 or 4
   bool has_nodes_ = false;
   bool has_elements_ = false;
-  bool has_unknown_nodes_ = false;  // elements of which read_type knows no number of nodes
   bool has_skipped_line_ = false;
   ElementFile file_;
   std::vector<Vertex> tags_;                            // of the points
@@ -158,18 +155,15 @@ Status GmshReader::read_nodes_4() {
 Result<const ElementType*> GmshReader::read_type() {
   const Result<Vertex> code = text_.integer(kInt32, "the type of an element");
   if (!code) return tl::unexpected(code.error());
-  if (const ElementType* const type = find_gmsh_type(*code)) return type;
-  if (const auto name = gmsh_higher_order(*code)) {
-    has_unknown_nodes_ = true;
-    if (!file_.first_curved) file_.first_curved = {std::string(*name), text_.line()};
-    return nullptr;
+  const auto* const type = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
+                                        [&](const ElementType& one) { return one.code == *code; });
+  if (type != kGmshTypes.end()) return type;
+  if (*code < 1 || *code > kLastGmshType) {
+    return text_.fail("a type of elements from 1 to " + std::to_string(kLastGmshType),
+                      std::to_string(*code));
   }
-  if (!is_known_to_gmsh(*code)) {
-    return text_.fail("a type of elements that Gmsh knows", std::to_string(*code));
-  }
-  return text_.fail(
-      "edges, triangles, tetrahedra or other elements whose number of nodes their type says",
-      "type " + std::to_string(*code));
+  return text_.fail("edges, triangles and tetrahedra",
+                    "an element of Gmsh's type " + std::to_string(*code));
 }
 
 // In version 4.1 the physical groups of elements are those of the entity to which they belong.
@@ -234,7 +228,6 @@ Status GmshReader::read_elements_2() {
     }
     const Result<const ElementType*> type = read_type();
     if (!type) return tl::unexpected(type.error());
-    if (*type == nullptr) return {};
     Result<std::size_t> in_block = 1;
     if (text_.is_binary()) in_block = text_.count(kInt32, "the number of elements of a block");
     if (!in_block) return tl::unexpected(in_block.error());
@@ -269,7 +262,6 @@ Status GmshReader::read_element_block(std::size_t& read) {
   const Vertex label = group == groups_.end() ? 0 : group->second;
   const Result<const ElementType*> type = read_type();
   if (!type) return tl::unexpected(type.error());
-  if (*type == nullptr) return {};
   const Result<std::size_t> count = text_.count(kUint64, "the number of elements of a block");
   if (!count) return tl::unexpected(count.error());
   for (std::size_t i = 0; i < *count; ++i) {
@@ -289,10 +281,8 @@ Status GmshReader::read_elements_4() {
   if (!count) return tl::unexpected(count.error());
   Status status = text_.skip_numbers(kUint64, 2, "the lowest and the highest tag of elements");
   std::size_t read = 0;
-  for (std::size_t i = 0; status && !has_unknown_nodes_ && i < *blocks; ++i) {
-    status = read_element_block(read);
-  }
-  if (!status || has_unknown_nodes_ || read == *count) return status;
+  for (std::size_t i = 0; status && i < *blocks; ++i) status = read_element_block(read);
+  if (!status || read == *count) return status;
   return text_.fail(std::to_string(*count) + " elements in all blocks", std::to_string(read));
 }
 
@@ -310,8 +300,7 @@ Status GmshReader::read_section(std::string_view keyword) {
     } else {
       status = version_ == 2 ? read_elements_2() : read_elements_4();
     }
-    if (!status) return status;
-    if (keyword == "$Nodes" || !has_unknown_nodes_) return expect_word(end);
+    return status ? expect_word(end) : status;
   }
   if (keyword == "$Entities" && version_ == 4) {
     Status status = read_entities();

@@ -1,21 +1,48 @@
 // The types of elements in Gmsh's .msh, by their numbers.
 #pragma once
 
-#include <optional>
-#include <string_view>
+#include <array>
 
 #include "oracle/formats/element_file.hpp"
 
 namespace circumspect::formats {
 
-// The type of that number if it has the same number of nodes in all versions of Gmsh; else nullptr.
-const ElementType* find_gmsh_type(Vertex code);
+// What has no shape here is curved.
+inline constexpr std::array kGmshTypes = {
+    ElementType{15, 1, ElementShape::kPoint, "a point"},
+    ElementType{1, 2, ElementShape::kPolyline, "an edge"},
+    ElementType{2, 3, ElementShape::kPolygon, "a triangle"},
+    ElementType{3, 4, ElementShape::kPolygon, "a quadrilateral"},
+    ElementType{4, 4, ElementShape::kTetrahedron, "a tetrahedron"},
+    ElementType{5, 8, ElementShape::kOtherSolid, "a hexahedron"},
+    ElementType{6, 6, ElementShape::kOtherSolid, "a prism"},
+    ElementType{7, 5, ElementShape::kOtherSolid, "a pyramid"},
+    ElementType{8, 3, ElementShape::kCurved, "an edge of second order"},
+    ElementType{9, 6, ElementShape::kCurved, "a triangle of second order"},
+    ElementType{10, 9, ElementShape::kCurved, "a quadrilateral of second order"},
+    ElementType{11, 10, ElementShape::kCurved, "a tetrahedron of second order"},
+    ElementType{12, 27, ElementShape::kCurved, "a hexahedron of second order"},
+    ElementType{13, 18, ElementShape::kCurved, "a prism of second order"},
+    ElementType{14, 14, ElementShape::kCurved, "a pyramid of second order"},
+    ElementType{16, 8, ElementShape::kCurved, "a quadrilateral of second order"},
+    ElementType{17, 20, ElementShape::kCurved, "a hexahedron of second order"},
+    ElementType{18, 15, ElementShape::kCurved, "a prism of second order"},
+    ElementType{19, 13, ElementShape::kCurved, "a pyramid of second order"},
+    ElementType{20, 9, ElementShape::kCurved, "a triangle of third order"},
+    ElementType{21, 10, ElementShape::kCurved, "a triangle of third order"},
+    ElementType{22, 12, ElementShape::kCurved, "a triangle of fourth order"},
+    ElementType{23, 15, ElementShape::kCurved, "a triangle of fourth order"},
+    ElementType{24, 15, ElementShape::kCurved, "a triangle of fifth order"},
+    ElementType{25, 21, ElementShape::kCurved, "a triangle of fifth order"},
+    ElementType{26, 4, ElementShape::kCurved, "an edge of third order"},
+    ElementType{27, 5, ElementShape::kCurved, "an edge of fourth order"},
+    ElementType{28, 6, ElementShape::kCurved, "an edge of fifth order"},
+    ElementType{29, 20, ElementShape::kCurved, "a tetrahedron of third order"},
+    ElementType{30, 35, ElementShape::kCurved, "a tetrahedron of fourth order"},
+    ElementType{31, 56, ElementShape::kCurved, "a tetrahedron of fifth order"},
+};
 
-// What elements of that type are ("a hexahedron of higher order") if they are of higher order, and how many nodes they
-// have is not known here: their vertices cannot be read over.
-std::optional<std::string_view> gmsh_higher_order(Vertex code);
-
-// Has a version of Gmsh a type of that number?
-bool is_known_to_gmsh(Vertex code);
+// Its manual ends at 93, its sources at 140: elements of yet higher order, polygons, parts of elements.
+inline constexpr Vertex kLastGmshType = 140;
 
 }  // namespace circumspect::formats
