@@ -32,7 +32,8 @@ if(CIRCUMSPECT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# The tests of GCC's quick build are compiled by Clang, if there is one. Their coverage would be in another format.
+# The tests of GCC's quick build are compiled by Clang, if there is one. Not for coverage: the two
+# compilers count in different formats.
 find_program(CIRCUMSPECT_CLANG clang++ DOC "Compiles tests in less time than GCC; used when found")
 mark_as_advanced(CIRCUMSPECT_CLANG)
 if(CIRCUMSPECT_QUICK_BUILD AND CIRCUMSPECT_CLANG AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"

@@ -6,9 +6,9 @@
 
 Each test is about some files. A unit test is about the folder that it stands in, a property about the folders
 whose headers it includes. If one of these files has changed, or the test itself, the test runs. The tests of the
-command, of the corpus, of the pages and of Python see a change of anything that is shipped, from a distance. Of
-these run the quickest, as many as take FAR_SECONDS together. Slow tests and the rest of the distant ones are left
-to `make test`, which runs everything; `make check` names them until then.
+command, of the corpus, of the pages and of Python start what is shipped, so any change there concerns them, from a
+distance. The quickest of these distant tests run, as many as FAR_SECONDS allow. The others are left to `make test`,
+which runs everything, and `make check` names them until it has. Tests labelled `slow` are left to it, too.
 """
 import argparse
 import hashlib
@@ -60,7 +60,7 @@ def included_folders(path, seen):
 
 
 def distance(test, changed):
-    """NEAR if the test is about one of the changed files, FAR if it sees one through what is shipped, or None."""
+    """NEAR if the test is about one of the changed files, FAR if one is part of what the test starts, else None."""
     source = test["name"] + ".cpp"
     if source in changed:
         return NEAR

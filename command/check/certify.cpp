@@ -55,12 +55,12 @@ void certify(const CertifyOptions& options, Output& output) {
     output.begin("reading " + *options.domain);
     auto read = load_domain(*options.domain, options.input, options.said);
     if (!read) {
-      for (const std::string& note : read.error().file.notes) output.note(note);
+      output.notes(read.error().file.notes);
       output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
       return;
     }
     domain = std::move(*read);
-    for (const std::string& note : domain->file.notes) output.note(note);
+    output.notes(domain->file.notes);
   }
   output.begin("reading " + options.mesh);
   auto loaded = domain ? load_mesh(options.mesh, options.input, threads,
@@ -79,7 +79,7 @@ void certify(const CertifyOptions& options, Output& output) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
     return;
   }
-  for (const std::string& note : loaded->notes) output.note(note);
+  output.notes(loaded->notes);
   const ExactMesh mesh = exact(loaded->mesh);
   output.end_watch();
   const bool written =

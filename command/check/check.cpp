@@ -120,14 +120,14 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
   if (!verdict) {
-    for (const std::string& note : loaded->notes) output.note(note);
+    output.notes(loaded->notes);
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
   for (std::string& note : notes_without_domain(*verdict, loaded->mesh, path)) {
     loaded->notes.push_back(std::move(note));
   }
-  for (const std::string& note : loaded->notes) output.note(note);
+  output.notes(loaded->notes);
   report_verdict(path, *verdict, loaded->mesh, loaded->notes, options, nullptr, output);
   if (options.certificate) {
     output.end_watch();
@@ -144,7 +144,7 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
     return;
   }
   const auto notes = notes_without_domain(judged->verdict, judged->named, path);
-  for (const std::string& note : notes) output.note(note);
+  output.notes(notes);
   report_verdict(path, judged->verdict, judged->named, {}, options, nullptr, output);
 }
 
@@ -157,9 +157,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   // The claim may depend on which points there are.
   const std::string fault =
       loaded ? settle_equal_points(*loaded, options.input.duplicates) : loaded.error();
-  if (loaded) {
-    for (const std::string& note : loaded->notes) output.note(note);
-  }
+  if (loaded) output.notes(loaded->notes);
   if (!fault.empty()) {
     output.error(ExitCode::kInputFault, "mesh", path, fault);
     return;
@@ -221,7 +219,7 @@ void check_against_domain(const CheckOptions& options, Output& output) {
       load_domain(*options.domain, options.input, options.said, options.check.max_violations,
                   Leak::kRefused, {.progress = output.progress()});
   if (!domain) {
-    for (const std::string& note : domain.error().file.notes) output.note(note);
+    output.notes(domain.error().file.notes);
     output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
     return;
   }
@@ -233,7 +231,7 @@ void check_against_domain(const CheckOptions& options, Output& output) {
     loaded.file.notes.push_back(bent.note);
     if (bent.removed_segments > 0) against.bent = std::move(bent);
   }
-  for (const std::string& note : loaded.file.notes) output.note(note);
+  output.notes(loaded.file.notes);
   for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, against, output);
 }
 

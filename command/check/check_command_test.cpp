@@ -351,7 +351,7 @@ TEST_CASE("every malformed file of the corpus: exit code 3 and one line that say
     const Run result = run(arguments);
     CAPTURE(file);
     CHECK(result.exit_code == 3);
-    // What could be read otherwise than it stands there may be said before.
+    // Notes may say how the file was read up to there.
     CHECK((result.out.empty() || begins_with(result.out, "note: ")));
     CHECK_MESSAGE(is_error_line(result.err), result.err);
     CHECK_MESSAGE(has(result.err, message), result.err);

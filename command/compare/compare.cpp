@@ -167,7 +167,7 @@ report::Json json_of(const CompareOptions& options, const Comparison& comparison
 void report_comparison(const CompareOptions& options, const Comparison& comparison,
                        const std::vector<std::string>& notes, Output& output) {
   output.exit_with(comparison.is_same() ? ExitCode::kHolds : ExitCode::kFails);
-  for (const std::string& note : notes) output.note(note);
+  output.notes(notes);
   if (output.wants_text()) {
     output.text(text_of(comparison.only_in_a) + text_of(comparison.only_in_b));
     output.text(line_of(options, comparison) + "\n");
@@ -235,7 +235,8 @@ bool settle(LoadedMesh& input, const CompareOptions& options, Output& output) {
   return fault.empty();
 }
 
-// False, and said, if one of the simplices that only this mesh has names no point: nothing tells what it is.
+// False, with an error, if one of the simplices that only this mesh has names a point that the file does not have: it
+// cannot be compared, not even with itself.
 bool names_points(const LoadedMesh& input, const std::vector<Simplex>& simplices, Output& output) {
   for (const Simplex& simplex : simplices) {
     Simplex labels = simplex;

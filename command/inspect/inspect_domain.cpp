@@ -180,7 +180,7 @@ class Inspection {
                 {"valid", false},
                 {"notes", file.notes},
                 {"breaches", report::Json::array()}};
-      for (const std::string& note : file.notes) output_.note(note);
+      output_.notes(file.notes);
     }
     ++breaches_;
     if (options_.max_errors != 0 && breaches_ > options_.max_errors) return;
@@ -209,7 +209,7 @@ class Inspection {
   // ---- Valid ----
 
   void add_validity(const PiecewiseLinearComplex& complex, const formats::DomainFile& file) {
-    for (const std::string& note : file.notes) output_.note(note);
+    output_.notes(file.notes);
     notes_told_ = file.notes.size();
     tell(fmt::format("valid: {} {}\n", on_one_line(path_), counts_of(complex)));
     know({{"domain", path_},

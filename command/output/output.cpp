@@ -190,6 +190,10 @@ void Output::text(const std::string& text) const {
 
 void Output::note(const std::string& note) const { text("note: " + on_one_line(note) + "\n"); }
 
+void Output::notes(const std::vector<std::string>& notes) const {
+  for (const std::string& one : notes) note(one);
+}
+
 void Output::error(ExitCode code, const std::string& subject, const std::string& name,
                    const std::string& message) {
   if (long_work_) long_work_->clear();

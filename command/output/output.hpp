@@ -72,6 +72,7 @@ class Output {
   void text(const std::string& text) const;
   // One line: what was read otherwise than it stands there.
   void note(const std::string& note) const;
+  void notes(const std::vector<std::string>& notes) const;
   void json(report::Json result);
   // One line on stderr, and in JSON {subject: name, "error": message}.
   void error(ExitCode code, const std::string& subject, const std::string& name,

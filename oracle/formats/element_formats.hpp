@@ -17,10 +17,9 @@ namespace circumspect::formats {
 //     $Elements                                   of all dimensions; the (first) physical group of each is
 //                                                 its label, 0 if it is in none
 //     $Entities                                   of version 4.1: to which physical groups each belongs
-//     $PhysicalNames, $NodeData, …                other sections are read over, and so are, with a note,
-//                                                 lines between sections
+//     $PhysicalNames, $NodeData, …                other sections are read over
 //
-// Numbers follow one another, wherever lines end.
+// Lines outside the sections are skipped, with a note. Numbers follow one another, wherever lines end.
 
 // Is this the word with which such a file begins?
 bool is_gmsh_keyword(std::string_view token);

@@ -200,22 +200,22 @@ TEST_CASE("gmsh in binary: what is read over may end without a line end, names a
   }
 }
 
-TEST_CASE("gmsh: lines outside of sections are read over as Gmsh does, which is noted") {
+TEST_CASE("gmsh: lines outside the sections are skipped, as Gmsh skips them, with a note") {
   const std::string elements = "$Elements\n1\n1 1 0 1 2\n$EndElements";
   const auto behind = gmsh(kHeader2 + kNodes2 + elements + "\n\nShow \"*\"; $Nodes\r\nMore\n");
   REQUIRE_MESSAGE(behind, error_of(behind));
-  CHECK(behind->notes == std::vector<std::string>{"f:16: lines outside of sections were read over, "
+  CHECK(behind->notes == std::vector<std::string>{"f:16: lines outside the sections were skipped; "
                                                   "the first is \"Show \"*\"; $Nodes\""});
   const auto between = gmsh(kHeader2 + "x\n" + kNodes2 + elements + " y");
   REQUIRE_MESSAGE(between, error_of(between));
   CHECK(between->edges.simplices == std::vector<Simplex>{{1, 2}});
   CHECK(between->notes == std::vector<std::string>{
-                              "f:4: lines outside of sections were read over, the first is \"x\""});
+                              "f:4: lines outside the sections were skipped; the first is \"x\""});
   const auto binary = gmsh(gmsh_2(kTwoTetrahedra, ByteOrder::kLittleEndian) + "Show \"*\";\n");
   REQUIRE_MESSAGE(binary, error_of(binary));
   CHECK(binary->notes ==
         std::vector<std::string>{
-            "f: lines outside of sections were read over, the first is \"Show \"*\";\""});
+            "f: lines outside the sections were skipped; the first is \"Show \"*\";\""});
 }
 
 TEST_CASE("gmsh: tags in a row are indices, in whatever order; gaps are noted") {

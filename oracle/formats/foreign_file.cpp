@@ -97,7 +97,7 @@ std::optional<std::string> foreign_kind(const Source& source) {
     if (source.text.starts_with(bytes)) return std::string(what);
   }
   if (end == ".obj" && is_object_file(source.text)) {
-    return "an object file of a compiler (a mesh of Wavefront's is another file, of text)";
+    return "a compiler's object file, not a mesh of Wavefront's";
   }
   // Files of VTK's XML form are read, but not under the name of another format, as that of VTK's older form.
   if (is_vtu(source.text)) {
@@ -114,8 +114,9 @@ std::optional<std::string> foreign_kind(const Source& source) {
     return "a mesh of Abaqus (meshio convert --input-format abaqus IN.inp IN.vtu)";
   }
   if (is_gid(lines.tokens())) {
-    return "a mesh of GiD (its lines of coordinates and of elements are those of .node and .ele "
-           "files, which begin with a line of counts)";
+    return "a mesh of GiD (copy its coordinates to IN.node and its elements to IN.ele, each below "
+           "a "
+           "line of counts)";
   }
   if (is_jigsaw(lines.tokens())) {
     return "a mesh of JIGSAW (jigsawpy.savevtk(\"OUT.vtk\", mesh) writes one that is read)";

@@ -289,7 +289,6 @@ Status GmshReader::read_elements_4() {
 
 // Requires: `keyword` has just been read, and begins with '$'.
 Status GmshReader::read_section(std::string_view keyword) {
-  const std::size_t line = text_.line();
   const std::string end = "$End" + std::string(keyword.substr(1));
   if (keyword == "$Nodes" || keyword == "$Elements") {
     bool& is_there = keyword == "$Nodes" ? has_nodes_ : has_elements_;
@@ -307,6 +306,7 @@ Status GmshReader::read_section(std::string_view keyword) {
     Status status = read_entities();
     return status ? expect_word(end) : status;
   }
+  const std::size_t line = text_.line();
   // Some writers end no line behind binary data. Names and comments are text in every file, and may quote the end.
   const bool is_text = !text_.is_binary() || keyword == "$PhysicalNames" || keyword == "$Comments";
   if (text_.skip_behind(end, is_text)) return {};
@@ -366,7 +366,7 @@ void GmshReader::skip_line(std::string_view first_word) {
   if (has_skipped_line_) return;
   has_skipped_line_ = true;
   file_.notes.push_back(text_.name() + (line == 0 ? "" : ":" + std::to_string(line)) +
-                        ": lines outside of sections were read over, the first is " + quote(whole));
+                        ": lines outside the sections were skipped; the first is " + quote(whole));
 }
 
 Result<ElementFile> GmshReader::read() {

@@ -120,8 +120,8 @@ TEST_CASE("foreign files: FreeFem's in space, GiD's and JIGSAW's are named") {
   CHECK(kind("x.msh", "4 1 4\n0 0 0 0\n1 0 0 0\n") == kind("x.msh", "3 1 3\n0 0 1\n1 0 1\n"));
   CHECK_FALSE(is_known("x.msh", "4 1 4\n0 0 0 0 0\n"));
   const std::string gid =
-      "a mesh of GiD (its lines of coordinates and of elements are those of .node and .ele files, "
-      "which begin with a line of counts)";
+      "a mesh of GiD (copy its coordinates to IN.node and its elements to IN.ele, each below a "
+      "line of counts)";
   CHECK(kind("x.msh", "MESH dimension 3 ElemType Triangle Nnode 3\nCoordinates\n") == gid);
   CHECK(kind("x.msh", "# of GiD\nmesh \"a b\" dimension = 3 elemtype linear nnode = 2\n") == gid);
   CHECK_FALSE(is_known("x.msh", "MESH of something\n"));
@@ -138,8 +138,7 @@ TEST_CASE("foreign files: what compilers write as .obj is named") {
   for (const std::string& bytes : {"\x4c\x01\x02"s, "\x64\x86\x09\0"s,
                                    "\x7f"
                                    "ELF\2"s}) {
-    CHECK(kind("x.OBJ", bytes) ==
-          "an object file of a compiler (a mesh of Wavefront's is another file, of text)");
+    CHECK(kind("x.OBJ", bytes) == "a compiler's object file, not a mesh of Wavefront's");
     CHECK_FALSE(is_known("x.msh", bytes));
   }
   CHECK_FALSE(is_known("x.obj", "L\n"));

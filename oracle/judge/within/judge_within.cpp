@@ -128,8 +128,8 @@ Witness translated(Witness witness, const ImageComplex& image, const ReachAnswer
   return domain.in_own_words(std::move(witness));
 }
 
-// Which points of the mesh are its vertices. A lone vertex of the domain outside what is filled has no simplex around
-// it: there the exact claim asks for a point alone.
+// Which points of the mesh are its vertices: those of simplices and listed faces. No simplex can have a lone vertex of
+// the domain that is outside what is filled, so there a point of the mesh is enough, as for the exact claim.
 std::vector<bool> vertices_of(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                               const Regions& regions) {
   VertexPlaces places = match_vertices(mesh, complex);

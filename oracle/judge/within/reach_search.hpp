@@ -21,7 +21,7 @@ struct ReachAnswer {
   std::vector<Violation> breaches = {};
   std::vector<Cell> cells = {};       // that make reaches ambiguous, or are open
   std::vector<Vertex> vertices = {};  // likewise, of the mesh
-  // Points of the mesh that are no vertices of it (vertices_of in judge_within.cpp) count for nothing.
+  // Points that the mesh lists and does not use count for nothing: vertices_of in judge_within.cpp.
   std::vector<Carrier> carriers = {};  // of each point of the mesh, if found
   std::vector<bool> moved = {};        // is it off the cell that carries it?
 };
