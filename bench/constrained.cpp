@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bench/tables.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
@@ -13,7 +14,6 @@
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::bench {
 

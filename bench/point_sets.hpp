@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::bench {
 

@@ -17,6 +17,8 @@
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/mesh_difference.hpp"
@@ -29,8 +31,6 @@
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::c {
 namespace {

@@ -11,11 +11,11 @@
 #include <fmt/ranges.h>
 
 #include "c/guard.hpp"
+#include "kernel/exact/number.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/model/printable.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::c {
 namespace {

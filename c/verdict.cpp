@@ -15,6 +15,7 @@
 
 #include "c/guard.hpp"
 #include "c/input.hpp"
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
@@ -22,7 +23,6 @@
 #include "oracle/picture/page.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::c {
 

@@ -211,7 +211,7 @@ option(CIRCUMSPECT_SANITIZE_ALL "Build all tests, not only those of bytes, array
 set(sanitized_folders "(oracle/(formats|judge/arrays)|c|fuzz/(process|targets))")
 # `make test` runs these under the sanitizers alone. `make check`, `make soak` and `make mutants` run them in the release.
 option(CIRCUMSPECT_LEAVE_TO_SANITIZERS "Leave out the tests that the sanitizers of make test run" OFF)
-set(values_folders "^(oracle/judge$|(reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$))")
+set(values_folders "^(oracle/judge$|(kernel|reference|inputs|properties|oracle/(certificate|report|picture)|oracle/judge/(points|domain|within))(/|$))")
 set(sanitized_in_part OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND NOT CIRCUMSPECT_SANITIZE_ALL)
   set(sanitized_in_part ON)

@@ -21,10 +21,10 @@
 #include "command/options/help.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/model/printable.hpp"
 #include "reference/existence/existence.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 // command/CMakeLists.txt writes both: a commit or "unknown", and libraries.

@@ -7,11 +7,11 @@
 #include <map>
 
 #include "corpus/expected_table.hpp"
+#include "kernel/exact/number.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/judge/within/judge_within.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::corpus {
 

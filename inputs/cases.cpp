@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "inputs/in_doubles.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 

@@ -8,8 +8,8 @@
 
 #include <circumspect/subject.hpp>
 
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::generators {
 

@@ -7,9 +7,9 @@
 
 #include "inputs/named_complexes.hpp"
 #include "inputs/set_parts.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::generators {
 namespace {

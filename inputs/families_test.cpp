@@ -16,9 +16,9 @@
 #include "inputs/dice.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/untidy.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "properties/arguments/generated.hpp"
-#include "reference/kernel/piecewise_linear/arrangement.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 

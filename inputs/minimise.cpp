@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 namespace {

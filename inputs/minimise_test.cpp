@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "inputs/in_doubles.hpp"
 #include "inputs/set_parts.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 namespace {

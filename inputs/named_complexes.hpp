@@ -1,7 +1,7 @@
 // Piecewise linear complexes that have a name.
 #pragma once
 
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::generators {
 

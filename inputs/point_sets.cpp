@@ -5,7 +5,7 @@
 
 #include "inputs/round_sets.hpp"
 #include "inputs/set_parts.hpp"
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::generators {
 

@@ -7,7 +7,7 @@
 
 #include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::generators {
 

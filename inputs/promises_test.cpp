@@ -8,8 +8,8 @@
 
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/in_ball.hpp"
 
 namespace circumspect::generators {
 namespace {

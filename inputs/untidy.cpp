@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "inputs/in_doubles.hpp"
-#include "reference/kernel/piecewise_linear/arrangement.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::generators {
 namespace {

@@ -7,9 +7,9 @@
 #include "inputs/complex_families.hpp"
 #include "inputs/families.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/adapters/adapters.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::adapters {
 namespace {

@@ -6,12 +6,12 @@
 #include <doctest/doctest.h>
 
 #include "inputs/in_doubles.hpp"
+#include "kernel/complex/simplex.hpp"
 #include "oracle/judge/arrays/arrays_of_test.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/mutations/mutations.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::properties {
 namespace {

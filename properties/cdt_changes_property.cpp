@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "kernel/predicates/intersection.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
@@ -14,7 +15,6 @@
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/vertex_in_cdt.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -6,19 +6,19 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/piecewise_linear/visibility.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/piecewise_linear/visibility.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -7,15 +7,15 @@
 #include <set>
 #include <vector>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/visibility.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/generated.hpp"
 #include "reference/existence/existence.hpp"
 #include "reference/existence/matching.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/visibility.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/point_set.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
@@ -15,7 +16,6 @@
 #include "reference/delaunay/lexicographic.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {
 namespace {

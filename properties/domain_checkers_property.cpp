@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/judge/witness_text_test.hpp"
@@ -21,7 +22,6 @@
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/existence/matching.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 #include "reference/optimality/criteria.hpp"
 
 namespace circumspect::properties {

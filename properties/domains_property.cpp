@@ -7,21 +7,21 @@
 #include <doctest/doctest.h>
 
 #include "inputs/triangulated/protected_complexes.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/disjoint_sets.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/piecewise_linear/disjoint_sets.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

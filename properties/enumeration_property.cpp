@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
@@ -12,8 +14,6 @@
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/flip_graph.hpp"
 

@@ -4,15 +4,15 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -39,7 +39,7 @@ ALL_TARGETS = ["all"]
 MEMORY = 8 << 30
 TABLE = "properties/generated_mutants.tsv"
 # What decides: predicates, checkers, engine, readers.
-GROUPS = {"predicates": ["reference/kernel/predicates/*.cpp", "reference/kernel/exact/linear_algebra.cpp"],
+GROUPS = {"predicates": ["kernel/predicates/*.cpp", "kernel/exact/linear_algebra.cpp"],
           "exact checkers": ["oracle/judge/*.cpp", "oracle/judge/points/*.cpp", "oracle/judge/domain/*.[ch]pp"],
           "fast judge": ["oracle/judge/fast/*.[ch]pp", "oracle/judge/fast/predicates/*.[ch]pp"],
           "readers": ["oracle/formats/*.[ch]pp", "oracle/formats/bytes/*.[ch]pp"]}

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/piecewise_linear/visibility.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
@@ -15,8 +17,6 @@
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/existence/existence.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect::properties {
 namespace {

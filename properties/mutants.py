@@ -25,7 +25,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "properties/mutants.tsv"
 # Every layer that has mutants links this file.
-HOME = "reference/kernel/exact/number.cpp"
+HOME = "kernel/exact/number.cpp"
 DECLARATION = "extern int circumspect_mutant;\n"
 DEFINITION = """
 #include <cstdlib>

@@ -5,13 +5,13 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -8,14 +8,14 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

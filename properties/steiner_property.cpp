@@ -6,14 +6,14 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/run.hpp"
 #include "properties/constrained_delaunay.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -3,15 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/in_ball.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 #include "reference/optimality/criteria.hpp"
 

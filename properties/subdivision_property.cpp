@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/predicates/in_ball.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
@@ -13,7 +14,6 @@
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/point_set.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/piecewise_linear/visibility.hpp"
+#include "kernel/predicates/intersection.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/piecewise_linear/visibility.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::properties {
 namespace {

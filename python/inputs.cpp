@@ -21,7 +21,7 @@
 #include "inputs/in_doubles.hpp"
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
-#include "reference/kernel/exact/number.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace py = pybind11;
 

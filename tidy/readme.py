@@ -26,7 +26,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # The header of a table of identifiers, the source that has them, and how an entry of it begins.
 TABLES = [
     ("| rule | what is wrong |", ROOT / "oracle" / "model" / "rule.cpp", r"RuleEntry\{\s*Rule"),
-    ("| breach | what is wrong |", ROOT / "reference" / "kernel" / "piecewise_linear" / "validity.cpp",
+    ("| breach | what is wrong |", ROOT / "kernel" / "piecewise_linear" / "validity.cpp",
      r"\{BreachKind"),
 ]
 # How the names of files begin that the examples write.

@@ -18,24 +18,24 @@ COMMAND = ["reference/optimality", "reference/constrained", "reference/existence
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
-    "reference/kernel/exact": [],
-    "reference/kernel/predicates": ["reference/kernel/exact"],
-    "reference/kernel/complex": ["reference/kernel/predicates"],
-    "reference/kernel/piecewise_linear": ["reference/kernel/complex"],
-    "reference/delaunay": ["reference/kernel/complex"],
+    "kernel/exact": [],
+    "kernel/predicates": ["kernel/exact"],
+    "kernel/complex": ["kernel/predicates"],
+    "kernel/piecewise_linear": ["kernel/complex"],
+    "reference/delaunay": ["kernel/complex"],
     "reference/optimality": ["reference/delaunay"],
-    "reference/constrained": ["reference/delaunay", "reference/kernel/piecewise_linear"],
-    "reference/existence": ["reference/kernel/piecewise_linear"],
+    "reference/constrained": ["reference/delaunay", "kernel/piecewise_linear"],
+    "reference/existence": ["kernel/piecewise_linear"],
     "include/circumspect": [],
-    "inputs": ["reference/kernel/piecewise_linear", "include/circumspect"],
+    "inputs": ["kernel/piecewise_linear", "include/circumspect"],
     "inputs/triangulated": ["reference/delaunay", "inputs"],
-    "oracle/model": ["reference/kernel/piecewise_linear"],
+    "oracle/model": ["kernel/piecewise_linear"],
     "oracle/formats/bytes": ["oracle/model"],
     "oracle/formats": ["oracle/formats/bytes"],
     "oracle/judge/points": ["oracle/model"],
     "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/fast"],
     "oracle/judge/within": ["oracle/judge/domain"],
-    "oracle/judge/fast/predicates": ["reference/kernel/exact"],
+    "oracle/judge/fast/predicates": ["kernel/exact"],
     "oracle/judge/fast": ["oracle/judge/fast/predicates"],
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/distributed": ["oracle/judge", "oracle/report"],
@@ -75,15 +75,15 @@ APART = ["corpus/make", "examples", "fuzz/adapters", "fuzz/hunt"]
 
 # Where CGAL may be included, apart from files named *_cgal_test.cpp.
 # CGAL knows our Rational by the name that GMP gives it.
-CGAL_FILES = ["reference/kernel/predicates/intersection.cpp"]
+CGAL_FILES = ["kernel/predicates/intersection.cpp"]
 CGAL_FOLDERS = ["bench", "properties/adapters"]
 # Filters: their doubles are those of boxes rounded outward, and say only where exact tests look first.
-FLOATING_FILES = ["reference/kernel/piecewise_linear/cell_index.hpp",
-                  "reference/kernel/piecewise_linear/cell_index.cpp"]
-NUMBER_LIBRARY_FOLDERS = ["reference/kernel/exact", "bench"]
+FLOATING_FILES = ["kernel/piecewise_linear/cell_index.hpp",
+                  "kernel/piecewise_linear/cell_index.cpp"]
+NUMBER_LIBRARY_FOLDERS = ["kernel/exact", "bench"]
 
 # What `make web` compiles against libc++ 14, which has no algorithms of ranges.
-WEB_FOLDERS = ["reference", "oracle", "inputs", "command"]
+WEB_FOLDERS = ["kernel", "reference", "oracle", "inputs", "command"]
 
 LONGEST_FILE, LONG_FILE = 450, 400
 VAGUE_NAMES = ["util", "helper", "manager", "common", "misc"]
@@ -209,15 +209,15 @@ class Tidy:
             if NUMBER_LIBRARY.search(line) and not inside(path, NUMBER_LIBRARY_FOLDERS) \
                     and path not in CGAL_FILES and not path.endswith("_cgal_test.cpp"):
                 self.fault(path, number, "number-library",
-                           "only reference/kernel/exact names GMP and MPFR; say Integer or Rational")
+                           "only kernel/exact names GMP and MPFR; say Integer or Rational")
             if RANGES.search(line) and inside(path, WEB_FOLDERS) and not is_test(path):
                 self.fault(path, number, "ranges",
                            "`make web` has no algorithms of ranges; give begin() and end()")
-            if FLOATING.search(line) and path.startswith("reference/") \
-                    and not inside(path, ["reference/kernel/exact"]) and not is_test(path) \
+            if FLOATING.search(line) and path.startswith(("kernel/", "reference/")) \
+                    and not inside(path, ["kernel/exact"]) and not is_test(path) \
                     and path not in FLOATING_FILES:
                 self.fault(path, number, "floating-point",
-                           "the reference computes exactly; take a Rational")
+                           "kernel and reference compute exactly; take a Rational")
 
     def include(self, path, number, quote, target):
         if target.startswith("CGAL/"):

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "command/options/whole_number.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/predicates/intersection.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "command/input/domain_input.hpp"
+#include "kernel/complex/point_set.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/steiner_cdt.hpp"
-#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::cli {
 

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "command/build/steps.hpp"
+#include "kernel/complex/triangulation.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::cli {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "kernel/predicates/in_ball.hpp"
 #include "oracle/picture/picture.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::cli {
 namespace {

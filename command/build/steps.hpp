@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "kernel/complex/polytope.hpp"
+#include "kernel/complex/triangulation.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/report/json.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/polytope.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::cli {
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/judge/points/check.hpp"
@@ -13,7 +14,6 @@
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/existence/existence.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::cli {
 namespace {

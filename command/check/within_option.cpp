@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 

@@ -14,6 +14,7 @@
 #include "command/output/overwriting.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/ply.hpp"
@@ -21,7 +22,6 @@
 #include "oracle/judge/mesh_difference.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

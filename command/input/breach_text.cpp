@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reference/kernel/exact/number.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

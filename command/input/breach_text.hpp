@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
 

@@ -13,9 +13,9 @@
 #include "command/input/enclosure.hpp"
 #include "command/input/input.hpp"
 #include "command/options/domain_options.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/model/domain.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
 

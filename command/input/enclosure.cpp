@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "command/input/breach_text.hpp"
-#include "reference/kernel/piecewise_linear/filling.hpp"
+#include "kernel/piecewise_linear/filling.hpp"
 
 namespace circumspect::cli {
 namespace {

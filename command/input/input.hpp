@@ -7,9 +7,9 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace CLI {
 class App;

@@ -10,10 +10,10 @@
 #include "command/input/domain_input.hpp"
 #include "command/input/input.hpp"
 #include "command/output/output.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/picture/page.hpp"
 #include "reference/constrained/edge_protection.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::cli {
 

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/exact/number.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

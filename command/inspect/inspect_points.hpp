@@ -9,10 +9,10 @@
 
 #include "command/input/input.hpp"
 #include "command/output/output.hpp"
+#include "kernel/complex/triangulation.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/picture/page.hpp"
 #include "oracle/report/json.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::cli {
 

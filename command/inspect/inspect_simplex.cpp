@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "command/inspect/inspect_points.hpp"
+#include "kernel/exact/number.hpp"
+#include "kernel/exact/point.hpp"
 #include "oracle/report/text.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/exact/point.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::cli {

@@ -15,13 +15,13 @@
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
+#include "kernel/exact/number.hpp"
 #include "oracle/distributed/judge.hpp"
 #include "oracle/distributed/mpi.hpp"
 #include "oracle/distributed/slices.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace {
 

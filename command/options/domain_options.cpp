@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "command/options/one_of.hpp"
-#include "reference/kernel/exact/number.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "reference/kernel/piecewise_linear/filling.hpp"
+#include "kernel/piecewise_linear/filling.hpp"
 
 namespace circumspect::cli {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "reference/kernel/exact/progress.hpp"
+#include "kernel/exact/progress.hpp"
 
 namespace circumspect::cli {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/bytes/lines.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::campaign {
 namespace {

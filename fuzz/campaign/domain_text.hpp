@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::campaign {
 

@@ -10,7 +10,7 @@
 #include "inputs/modifiers.hpp"
 #include "inputs/relations.hpp"
 #include "inputs/updates.hpp"
-#include "reference/kernel/complex/simplex.hpp"
+#include "kernel/complex/simplex.hpp"
 
 namespace circumspect::campaign {
 

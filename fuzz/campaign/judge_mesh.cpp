@@ -5,15 +5,15 @@
 #include <map>
 #include <optional>
 
+#include "kernel/exact/point.hpp"
+#include "kernel/piecewise_linear/arrangement.hpp"
+#include "kernel/piecewise_linear/coplanar_polygons.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/piecewise_linear/arrangement.hpp"
-#include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::campaign {
 namespace {

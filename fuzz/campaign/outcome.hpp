@@ -10,9 +10,9 @@
 #include "fuzz/process/process.hpp"
 #include "inputs/relations.hpp"
 #include "inputs/updates.hpp"
+#include "kernel/piecewise_linear/filling.hpp"
 #include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
-#include "reference/kernel/piecewise_linear/filling.hpp"
 
 namespace circumspect::campaign {
 

@@ -25,8 +25,8 @@
 #include "fuzz/harness/cases.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
+#include "kernel/exact/point.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect {
 

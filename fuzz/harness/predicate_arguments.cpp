@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "reference/kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/linear_algebra.hpp"
 
 namespace circumspect::harness {
 

@@ -9,8 +9,8 @@
 #include <doctest/doctest.h>
 
 #include "fuzz/harness/predicate_arguments.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect {
 namespace {

@@ -13,10 +13,10 @@
 #include "fuzz/harness/cases.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/minimise.hpp"
+#include "kernel/exact/point.hpp"
 #include "oracle/judge/arrays/mesh_of.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::harness {
 

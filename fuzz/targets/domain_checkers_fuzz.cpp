@@ -3,10 +3,10 @@
 // nine that break the mesh, twelve that make up to six segments in the plane or four triangles in
 // space, then points.
 #include "fuzz/targets/fuzz_bytes.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::fuzz {
 namespace {

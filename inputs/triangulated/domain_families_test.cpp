@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/in_doubles.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -5,13 +5,13 @@
 #include <set>
 #include <utility>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 

@@ -6,7 +6,7 @@
 
 #include "inputs/cases.hpp"
 #include "inputs/dice.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::properties {
 

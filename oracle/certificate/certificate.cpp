@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "kernel/exact/point_search.hpp"
 #include "oracle/certificate/scaled_points.hpp"
-#include "reference/kernel/exact/point_search.hpp"
 
 namespace circumspect::certificate {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::certificate {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::certificate {
 namespace {

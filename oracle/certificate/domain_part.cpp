@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/linear_algebra.hpp"
 #include "oracle/certificate/scaled_points.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
 
 namespace circumspect::certificate {
 namespace {

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/point.hpp"
 #include "oracle/certificate/certificate.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
 #include "oracle/certificate/evidence.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::certificate {
 namespace {

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::certificate {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <tl/expected.hpp>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::certificate {
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/intersection.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/evidence.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
 
 namespace circumspect::certificate {
 namespace {

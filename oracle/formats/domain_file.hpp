@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::formats {
 

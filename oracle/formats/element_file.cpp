@@ -4,8 +4,8 @@
 #include <iterator>
 #include <span>
 
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/number.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -3,9 +3,9 @@
 
 #include <ostream>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -2,8 +2,8 @@
 #include <iterator>
 #include <set>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/mesh_files.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 namespace {

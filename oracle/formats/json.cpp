@@ -2,8 +2,8 @@
 
 #include <iterator>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/json_events.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 namespace {

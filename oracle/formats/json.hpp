@@ -4,9 +4,9 @@
 #include <ostream>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/plain_files.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/model/mesh.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

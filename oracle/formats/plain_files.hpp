@@ -13,10 +13,10 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/model/index_lists.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

@@ -20,11 +20,11 @@
 #include <string>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/number.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/source.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

@@ -9,8 +9,8 @@
 
 #include <zlib.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/source.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -4,11 +4,11 @@
 #include <ostream>
 #include <string_view>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/element_file.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
+#include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/lines.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/point_file.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

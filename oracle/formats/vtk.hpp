@@ -5,10 +5,10 @@
 #include <ostream>
 #include <string>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/formats/bytes/mixed_text.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/element_file.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

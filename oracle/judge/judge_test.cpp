@@ -11,10 +11,10 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/judge/witness_text_test.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

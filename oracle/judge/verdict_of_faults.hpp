@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/judge/fast/faults.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
@@ -18,7 +19,6 @@
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/index_lists.hpp"
 #include "oracle/model/mesh.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

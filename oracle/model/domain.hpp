@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect {
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/configuration.hpp"
 
 namespace circumspect {
 

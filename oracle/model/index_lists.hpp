@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/kernel/complex/simplex.hpp"
+#include "kernel/complex/simplex.hpp"
 
 namespace circumspect {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/rule.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect {
 

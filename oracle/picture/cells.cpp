@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/picture/picture.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::picture {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/point.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::picture {
 namespace {

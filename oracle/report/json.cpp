@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 namespace {

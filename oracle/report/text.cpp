@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/model/printable.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 

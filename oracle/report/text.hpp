@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 

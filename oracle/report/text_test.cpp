@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::report {
 

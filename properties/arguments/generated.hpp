@@ -9,7 +9,7 @@
 
 #include "inputs/dice.hpp"
 #include "inputs/minimise.hpp"
-#include "reference/kernel/exact/number.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace circumspect::generators {
 

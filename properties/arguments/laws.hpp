@@ -8,9 +8,9 @@
 
 #include <rapidcheck.h>
 
+#include "kernel/predicates/configuration.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::generators {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::generators {
 namespace {

@@ -7,9 +7,9 @@
 #include <rapidcheck.h>
 
 #include "inputs/cases.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
 
 namespace circumspect::properties {
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "inputs/cases.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/faulty/fault.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -4,14 +4,14 @@
 #include <optional>
 #include <set>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_predicates.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
 #include "reference/delaunay/lexicographic.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -7,6 +7,10 @@
 
 #include "inputs/cases.hpp"
 #include "inputs/in_doubles.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "properties/faulty/fault.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -14,10 +18,6 @@
 #include "reference/constrained/steiner_cdt.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 

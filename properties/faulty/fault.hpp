@@ -10,10 +10,10 @@
 
 #include <circumspect/subject.hpp>
 
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
 #include "reference/constrained/split_segments.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::faulty {
 

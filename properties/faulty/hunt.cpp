@@ -12,9 +12,9 @@
 #include "inputs/in_doubles.hpp"
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "properties/faulty/plain_predicates.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::faulty {
 

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <set>
 
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::faulty {
 

@@ -6,7 +6,7 @@
 
 #include <circumspect/subject.hpp>
 
-#include "reference/kernel/complex/point_set.hpp"
+#include "kernel/complex/point_set.hpp"
 
 namespace circumspect::faulty {
 

@@ -4,11 +4,11 @@
 #include <map>
 #include <set>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/in_ball.hpp"
 #include "properties/faulty/fault.hpp"
 #include "properties/faulty/plain_delaunay.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
 
 namespace circumspect::faulty {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::properties {
 

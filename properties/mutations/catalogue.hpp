@@ -43,7 +43,7 @@ void list_neighbors(ArrayMesh& mesh);
 // Requires: the neighbours are right; there is another side.
 std::size_t other_side(const ArrayMesh& mesh, std::size_t facet);
 
-// Exact signs: of the orientation of a row, and of whether a point is in its ball (reference/kernel/predicates).
+// Exact signs: of the orientation of a row, and of whether a point is in its ball (kernel/predicates).
 // Requires: the indices name points; for the second, the row is not flat.
 int orientation_of(const ArrayMesh& mesh, std::span<const std::int64_t> row);
 int in_ball_of(const ArrayMesh& mesh, std::span<const std::int64_t> row, std::int64_t q);

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <utility>
 
-#include "reference/kernel/complex/simplex.hpp"
+#include "kernel/complex/simplex.hpp"
 
 namespace circumspect::properties {
 namespace {

@@ -5,11 +5,11 @@
 #include <cassert>
 #include <iterator>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 

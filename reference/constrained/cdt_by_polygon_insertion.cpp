@@ -6,11 +6,11 @@
 #include <numeric>
 #include <tuple>
 
+#include "kernel/predicates/orientation.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 

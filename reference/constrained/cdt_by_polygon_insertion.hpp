@@ -8,11 +8,11 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/exact/progress.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/exact/progress.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

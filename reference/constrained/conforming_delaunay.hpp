@@ -6,10 +6,10 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "kernel/exact/linear_algebra.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
 
 namespace circumspect::constrained {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/exact/progress.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/delaunay/simplex_predicates.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/exact/progress.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

@@ -8,12 +8,12 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/progress.hpp"
+#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/progress.hpp"
-#include "reference/kernel/piecewise_linear/cell_index.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

@@ -8,10 +8,10 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/constrained/cavity.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 namespace {

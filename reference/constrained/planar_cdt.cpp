@@ -6,15 +6,15 @@
 #include <set>
 #include <utility>
 
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::constrained {
 

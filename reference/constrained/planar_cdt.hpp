@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

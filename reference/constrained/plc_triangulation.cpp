@@ -4,10 +4,10 @@
 #include <cassert>
 #include <iterator>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/flip.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::constrained {
 

@@ -6,11 +6,11 @@
 #include <set>
 #include <vector>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/exact/progress.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/exact/progress.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

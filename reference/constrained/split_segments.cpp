@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
 
 namespace circumspect::constrained {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/exact/box_index.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {
 

@@ -3,11 +3,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "kernel/exact/box_index.hpp"
 #include "reference/constrained/cdt_by_polygon_insertion.hpp"
 #include "reference/constrained/edge_protection.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
-#include "reference/kernel/exact/box_index.hpp"
 
 namespace circumspect::constrained {
 

@@ -6,10 +6,10 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/exact/progress.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
 #include "reference/constrained/split_segments.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::constrained {
 

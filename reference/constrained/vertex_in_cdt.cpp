@@ -4,10 +4,10 @@
 #include <cassert>
 #include <map>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "reference/constrained/cavity.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::constrained {
 

@@ -6,12 +6,12 @@
 #include <functional>
 #include <vector>
 
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
+#include "kernel/exact/progress.hpp"
 #include "reference/delaunay/insertion_order.hpp"
 #include "reference/delaunay/point_location.hpp"
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
-#include "reference/kernel/exact/progress.hpp"
 
 namespace circumspect::delaunay {
 

@@ -6,12 +6,12 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/predicates/orientation.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/point_location.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/exact/number.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/point_location.hpp"
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::delaunay {
 

@@ -4,15 +4,15 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/point_location.hpp"
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

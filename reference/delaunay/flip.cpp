@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -6,13 +6,13 @@
 #include <optional>
 #include <set>
 
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/polytope.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/polytope.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

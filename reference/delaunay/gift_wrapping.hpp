@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/polytope.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/polytope.hpp"
+#include "kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

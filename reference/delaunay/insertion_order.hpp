@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/kernel/complex/point_set.hpp"
+#include "kernel/complex/point_set.hpp"
 
 namespace circumspect::delaunay {
 

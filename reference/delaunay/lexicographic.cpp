@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::delaunay {
 namespace {

@@ -3,8 +3,8 @@
 // dimensions with no change").
 #pragma once
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

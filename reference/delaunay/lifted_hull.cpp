@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

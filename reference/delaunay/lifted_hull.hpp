@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/polytope.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/polytope.hpp"
+#include "kernel/complex/triangulation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 
 namespace circumspect::delaunay {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "reference/kernel/complex/dictionary.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
+#include "kernel/complex/dictionary.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
 
 namespace circumspect::delaunay {
 

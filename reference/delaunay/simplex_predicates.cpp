@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/in_ball.hpp"
 
 namespace circumspect::delaunay {
 

@@ -4,10 +4,10 @@
 #include <doctest/doctest.h>
 
 #include "inputs/plain_algebra.hpp"
+#include "kernel/complex/point_set.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
-#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::delaunay {
 

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "kernel/piecewise_linear/regions.hpp"
 #include "reference/existence/refutation.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::existence {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <set>
 
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::existence {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/piecewise_linear/visibility.hpp"
 #include "reference/existence/refutation.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/piecewise_linear/visibility.hpp"
 
 namespace circumspect::existence {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/optimality/criteria.hpp"
 
 namespace circumspect::optimality {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
 
 namespace circumspect::optimality {
 

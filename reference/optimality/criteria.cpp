@@ -4,8 +4,8 @@
 #include <cassert>
 #include <optional>
 
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::optimality {

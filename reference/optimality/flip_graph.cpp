@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "reference/kernel/complex/simplex.hpp"
+#include "kernel/complex/simplex.hpp"
 #include "reference/optimality/criteria.hpp"
 
 namespace circumspect::optimality {

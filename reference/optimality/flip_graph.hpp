@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/triangulation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/triangulation.hpp"
 #include "reference/optimality/all_triangulations.hpp"
 
 namespace circumspect::optimality {

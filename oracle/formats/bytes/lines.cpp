@@ -4,7 +4,7 @@
 #include <cctype>
 #include <charconv>
 
-#include "reference/kernel/exact/number.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 

@@ -11,10 +11,10 @@
 #include <system_error>
 #include <vector>
 
+#include "kernel/exact/number.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/source.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/exact/point.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

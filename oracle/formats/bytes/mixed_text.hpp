@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/exact/number.hpp"
+#include "kernel/predicates/configuration.hpp"
 #include "oracle/formats/bytes/source.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
 
 namespace circumspect::formats {
 

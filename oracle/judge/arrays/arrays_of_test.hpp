@@ -8,9 +8,9 @@
 
 #include <circumspect/check.hpp>
 
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/text.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::arrays {
 

@@ -4,14 +4,14 @@
 #include <array>
 #include <set>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/visibility.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/domain/empty_circumball.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/points/delaunay.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/piecewise_linear/visibility.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::check {
 

@@ -5,11 +5,11 @@
 #include <map>
 #include <set>
 
+#include "kernel/exact/box_index.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/points/triangulation.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

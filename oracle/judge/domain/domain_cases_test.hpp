@@ -12,13 +12,13 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::check {
 

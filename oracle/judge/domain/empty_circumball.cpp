@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::check {
 

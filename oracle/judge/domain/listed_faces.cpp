@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/exact/box_index.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

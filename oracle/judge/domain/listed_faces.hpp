@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/judge/domain/meshed_domain.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/polytope.hpp"
-#include "reference/kernel/predicates/intersection.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/polytope.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

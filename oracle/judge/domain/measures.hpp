@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/kernel/piecewise_linear/regions.hpp"
-#include "reference/kernel/predicates/configuration.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/predicates/configuration.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

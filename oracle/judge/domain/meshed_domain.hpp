@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
 

@@ -4,12 +4,12 @@
 #include <numeric>
 #include <set>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
 #include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/points/triangulation.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/complex/point_set.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
-#include "reference/kernel/complex/point_set.hpp"
 
 namespace circumspect::check {
 namespace {

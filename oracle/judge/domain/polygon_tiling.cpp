@@ -2,9 +2,9 @@
 #include <array>
 #include <iterator>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

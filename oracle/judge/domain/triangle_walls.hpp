@@ -7,12 +7,12 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/simplex_facts.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::check {
 

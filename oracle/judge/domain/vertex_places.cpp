@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "kernel/exact/box_index.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/measures.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/exact/box_index.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "kernel/exact/box_index.hpp"
+#include "kernel/exact/linear_algebra.hpp"
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/fast/predicates/lattice.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/exact/linear_algebra.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {
 namespace {

@@ -8,11 +8,11 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/fast/grid_mesh_test.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/fast/submerged_points.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::fast {
 
@@ -37,7 +37,7 @@ Point exact_barycentre(const SiteRow<kDimension>& row) {
   return barycentre(points);
 }
 
-// The sign, by reference/kernel/predicates.
+// The sign, by kernel/predicates.
 template <std::size_t kDimension>
 int sign_with(const SiteRow<kDimension>& row, std::size_t place, const Point& point) {
   std::vector<Point> points;

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/exact/point_search.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sweep.hpp"
 #include "oracle/judge/fast/undecided.hpp"
-#include "reference/kernel/exact/point_search.hpp"
 
 namespace circumspect::fast {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/model/exact_mesh.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

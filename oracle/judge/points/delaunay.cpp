@@ -5,11 +5,11 @@
 #include <optional>
 #include <set>
 
+#include "kernel/complex/point_set.hpp"
+#include "kernel/exact/point_search.hpp"
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/points/simplices.hpp"
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/exact/point_search.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

@@ -7,9 +7,9 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "kernel/complex/simplex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/complex/simplex.hpp"
 
 namespace circumspect::check {
 

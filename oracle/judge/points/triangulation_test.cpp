@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/points/check.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

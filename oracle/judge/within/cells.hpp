@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 

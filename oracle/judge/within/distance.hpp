@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/exact/point.hpp"
+#include "kernel/exact/box_index.hpp"
+#include "kernel/exact/point.hpp"
 
 namespace circumspect::check {
 

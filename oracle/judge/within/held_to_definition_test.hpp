@@ -6,12 +6,12 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/number.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
 #include "oracle/judge/within/reach_search.hpp"
-#include "reference/kernel/exact/number.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 

@@ -7,12 +7,12 @@
 #include <set>
 #include <utility>
 
+#include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/within/distance.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "reference/kernel/complex/simplex.hpp"
-#include "reference/kernel/piecewise_linear/disjoint_sets.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/polygon_triangles.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
+#include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/disjoint_sets.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

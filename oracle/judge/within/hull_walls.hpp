@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "reference/kernel/complex/point_set.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 

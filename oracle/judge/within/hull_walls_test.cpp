@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/judge/domain/domain_cases_test.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
 

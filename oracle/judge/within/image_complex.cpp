@@ -5,12 +5,12 @@
 #include <optional>
 #include <span>
 
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/distance.hpp"
 #include "oracle/judge/within/images.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {
 namespace {

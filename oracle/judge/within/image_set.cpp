@@ -3,8 +3,8 @@
 #include <map>
 #include <span>
 
+#include "kernel/exact/point.hpp"
 #include "oracle/judge/within/images.hpp"
-#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {
 namespace {

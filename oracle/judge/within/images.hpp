@@ -9,11 +9,11 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/judge/within/reaches.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
 #include "oracle/model/domain.hpp"
 #include "oracle/model/verdict.hpp"
-#include "reference/kernel/piecewise_linear/regions.hpp"
 
 namespace circumspect::check {
 

@@ -5,12 +5,12 @@
 #include <thread>
 #include <utility>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 #include "oracle/judge/within/images.hpp"
 #include "oracle/judge/within/reach_search.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <set>
 
+#include "kernel/exact/box_index.hpp"
+#include "kernel/piecewise_linear/cell_index.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/judge/within/cells.hpp"
 #include "oracle/judge/within/distance.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/piecewise_linear/cell_index.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/kernel/piecewise_linear/coplanar_polygons.hpp"
+#include "kernel/piecewise_linear/coplanar_polygons.hpp"
 
 namespace circumspect::check {
 

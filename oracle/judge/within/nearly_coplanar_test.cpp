@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/judge/within/moved_meshes_test.hpp"
-#include "reference/kernel/piecewise_linear/validity.hpp"
 
 namespace circumspect::check {
 namespace {

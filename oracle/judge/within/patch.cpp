@@ -3,10 +3,10 @@
 #include <array>
 #include <map>
 
+#include "kernel/exact/box_index.hpp"
+#include "kernel/exact/point.hpp"
 #include "oracle/judge/within/images.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
-#include "reference/kernel/exact/box_index.hpp"
-#include "reference/kernel/exact/point.hpp"
 
 namespace circumspect::check {
 

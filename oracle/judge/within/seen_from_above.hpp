@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/judge/within/distance.hpp"
-#include "reference/kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::check {
 

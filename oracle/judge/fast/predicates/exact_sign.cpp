@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/fast/predicates/fixed_width.hpp"
 #include "oracle/judge/fast/predicates/lattice.hpp"
 #include "oracle/judge/fast/predicates/polynomials.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {
 

@@ -9,9 +9,9 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/exact/number.hpp"
 #include "oracle/judge/fast/predicates/arithmetic.hpp"
 #include "oracle/judge/fast/predicates/lattice.hpp"
-#include "reference/kernel/exact/number.hpp"
 
 namespace circumspect::fast {
 

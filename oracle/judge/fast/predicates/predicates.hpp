@@ -3,7 +3,7 @@
 //
 // Laws (held by predicates_test.cpp, and by predicates_soak_test.cpp on a million tuples of every
 // family, under these numbers):
-//  F1 each sign is the sign of reference/kernel/predicates, whatever the stage that decides: for numbers from
+//  F1 each sign is the sign of kernel/predicates, whatever the stage that decides: for numbers from
 //     the least denormal to the largest double, one ulp apart, far from the origin, with exact zeros.
 //  F2 coordinates (and weights, where they count) are finite; other input is a breach of contract.
 //  F3 the arithmetic is as oracle/judge/fast/predicates/arithmetic.hpp says; `arithmetic_is_as_proved` tests it.
@@ -27,7 +27,7 @@ namespace circumspect::fast {
 // known.
 int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages,
                 Lattice lattice = {});
-// Positive for the book's positively oriented tetrahedra (reference/kernel/predicates/orientation.hpp).
+// Positive for the book's positively oriented tetrahedra (kernel/predicates/orientation.hpp).
 int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& d,
                 Stages& stages, Lattice lattice = {});
 
@@ -170,7 +170,7 @@ Ball<kDimension, kWeighted> ball_of(const SiteRow<kDimension>& row, Lattice latt
       [&](const auto&... sites) { return Ball<kDimension, kWeighted>(sites..., lattice); }, row);
 }
 
-// in_ball under the canonical perturbation (reference/kernel/predicates/perturbation.hpp), where in_ball
+// in_ball under the canonical perturbation (kernel/predicates/perturbation.hpp), where in_ball
 // is zero: the point that comes first in lexicographic order decides, unless its coefficient is
 // zero. `own` is the orientation of the simplex. Requires: different points. Book: Section 5.6.
 // `crossed`: a vertex such that the query is strictly beyond the facet opposite, if that is known.

@@ -6,13 +6,13 @@
 
 #include <doctest/doctest.h>
 
+#include "kernel/predicates/in_ball.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/perturbation.hpp"
 #include "oracle/judge/fast/predicates/exact_ball.hpp"
 #include "oracle/judge/fast/predicates/exact_sign.hpp"
 #include "oracle/judge/fast/predicates/tuples_test.hpp"
 #include "properties/arguments/run.hpp"
-#include "reference/kernel/predicates/in_ball.hpp"
-#include "reference/kernel/predicates/orientation.hpp"
-#include "reference/kernel/predicates/perturbation.hpp"
 
 namespace circumspect::fast {
 

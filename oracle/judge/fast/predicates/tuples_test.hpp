@@ -1,4 +1,4 @@
-// For tests: tuples of points that are hard for predicates, and the answers of reference/kernel/predicates.
+// For tests: tuples of points that are hard for predicates, and the answers of kernel/predicates.
 #pragma once
 
 #include <array>
@@ -114,7 +114,7 @@ class Tuples {
 };
 
 // ---- Reference signs ----
-// What reference/kernel/predicates says of sites.
+// What kernel/predicates says of sites.
 
 using Vertices = std::vector<std::ptrdiff_t>;
 

@@ -1,0 +1,115 @@
+// Finite point sets, and the circumballs of their simplices.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "kernel/complex/simplex.hpp"
+#include "kernel/exact/point.hpp"
+#include "kernel/predicates/configuration.hpp"
+
+namespace circumspect {
+
+// ---- Point set ----
+// A finite set of points, weighted or not, with exact rational coordinates.
+// Book: Section 4.1 (point sets in R^d), Section 5.2 (weights).
+
+// Two indices that name one and the same point.
+struct Duplicate {
+  Vertex kept;  // the first of them
+  Vertex again;
+};
+
+// Every point that repeats an earlier one, in order of `again`.
+std::vector<Duplicate> duplicates(const std::vector<Point>& points);
+
+// A *set*: no two points are equal. All points have one dimension.
+class PointSet {
+ public:
+  // Requires: no duplicates; one dimension; weights empty or one a point. (Violations are
+  // programming errors; ask `duplicates` first for what a user handed in.)
+  explicit PointSet(std::vector<Point> points, std::vector<Rational> weights = {});
+
+  std::size_t size() const { return points_.size(); }
+  bool empty() const { return points_.empty(); }
+  bool is_weighted() const { return !weights_.empty(); }
+  const std::vector<Point>& points() const { return points_; }
+  const Point& operator[](Vertex v) const { return points_[static_cast<std::size_t>(v)]; }
+  Rational weight(Vertex v) const {
+    return weights_.empty() ? Rational(0) : weights_[static_cast<std::size_t>(v)];
+  }
+  // The number of coordinates, d (0 for the empty set), and the dimension of the affine hull, k.
+  std::size_t ambient_dimension() const { return configuration_.ambient_dimension(); }
+  int dimension() const { return configuration_.dimension(); }
+  bool names(Vertex v) const { return v >= 0 && v < static_cast<Vertex>(size()); }
+
+  // The same points as integers, for the predicates.
+  const Configuration& configuration() const { return configuration_; }
+
+ private:
+  std::vector<Point> points_;
+  std::vector<Rational> weights_;
+  Configuration configuration_;
+};
+
+// The coordinates of the vertices of a simplex. Requires: the set names all of them.
+std::vector<Point> coordinates(const PointSet& points, const Simplex& simplex);
+
+// The simplex with two vertices swapped if that makes its orientation positive.
+// Requires: simplex.size() == points.dimension() + 1, not degenerate; a single vertex is positive.
+Simplex positively_oriented(const PointSet& points, Simplex simplex);
+
+// The affine hull of some points of a set: where a face of a polyhedral complex lives. Book:
+// Section 4.1 ("if the affine hull of S is k-dimensional …"). k+1 affinely independent points of
+// it, and k axes that are a coordinate system of it.
+struct Flat {
+  Simplex basis;  // the first independent points in the order given
+  std::vector<std::size_t> axes;
+
+  std::size_t dimension() const { return axes.size(); }
+};
+
+// Requires: members is not empty.
+Flat flat_through(const PointSet& points, const std::vector<Vertex>& members);
+
+// The same for the members projected on some axes only.
+Flat flat_through(const PointSet& points, const std::vector<std::size_t>& axes,
+                  const std::vector<Vertex>& members);
+
+// The vertices 0, 1, …, n−1.
+std::vector<Vertex> all_vertices(const PointSet& points);
+
+// ---- Circumball ----
+// Circumballs with exact centre and squared radius. Book: Definition 1.17 and Section 4.2; for
+// weighted points the orthoball whose lifted companion is the witness plane.
+
+struct Ball {
+  Point centre;
+  Rational squared_radius;  // of an orthoball possibly negative
+};
+
+// The circumball of a simplex whose centre lies in the simplex's affine hull: its smallest one.
+// With weights, the orthoball: |p − centre|² − weight(p) = squared_radius at every vertex p.
+// Requires: vertices affinely independent.
+Ball circumball(const PointSet& points, const Simplex& simplex);
+
+// |q − centre|² − weight(q) − squared_radius: negative iff q is strictly inside (weighted: iff q⁺
+// is strictly below the witness plane), zero on the sphere.
+Rational power(const PointSet& points, const Ball& ball, Vertex q);
+
+// ---- Proper intersection ----
+// Do two simplices meet in a common face or not at all? Book: Definition 2.1 by way of Section 1.5
+// (simplicial complexes).
+
+// A point that lies in both simplices but not in the face spanned by their common vertices;
+// nothing iff they intersect properly. Found by a linear program: among all ways to write one point
+// as a convex combination of either simplex, one that leaves the common face as far as it can.
+// Requires: each simplex affinely independent.
+std::optional<Point> improper_intersection(const PointSet& points, const Simplex& a,
+                                           const Simplex& b);
+
+}  // namespace circumspect

@@ -1,0 +1,95 @@
+#include "kernel/exact/point.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace circumspect {
+
+Point operator+(const Point& a, const Point& b) {
+  assert(a.size() == b.size());
+  Point sum(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) sum[i] = a[i] + b[i];
+  return sum;
+}
+
+Point operator-(const Point& a, const Point& b) {
+  assert(a.size() == b.size());
+  Point difference(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) difference[i] = a[i] - b[i];
+  return difference;
+}
+
+Point operator*(const Rational& factor, const Point& a) {
+  Point product(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) product[i] = factor * a[i];
+  return product;
+}
+
+Rational inner_product(const Point& a, const Point& b) {
+  assert(a.size() == b.size());
+  Rational sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+Point cross_product(const Point& a, const Point& b) {
+  assert(a.size() == 3 && b.size() == 3);
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Rational squared_length(const Point& a) { return inner_product(a, a); }
+
+Rational squared_distance(const Point& a, const Point& b) { return squared_length(a - b); }
+
+Point barycentre(const std::vector<Point>& points) {
+  assert(!points.empty());
+  Point sum = points.front();
+  for (std::size_t i = 1; i < points.size(); ++i) sum = sum + points[i];
+  return Rational(1, static_cast<unsigned long>(points.size())) * sum;
+}
+
+// ---- Affine hull ----
+
+namespace {
+
+// A direction of the hull, scaled to 1 on the axis that it is the pivot of.
+struct Direction {
+  std::size_t axis;
+  Point vector;
+};
+
+// What is left of a vector after subtracting its part along the directions found so far. In the
+// order of finding, each direction is zero on the axes of the earlier ones.
+Point reduce(Point vector, const std::vector<Direction>& directions) {
+  for (const Direction& direction : directions) {
+    const Rational factor = vector[direction.axis];
+    if (sign(factor) == 0) continue;
+    vector = vector - factor * direction.vector;
+  }
+  return vector;
+}
+
+}  // namespace
+
+AffineHull affine_hull(const std::vector<Point>& points) {
+  AffineHull hull;
+  if (points.empty()) return hull;
+  hull.basis.push_back(0);
+  const std::size_t ambient = points.front().size();
+  std::vector<Direction> directions;
+  for (std::size_t i = 1; i < points.size() && directions.size() < ambient; ++i) {
+    const Point rest = reduce(points[i] - points[0], directions);
+    const auto pivot =
+        std::find_if(rest.begin(), rest.end(), [](const Rational& x) { return sign(x) != 0; });
+    if (pivot == rest.end()) continue;
+    const auto axis = static_cast<std::size_t>(pivot - rest.begin());
+    directions.push_back({axis, (1 / *pivot) * rest});
+    hull.basis.push_back(i);
+    hull.axes.push_back(axis);
+  }
+  std::sort(hull.axes.begin(), hull.axes.end());
+  hull.dimension = static_cast<int>(directions.size());
+  return hull;
+}
+
+}  // namespace circumspect

@@ -1,0 +1,45 @@
+// Points with exact rational coordinates, of any dimension, and their affine hulls.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kernel/exact/number.hpp"
+
+namespace circumspect {
+
+// ---- Point ----
+
+// Cartesian coordinates. std::vector's operator< is the lexicographic order of the perturbation.
+using Point = std::vector<Rational>;
+
+Point operator+(const Point& a, const Point& b);
+Point operator-(const Point& a, const Point& b);
+Point operator*(const Rational& factor, const Point& a);
+Rational inner_product(const Point& a, const Point& b);
+// Requires: three coordinates each.
+Point cross_product(const Point& a, const Point& b);
+Rational squared_length(const Point& a);
+Rational squared_distance(const Point& a, const Point& b);
+
+// The arithmetic mean of the vertices of a simplex, a point of its relative interior.
+// Requires: points is not empty, all of one dimension.
+Point barycentre(const std::vector<Point>& points);
+
+// ---- Affine hull ----
+// The affine hull of a set of points, and coordinates in it.
+// Book: Section 4.1 ("if the affine hull of S is k-dimensional …").
+
+// The affine hull of some points. `basis` holds the indices of k+1 affinely independent points, the
+// first such in the order given. `axes` holds k coordinate axes, ascending, such that dropping all
+// other coordinates is injective on the hull: a coordinate system of it.
+struct AffineHull {
+  int dimension = -1;  // k; -1 for no point at all
+  std::vector<std::size_t> basis;
+  std::vector<std::size_t> axes;
+};
+
+// Requires: all points of one dimension.
+AffineHull affine_hull(const std::vector<Point>& points);
+
+}  // namespace circumspect

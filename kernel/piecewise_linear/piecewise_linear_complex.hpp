@@ -1,0 +1,107 @@
+// Piecewise linear complexes, and how their vertices, segments and triangles lie to one another.
+// Book: Section 4.5.1, Definition 4.3.
+#pragma once
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "kernel/complex/point_set.hpp"
+#include "kernel/complex/simplex.hpp"
+
+namespace circumspect {
+
+// ---- Incidence ----
+// How vertices, segments and triangles lie to one another, by signs of integer determinants alone.
+// Where two of them meet, `intersection` says in what. Book: Definition 4.3.
+
+// Does v lie in the relative interior of the segment? Requires: not one of its ends.
+bool lies_inside_segment(const Configuration& points, Vertex v, const Simplex& segment);
+
+// Have the segments a point in common that is inside both, without lying on one line?
+// Requires: no vertex in common.
+bool segments_cross(const Configuration& points, const Simplex& a, const Simplex& b);
+
+// Two axes on which the plane of the triangle projects injectively, the first such pair; none if its
+// corners are on one line.
+std::vector<std::size_t> axes_of_plane(const Configuration& points, const Simplex& triangle);
+
+// On which side of the triangle is v? Zero in its plane. Requires: in space.
+int side_of_triangle(const Configuration& points, const Simplex& triangle, Vertex v);
+
+// Does v lie in the closed triangle? Requires: in space; `axes` are a coordinate system of its plane.
+bool lies_in_triangle(const Configuration& points, Vertex v, const Simplex& triangle,
+                      std::span<const std::size_t> axes);
+
+// Has the segment an end strictly on either side of the triangle, and goes through it?
+// Requires: in space.
+bool segment_pierces_triangle(const Configuration& points, const Simplex& segment,
+                              const Simplex& triangle);
+
+// Have the triangles of one plane, with coordinates `axes`, interior points in common?
+bool interiors_meet(const Configuration& points, std::span<const std::size_t> axes,
+                    const Simplex& a, const Simplex& b);
+
+// ---- Piecewise linear complex ----
+
+// Which part of space a complex is meant to fill. `kEnclosed`: its polyhedra are the bounded
+// components of the complement of its polygons (in the plane: its polygons those of the complement of
+// its segments), without those that hold a hole seed. `kHull`: the convex hull of its vertices; the
+// polygons and segments are internal constraints.
+enum class DomainKind { kEnclosed, kHull };
+
+// A polygon: a linear cell of dimension 2 in space, possibly with holes, with slits, and with vertices
+// in its relative interior. It is the part of its plane that its triangles cover.
+struct Polygon {
+  std::vector<Vertex> vertices;    // every vertex of the complex that lies in it, ascending
+  std::vector<Simplex> segments;   // every segment that lies in it: outline, holes and slits
+  std::vector<Point> hole_seeds;   // a point in each of its holes
+  std::vector<std::size_t> axes;   // two axes on which its plane projects injectively
+  std::vector<Simplex> triangles;  // some triangulation of it that has its segments for edges
+};
+
+// The cells of a PLC in the plane (d = 2: no polygon is listed, they follow from the segments) or in
+// space (d = 3: the polyhedra follow from the polygons). Segments are pairs of vertices, ascending,
+// each once, in lexicographic order; every edge of a polygon's outline is among them.
+struct PiecewiseLinearComplex {
+  PointSet points;
+  std::vector<Simplex> segments;
+  std::vector<Polygon> polygons;
+  std::vector<Point> hole_seeds;
+  DomainKind kind = DomainKind::kEnclosed;
+
+  std::size_t ambient_dimension() const { return points.ambient_dimension(); }
+};
+
+// The walls of the complex: linear cells of dimension d − 1 cut into simplices with their vertices
+// ascending. In the plane the segments; in space the triangles of all polygons, which meet edge to
+// edge because polygons meet only in shared cells.
+std::vector<Simplex> walls(const PiecewiseLinearComplex& complex);
+
+// What somebody hands in, before it is known whether it is a PLC. Vertices are indices from 0.
+struct PolygonLines {
+  // Closed lines of three vertices or more; a line of two is a segment, one of one an isolated vertex.
+  std::vector<std::vector<Vertex>> lines;
+  std::vector<Point> hole_seeds;
+};
+struct PiecewiseLinearInput {
+  std::vector<Point> points;
+  std::vector<std::vector<Vertex>> segments;  // pairs
+  std::vector<PolygonLines> polygons;
+  std::vector<Point> hole_seeds;
+  DomainKind kind = DomainKind::kEnclosed;
+};
+
+// The complex that an input describes. Vertices and segments of the complex that lie in a polygon
+// whose lines do not list them are adopted: Definition 4.3 makes them faces of it.
+// Requires: the input is a valid PLC (see validity.hpp).
+PiecewiseLinearComplex assemble(const PiecewiseLinearInput& input);
+
+// A line stands for its edges, each once however often it is passed, and for its vertices.
+std::set<Simplex> edges_of(const PolygonLines& polygon);
+std::vector<Vertex> vertices_of(const PolygonLines& polygon);  // ascending
+
+// The segments of all that is handed in: ascending pairs, each once, in lexicographic order.
+std::vector<Simplex> segments_of(const PiecewiseLinearInput& input);
+
+}  // namespace circumspect
