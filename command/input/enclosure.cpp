@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "command/input/breach_text.hpp"
-#include "kernel/piecewise_linear/filling.hpp"
+#include "oracle/domain/filling.hpp"
 
 namespace circumspect::cli {
 namespace {

@@ -5,11 +5,11 @@
 #include <map>
 #include <optional>
 
+#include "inputs/arrangement.hpp"
 #include "kernel/exact/point.hpp"
-#include "kernel/piecewise_linear/arrangement.hpp"
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/model/mesh.hpp"

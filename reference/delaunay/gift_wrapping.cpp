@@ -6,13 +6,14 @@
 #include <optional>
 #include <set>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/polytope.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
+#include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::delaunay {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/measures.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/domain/measures.hpp"
 

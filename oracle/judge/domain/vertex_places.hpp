@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "kernel/boxes/point_search.hpp"
 #include "kernel/complex/point_set.hpp"
-#include "kernel/exact/point_search.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/points/simplices.hpp"

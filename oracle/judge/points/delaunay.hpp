@@ -83,7 +83,7 @@ void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambig
 // Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
 // outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
 // that simplex (else weighted.point-below-plane). Of several that have it, the first in the list. Returns how many orientations it took to find the
-// simplices (kernel/exact/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
+// simplices (kernel/boxes/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
 // and `uses` are those of its facets.
 std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/exact/point.hpp"
 
 namespace circumspect::check {

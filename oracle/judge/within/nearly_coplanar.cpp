@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/judge/within/cells.hpp"

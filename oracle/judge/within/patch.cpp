@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/exact/point.hpp"
 #include "oracle/judge/within/images.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"

@@ -1,4 +1,4 @@
-#include "kernel/piecewise_linear/filling.hpp"
+#include "oracle/domain/filling.hpp"
 
 #include <algorithm>
 #include <map>

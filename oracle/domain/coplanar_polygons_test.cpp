@@ -1,5 +1,5 @@
 // Cells that may meet, and polygons that share a plane.
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "kernel/piecewise_linear/arrangement.hpp"
+#include "inputs/arrangement.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
 
 #include <algorithm>
 #include <map>

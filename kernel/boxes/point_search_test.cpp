@@ -1,5 +1,5 @@
 // Searching among points by a tree of them, and among boxes by a tree of boxes.
-#include "kernel/exact/point_search.hpp"
+#include "kernel/boxes/point_search.hpp"
 
 #include <array>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 
 namespace circumspect {
 
