@@ -192,11 +192,11 @@ soak-fuzz: build-fuzz-fuzz build-fuzz-sanitize
 	@$(SOAK_FUZZ) build/fuzz/fuzz 0 $$(( $(MINUTES) * 50 / $(words $(FUZZ_TARGETS)) ))
 	@$(SOAK_FUZZ) build/sanitize/fuzz 0 $$(( $(MINUTES) * 10 / $(words $(FUZZ_TARGETS)) ))
 
-# Hunts every library of fuzz/hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
-# (5m). A signature that fuzz/hunt/runs.tsv does not have of a library is a failure.
+# Hunts every library of hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
+# (5m). A signature that hunt/runs.tsv does not have of a library is a failure.
 soak-hunt: build
 	@cmake/packages.sh hunt
-	@fuzz/hunt/hunt.py --install --builds $(or $(BUILDS),build/hunt) --output build/hunts --time $(or $(TIME),5m) --seed $$RANDOM
+	@hunt/hunt.py --install --builds $(or $(BUILDS),build/hunt) --output build/hunts --time $(or $(TIME),5m) --seed $$RANDOM
 
 # What runs on several threads, under ThreadSanitizer.
 tsan: deps-test

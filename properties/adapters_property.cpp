@@ -1,5 +1,5 @@
 // Programs that people use, held to their claims in this process: CGAL on every family of inputs,
-// TetGen and Qhull where their documents name no limit. Campaigns go further (docs/findings/).
+// TetGen and Qhull where their documents name no limit. Campaigns go further (hunt/pages/).
 #include <circumspect/judgement.hpp>
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-"""What `make docs` adds to the pages of docs/: pictures to turn, made by the command from the corpus.
+"""What `make docs` adds to the pages of docs/: the pages of the hunt, and pictures to turn, made by the command from the corpus.
 
-mkdocs calls it (`hooks` in mkdocs.yml). Each rule of docs/rules.md gets the page of a mesh that breaks it, each breach that of a
+The pages of hunt/pages stand in the site as pages/, outside of its menu but for the first. mkdocs calls it (`hooks` in mkdocs.yml). Each rule of docs/rules.md gets the page of a mesh that breaks it, each breach that of a
 domain, and each finding that of its mesh, or of its input where the program wrote none. They are what `--html` writes, but for
 the program of the page, which stands once in pictures/page.js: the site would have 120 MB otherwise.
 """
@@ -10,12 +10,28 @@ import pathlib
 import re
 import subprocess
 
+from mkdocs.structure.files import File
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMAND = os.environ.get("CIRCUMSPECT", str(ROOT / "build" / "release" / "bin" / "circumspect"))
 CORPUS = ROOT / "corpus"
 PROGRAM = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 PLACED = set()  # the pictures that have a place in some page
 POLICY = re.compile(r'<meta http-equiv="?Content-Security-Policy"?[^>]*>')
+
+
+def on_files(files, config, **_):
+    """The pages of the hunt: mkdocs takes pages from docs/ alone."""
+    for page in sorted((ROOT / "hunt" / "pages").glob("*.md")):
+        files.append(File(f"pages/{page.name}", str(ROOT / "hunt"), config["site_dir"], config["use_directory_urls"]))
+    return files
+
+
+def on_page_markdown(markdown, page, **_):
+    """Links between docs/ and hunt/pages as they stand in the site."""
+    if page.file.src_path.startswith("pages/"):
+        return markdown.replace("](../../docs/", "](../")
+    return markdown.replace("](../hunt/pages/", "](pages/")
 
 
 def rows(path):
@@ -78,7 +94,7 @@ def on_page_content(content, page, **_):
         content = re.sub(r"(<td>)<code>([a-z.-]+)</code>(</td>)", row, content)
         return content + "<h2 id=\"see\">What it looks like</h2>" + "".join(
             f'<div id="see-{name}">{frame(name, f"<code>{name}</code>", "")}</div>' for name in known)
-    if page.file.src_path.startswith("findings/"):
+    if page.file.src_path.startswith("pages/"):
         known = of_findings()
         return re.sub(r'(<h[23] id="([\w.-]+)">.*?</h[23]>)',
                       lambda match: match[1] + (frame(match[2], "See it", "../") if match[2] in known else ""), content)
@@ -91,7 +107,7 @@ def on_post_build(config, **_):
     known = {**of_rules(), **of_findings()}
     missing = [name for name in of_findings() if name not in PLACED]
     if missing:
-        raise SystemExit(f"tidy/site.py: no page of docs/findings has a heading for {', '.join(missing)}")
+        raise SystemExit(f"tidy/site.py: no page of hunt/pages has a heading for {', '.join(missing)}")
     for name, words in ((name, known[name]) for name in sorted(PLACED)):
         path = folder / f"{name}.html"
         path.unlink(missing_ok=True)

@@ -73,7 +73,7 @@ ARROWS = {
 TESTS_ALSO = ["inputs", "properties/arguments"]
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
-APART = ["corpus/make", "examples", "fuzz/adapters", "fuzz/hunt"]
+APART = ["corpus/make", "examples", "fuzz/adapters", "hunt"]
 
 # Where CGAL may be included, apart from files named *_cgal_test.cpp.
 # CGAL knows our Rational by the name that GMP gives it.

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Gives every stored minimal input to every target: fuzz/hunt/everywhere.tsv, a row an input, a column a target.
+"""Gives every stored minimal input to every target: hunt/everywhere.tsv, a row an input, a column a target.
 
     propagate.py --builds DIR [TARGET ...]      anew for these targets, or for all that answer here
     propagate.py --builds DIR --missing         only the inputs that have no row yet
-    propagate.py --page                         writes docs/findings/everywhere.md from the table
+    propagate.py --page                         writes hunt/pages/everywhere.md from the table
 
 Each column is one campaign with `--corpus corpus/findings` and no drawn case. A cell is `holds`, `refused`, `skipped`, a signature, or `-` where
 the target does not take such an input: points of another dimension, or doubles that are no floats for a library that stores floats.
@@ -19,9 +19,9 @@ from pathlib import Path
 
 from hunt import HERE, POINT_CLAIMS, VIRTUAL_MACHINES, command_of, is_here, points_of, targets
 
-CORPUS = HERE.parents[1] / "corpus" / "findings"
+CORPUS = HERE.parent / "corpus" / "findings"
 TABLE = HERE / "everywhere.tsv"
-PAGE = HERE.parents[1] / "docs" / "findings" / "everywhere.md"
+PAGE = HERE.parent / "hunt" / "pages" / "everywhere.md"
 NUMBERS = "none one two three four five six seven eight nine ten eleven twelve".split()
 
 
@@ -56,7 +56,7 @@ def column(row, corpus, arguments):
             words = [arguments.circumspect, "campaign", "--worker", "--claim", row["claim"], "--dimension", dimension, "--cases", "0",
                      "--worker-cases", "1", "--corpus", str(corpus), "--minimize-runs", "1", "--minimize-time", "1s", "--output", folder, "--quiet", "--jobs", "1"]
             words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []
-            subprocess.run([*words, "--", *command], cwd=HERE.parents[1], check=False)
+            subprocess.run([*words, "--", *command], cwd=HERE.parent, check=False)
             lines = [line.split("\t") for line in (Path(folder) / "journal.tsv").read_text().splitlines()]
         paths = next(line[2] for line in lines if line[:2] == ["setting", "--corpus"]).split()
         for line in lines:
@@ -102,8 +102,8 @@ def page():
     out = ["# Every minimal input, given to every library", "",
            f"`corpus/findings` holds {len(given)} sets of points on which some program was wrong. Each is small, and each has broken somebody:",
            "a collection to try one's own triangulator on, with `circumspect campaign --corpus corpus/findings --cases 0 --dimension 2 -- ...`.",
-           "Here each was given to each library that was hunted. `fuzz/hunt/everywhere.tsv` has the outcome of each, and",
-           "`fuzz/hunt/propagate.py` writes it and this page.", "",
+           "Here each was given to each library that was hunted. `hunt/everywhere.tsv` has the outcome of each, and",
+           "`hunt/propagate.py` writes it and this page.", "",
            "These are outcomes, and not all of them are faults: [the pages of the libraries](README.md) say what each promises. Many of the inputs are nearly",
            "degenerate, or lie far from the origin. *Rounding* is a facet that is not locally Delaunay by less than 10⁻⁹ of the ball.",
            "*Far* are inputs with numbers beyond 2¹⁰⁰ or below 2⁻¹⁰⁰, which came out otherwise than right; sets that lie in a hyperplane are not counted.", "",
@@ -150,7 +150,7 @@ def main():
     parser.add_argument("--builds", help="the folder where libraries were installed or built")
     parser.add_argument("--missing", action="store_true")
     parser.add_argument("--page", action="store_true")
-    parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parents[1] / "build/release/bin/circumspect")))
+    parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parent / "build/release/bin/circumspect")))
     arguments = parser.parse_args()
     if arguments.builds:
         with tempfile.TemporaryDirectory() as folder:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the tables of the hunt say together.
 
-    summary.py                  the numbers that docs/findings/README.md has at its top
+    summary.py                  the numbers that hunt/pages/README.md has at its top
     summary.py --check          compares them with it, and the tables with each other: exit code 1 if they differ (a test runs this)
     summary.py --update         writes them there, and into each page the runs of its targets from runs.tsv
     summary.py --issue NAME     a report for the authors of the library, from the entry of the finding and its files
@@ -14,8 +14,8 @@ from statistics import median
 
 from hunt import HERE, POINT_CLAIMS, RUNS, RUN_COLUMNS, table, targets
 
-ROOT = HERE.parents[1]
-PAGES = ROOT / "docs" / "findings"
+ROOT = HERE.parent
+PAGES = ROOT / "hunt" / "pages"
 EXPECTED = ROOT / "corpus" / "findings" / "expected.tsv"
 ENTRY = re.compile(r"\| \[([\w-]+)\]\(([\w.-]+)\.md#([\w-]+)\) \| (.*?) \| `(.*?)` \| (\d+) \| (.*?) \|")
 RUNS_HEAD = ["| run | date | cases | holds | fails by | time |", "| --- | --- | --- | --- | --- | --- |"]
@@ -26,7 +26,7 @@ GOALS = (("libraries with a page", 25), ("languages", 8), ("distinct faults", 40
 
 
 def entries():
-    """The rows of the table at the end of docs/findings/README.md: name, page, library, signature, points, kind."""
+    """The rows of the table at the end of hunt/pages/README.md: name, page, library, signature, points, kind."""
     found = []
     for line in (PAGES / "README.md").read_text().splitlines():
         if row := ENTRY.match(line):
@@ -134,14 +134,14 @@ def faults_of_tables():
         if target and target not in known:
             yield f"{name}: expected a target of targets.tsv, found {target}"
         if target and name not in listed:
-            yield f"{name}: expected an entry in docs/findings/README.md, found none"
+            yield f"{name}: expected an entry in hunt/pages/README.md, found none"
     for name, entry in listed.items():
         if name not in rows:
             yield f"{name}: expected a line in expected.tsv, found none"
         elif rows[name]["signature"] != entry["signature"]:
-            yield f"{name}: expected the signature {rows[name]['signature']}, found {entry['signature']} in docs/findings/README.md"
+            yield f"{name}: expected the signature {rows[name]['signature']}, found {entry['signature']} in hunt/pages/README.md"
         if f"## {name}\n" not in (PAGES / f"{entry['page']}.md").read_text():
-            yield f"{name}: expected an entry in docs/findings/{entry['page']}.md, found none"
+            yield f"{name}: expected an entry in hunt/pages/{entry['page']}.md, found none"
     lines = [line.split("\t") for line in (HERE / "everywhere.tsv").read_text().splitlines()]
     cells = {line[0]: dict(zip(lines[0], line)) for line in lines}
     for name, row in rows.items():
@@ -184,7 +184,7 @@ def main():
             path.write_text(text)
     wrong = list(faults_of_tables())
     if words == ["--check"]:
-        wrong += [f"{path.relative_to(ROOT)}: expected what fuzz/hunt/summary.py --update writes, found another text"
+        wrong += [f"{path.relative_to(ROOT)}: expected what hunt/summary.py --update writes, found another text"
                   for path, text in wanted().items() if path.read_text() != text]
     print("\n".join([*lines_of_numbers(), *wrong]))
     return int(bool(wrong))

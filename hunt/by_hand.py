@@ -11,7 +11,7 @@ from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 
-FINDINGS = Path(__file__).resolve().parents[2] / "corpus" / "findings"
+FINDINGS = Path(__file__).resolve().parents[1] / "corpus" / "findings"
 
 
 def determinant(rows):

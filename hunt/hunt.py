@@ -198,7 +198,7 @@ def campaign(row, dimension, arguments):
     bits = {"single": 20}.get(row["numbers"], 10 if arguments.regime == "integers" else None)
     words += ["--extreme"] if arguments.regime == "extreme" else ["--integers", str(bits)] if bits else []
     words += ["--limit-memory", "0"] if Path(command[0]).name in VIRTUAL_MACHINES else []
-    ended = subprocess.run([*words, "--", *command], stdout=subprocess.PIPE, cwd=HERE.parents[1])
+    ended = subprocess.run([*words, "--", *command], stdout=subprocess.PIPE, cwd=HERE.parent)
     if ended.returncode not in (0, 1):
         return None
     return json.loads(ended.stdout)["results"][0], folder
@@ -249,7 +249,7 @@ def main():
     parser.add_argument("--record", action="store_true", help="add the run to runs.tsv")
     parser.add_argument("--on", help="answer this .node file alone, with an .ele file beside it; or this .case file of a domain, or the file of one that the program reads")
     parser.add_argument("--arguments", help="with --on: those of the program, in one word, instead of those in targets.tsv")
-    parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parents[1] / "build/release/bin/circumspect")))
+    parser.add_argument("--circumspect", default=os.environ.get("CIRCUMSPECT", str(HERE.parent / "build/release/bin/circumspect")))
     arguments = parser.parse_args()
     unknown = set(arguments.target) - {row["target"] for row in targets()}
     if unknown or not (arguments.target or arguments.all or arguments.install):

@@ -58,7 +58,7 @@ def main():
     parser.add_argument("--call")
     parser.add_argument("--row", default="[{}]")
     parser.add_argument("--says", default="")
-    parser.add_argument("--circumspect", default=str(HERE.parents[1] / "build/release/bin/circumspect"))
+    parser.add_argument("--circumspect", default=str(HERE.parent / "build/release/bin/circumspect"))
     arguments = parser.parse_args()
     row = next(one for one in targets() if one["target"] == arguments.target)
     assert row["claim"] in POINT_CLAIMS, "expected a library of points"
