@@ -16,6 +16,7 @@
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect {
 
@@ -176,7 +177,7 @@ void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& s
     const Box box = boxes.of(a);
     for (const std::size_t place : vertex_index.meeting(box)) {
       const auto v = static_cast<Vertex>(place);
-      if (contains(a, v) || !lies_inside_segment(configuration, v, a)) continue;
+      if (contains(a, v) || !lies_inside_segment(configuration, a, v)) continue;
       found.add({BreachKind::kVertexInSegment, {v}, {a}, {}, points[v]});
     }
     for (const std::size_t j : segment_index.apart(box, a)) {

@@ -7,6 +7,7 @@
 
 #include "kernel/boxes/box_index.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/points/triangulation.hpp"
@@ -191,10 +192,7 @@ class LooseFacets {
   // Is a vertex in the closed facet?
   bool lies_in(Vertex v, std::size_t f) const {
     const Simplex& facet = facets_[f].facet;
-    if (contains(facet, v)) return true;
-    if (facet.size() == 2) return lies_within_edge(in_.mesh.points, facet[0], facet[1], v);
-    const Configuration& points = in_.mesh.points.configuration();
-    return lies_in_triangle(points, axes_of(points, facet), facet, v);
+    return circumspect::lies_in(in_.mesh.points.configuration(), facet, v);
   }
 
   // The facets with hanging vertices that hold all of another one, with simplices on opposite sides.

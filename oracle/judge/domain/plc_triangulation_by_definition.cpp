@@ -6,6 +6,7 @@
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/measures.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
 #include "oracle/judge/domain/vertex_places.hpp"
@@ -46,7 +47,7 @@ Simplex in_mesh(const VertexPlaces& places, Simplex simplex) {
 }
 
 bool lies_on(const PointSet& points, const Simplex& segment, Vertex v) {
-  return contains(segment, v) || lies_within_edge(points, segment[0], segment[1], v);
+  return contains(segment, v) || lies_inside_segment(points.configuration(), segment, v);
 }
 
 bool is_coplanar(const PointSet& points, const Simplex& plane, const Simplex& triangle) {

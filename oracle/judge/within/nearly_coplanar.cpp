@@ -8,6 +8,7 @@
 #include "kernel/boxes/box_index.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/within/cells.hpp"
 #include "oracle/judge/within/distance.hpp"
 
