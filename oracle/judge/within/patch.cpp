@@ -12,11 +12,6 @@ namespace circumspect::check {
 
 namespace {
 
-using Edge = std::pair<Vertex, Vertex>;  // directed
-
-std::array<Edge, 3> edges(const Simplex& triangle) {
-  return {{{triangle[0], triangle[1]}, {triangle[1], triangle[2]}, {triangle[2], triangle[0]}}};
-}
 Vertex apex(const Simplex& triangle, const Edge& edge) {
   for (const Vertex v : triangle) {
     if (v != edge.first && v != edge.second) return v;
@@ -36,13 +31,15 @@ class PatchSearch {
   };
 
   PatchSearch(const PointSet& points, const std::vector<RoundedPoint>& rounded,
-              const Polygon& polygon, std::size_t number, const SeenFromAbove& above, double reach)
+              const Polygon& polygon, std::size_t number, const SeenFromAbove& above, double reach,
+              Work& work)
       : points_(points),
         rounded_(rounded),
         polygon_(polygon),
         number_(number),
         above_(above),
-        reach_(reach) {
+        reach_(reach),
+        work_(work) {
     for (std::size_t t = 0; t < polygon_.triangles.size(); ++t) {
       own_.push_back(above.own(polygon_.triangles[t]));
       for (const Edge& edge : edges(own_.back())) own_at_[edge] = t;
@@ -87,7 +84,7 @@ class PatchSearch {
     if (first) return first;
     // Every other series of choices, one after another.
     for (std::size_t tries = 1; next_choices(); ++tries) {
-      if (tries == kMostTries) {
+      if (tries == kMostTries || work_.is_too_much()) {
         first.error()->is_open = true;
         return first;
       }
@@ -132,6 +129,7 @@ class PatchSearch {
         }
       }
     }
+    work_.add(4 * reached_.size() + 1);
     if (auto lacking = lacks(must_have)) return not_tiled(std::move(*lacking));
     if (auto folded = folds()) return not_tiled(std::move(*folded));
     Patch patch;
@@ -251,7 +249,8 @@ class PatchSearch {
   const Polygon& polygon_;
   std::size_t number_;
   const SeenFromAbove& above_;
-  double reach_;              // at least
+  double reach_;  // at least
+  Work& work_;
   std::vector<Simplex> own_;  // the domain's triangles, counterclockwise
   std::map<Edge, std::size_t> own_at_;
   std::map<Edge, Link> links_;
@@ -269,7 +268,7 @@ class PatchSearch {
 ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_reach) const {
   const PiecewiseLinearComplex& complex = cells_.complex();
   const Cell cell = {2, polygon};
-  const SeenFromAbove seen(complex, rounded_domain_, polygon, mesh_.points, rounded_);
+  const SeenFromAbove seen = seen_from_above(polygon);
   // Where only the images of its three vertices are near a triangle, theirs is its image or nothing is.
   if (complex.polygons[polygon].triangles.size() == 1 && reaches_.near(cell).size() == 3) {
     const Simplex own = seen.own(complex.polygons[polygon].triangles.front());
@@ -296,6 +295,7 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
     if (*carrier.cell == cell) must_have.push_back(near.vertex);
   }
   std::vector<Simplex> candidates, named;
+  work_.add(faces_.triangles_near(polygon).size());
   for (const Simplex& triangle : faces_.triangles_near(polygon)) {
     const bool is_candidate = std::all_of(triangle.begin(), triangle.end(),
                                           [&](Vertex v) { return is_carried.contains(v); });
@@ -305,7 +305,7 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
   }
   const auto search_among = [&](const std::vector<Simplex>& triangles) {
     PatchSearch search(mesh_.points, rounded_, complex.polygons[polygon], polygon, seen,
-                       upper_square_root(squared_reach));
+                       rounding_.distance(squared_reach), work_);
     for (const std::size_t s : cells_.segments_of(polygon)) {
       search.add_path(complex.segments[s], *path(s, squared_reach));
     }
