@@ -191,7 +191,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
-    auto judged = judged_within(*options.within, claim, mesh, domain.domain, options.check,
+    const KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
+    auto judged = judged_within(*options.within, claim, known, domain.domain, options.check,
                                 against.bent ? &*against.bent : nullptr,
                                 {loaded->face_markers, against.polygon_markers()});
     if (!judged) {

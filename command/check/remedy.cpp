@@ -55,20 +55,22 @@ std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& m
 
 }  // namespace
 
+KnownMesh::KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options)
+    : exact(circumspect::exact(mesh)),
+      facts(check::facts_of_simplices(claim, mesh, kind, options)) {}
+
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const Mesh& mesh, const Domain& domain,
+                                                      const KnownMesh& mesh, const Domain& domain,
                                                       const check::Options& options,
                                                       const BentDomain* bent,
                                                       const check::Markers& markers,
                                                       check::Work* work) {
-  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
-  const ExactMesh exact_mesh = exact(mesh);
   const auto judged = [&] {
-    return check::judge_within(claim, exact_mesh, bent != nullptr ? bent->domain : domain, squared,
-                               options, known ? &*known : nullptr,
-                               bent != nullptr ? &domain : nullptr, markers, work);
+    return check::judge_within(claim, mesh.exact, bent != nullptr ? bent->domain : domain, squared,
+                               options, mesh.known(), bent != nullptr ? &domain : nullptr, markers,
+                               work);
   };
   auto verdict = judged();
   // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
@@ -142,7 +144,7 @@ class Remedies {
       : verdict_(verdict),
         judged_(judged),
         options_(options),
-        work_(kLeastWork + kWorkOfSimplex * judged.mesh.simplices.size()) {}
+        mesh_(judged.claim, judged.mesh, judged.domain.domain.complex.kind, options) {}
 
   std::optional<std::string> note() {
     if (may_be_joined()) {
@@ -150,7 +152,7 @@ class Remedies {
       if (segments(*joined_) == segments(judged_.domain)) joined_.reset();
     }
     const bool holds = merged() || moved() || merged_and_moved() || bent();
-    if (!holds && work_.is_too_much() && !judged_.within) {
+    if (!holds && is_unsettled_ && !judged_.within) {
       return "the coordinates may have been rounded: --within 1e-9x tells whether that is all "
              "that is wrong";
     }
@@ -158,10 +160,14 @@ class Remedies {
   }
 
  private:
-  // Finding out how far a mesh is moved usually takes far less than to judge it. Where it takes more, the note proposes
+  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes much more, the note proposes
   // to find out.
   static constexpr std::size_t kLeastWork = 500'000;
   static constexpr std::size_t kWorkOfSimplex = 4;
+
+  std::size_t most_work() const {
+    return kLeastWork + kWorkOfSimplex * mesh_.exact.simplices.size();
+  }
 
   static std::size_t segments(const LoadedDomain& one) {
     return one.domain.complex.segments.size();
@@ -181,8 +187,9 @@ class Remedies {
 
   bool merged() {
     if (!joined_ || judged_.within) return false;
-    const auto merged = check::judge(judged_.claim, judged_.mesh, &joined_->domain, options_);
-    return merged && mends_segments(*merged) && keep(*merged, merging_note(verdict_, *merged));
+    const Verdict merged =
+        check::judge_domain(judged_.claim, mesh_.exact, joined_->domain, options_, mesh_.known());
+    return mends_segments(merged) && keep(merged, merging_note(verdict_, merged));
   }
 
   bool moved() {
@@ -201,14 +208,16 @@ class Remedies {
 
   // Rounded, hardly any triangles of a face are in one plane.
   bool bent() {
-    if (!may_be_joined() || work_.is_too_much()) return false;
+    if (!may_be_joined()) return false;
     const LoadedDomain& flat = joined_ ? *joined_ : judged_.domain;
     const Distance most = distance(kBentParts);
     const BentDomain bent =
         with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
     if (bent.squared_height == 0) return false;
+    check::Work work(most_work());
     const auto moved =
-        judged_within(most, judged_.claim, judged_.mesh, flat.domain, options_, &bent, {}, &work_);
+        judged_within(most, judged_.claim, mesh_, flat.domain, options_, &bent, {}, &work);
+    is_unsettled_ |= work.is_too_much();
     return moved && mends_segments(*moved) &&
            keep(*moved, bending_note(verdict_, *moved, bent.squared_height));
   }
@@ -218,14 +227,18 @@ class Remedies {
   }
   tl::expected<Verdict, check::NotJudged> judged_at(const Distance& most,
                                                     const LoadedDomain& domain) {
-    return judged_within(most, judged_.claim, judged_.mesh, domain.domain, options_, nullptr,
-                         {judged_.face_markers, domain.file.polygon_markers}, &work_);
+    check::Work work(most_work());
+    auto verdict = judged_within(most, judged_.claim, mesh_, domain.domain, options_, nullptr,
+                                 {judged_.face_markers, domain.file.polygon_markers}, &work);
+    is_unsettled_ |= work.is_too_much();
+    return verdict;
   }
 
   const Verdict& verdict_;
   const Judged& judged_;
   const check::Options& options_;
-  check::Work work_;
+  KnownMesh mesh_;
+  bool is_unsettled_ = false;           // was a search given up?
   std::optional<LoadedDomain> joined_;  // if that is not the domain itself
   std::optional<std::string> note_;
 };

@@ -36,13 +36,15 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
     work.add(all.size());
     for (const std::size_t p : all) triangles_[p].push_back(triangle);
   };
+  const auto is_near = [&](Vertex v) { return !reaches.of(v).empty(); };
   const auto file = [&](const Simplex& listed) {
-    if (work.is_too_much()) return;
+    // Most simplices have no edge that may be in an image.
+    if (std::count_if(listed.begin(), listed.end(), is_near) < 2 || work.is_too_much()) return;
     const Simplex simplex = sorted(listed);
     for (std::size_t i = 0; i < simplex.size(); ++i) {
-      if (reaches.of(simplex[i]).empty()) continue;
+      if (!is_near(simplex[i])) continue;
       for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-        if (reaches.of(simplex[j]).empty()) continue;
+        if (!is_near(simplex[j])) continue;
         edges_.emplace_back(simplex[i], simplex[j]);
         edges_.emplace_back(simplex[j], simplex[i]);
         for (std::size_t k = j + 1; k < simplex.size() && !triangles_.empty(); ++k) {

@@ -184,6 +184,7 @@ ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, co
                         const Regions& regions, const Rational& squared_limit, unsigned threads,
                         Work& work) {
   const DomainPieces pieces(cells, work);
+  constexpr long kSquaredStep = 10'000;  // what is not so much smaller is no other search
   const auto up_to = [&](const Rational& squared) {
     return ReachSearch(mesh, used, cells, pieces, regions, squared, threads, work).answer();
   };
@@ -194,7 +195,7 @@ ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, co
   for (const std::int64_t parts :
        std::initializer_list<std::int64_t>{1'000'000'000'000, 1'000'000'000, 1'000'000}) {
     const Rational limit = largest / to_integer(parts);
-    if (limit * limit >= squared_limit) break;
+    if (limit * limit * kSquaredStep >= squared_limit) break;
     ReachAnswer answer = up_to(limit * limit);
     const bool is_over = answer.kind == Kind::kFound || answer.kind == Kind::kTooMuchWork;
     if (is_over) return answer;
