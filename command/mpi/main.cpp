@@ -136,8 +136,8 @@ std::string said(const Judged& judged, const MpiOptions& options) {
   const auto note =
       report::note_of_domain_not_given(*judged.verdict, judged.named, options.files.mesh);
   return circumspect::on_lines(
-      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
       report::explanation(*judged.verdict, judged.named) +
+      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
       report::verdict_line(*judged.verdict, judged.named, options.files.mesh) + "\n");
 }
 

@@ -56,8 +56,8 @@ std::string_view meaning(BreachKind kind);
 //   kDegenerateSegment      segments: as handed in; it has equal ends, or not two
 //   kDegeneratePolygon      polygons; vertices: one that follows itself in a line, or the ends of a
 //                           segment on which all lie, or nothing: its lines enclose no area
-//   kPolygonNotPlanar       polygons; vertices: the one that is off, then the three that span the
-//                           plane; point: the one that is off; offset: see below
+//   kPolygonNotPlanar       polygons; squared_distance: of the farthest vertices from the plane that
+//                           is nearest to all (nearest_plane.hpp); vertices: such as are so far off
 //   kVertexInSegment        vertices; segments; point: the vertex
 //   kCrossingSegments       segments: two; point: in both
 //   kPolygonHoleSeed        polygons; point: the seed; offset and vertices (the three that span the
@@ -79,6 +79,7 @@ struct Breach {
   std::vector<std::size_t> polygons = {};
   std::optional<Point> point = {};
   std::optional<Rational> offset = {};
+  std::optional<Rational> squared_distance = {};
 
   bool operator==(const Breach&) const = default;
 };

@@ -25,7 +25,9 @@ using Three = std::array<Vertex, 3>;
 class PointTree {
  public:
   explicit PointTree(const PointSet& points)
-      : points_(points), rounded_(rounded(points.points())), order_(all_vertices(points)) {
+      : points_(points),
+        rounded_(Rounding(points.points()).points(points.points())),
+        order_(all_vertices(points)) {
     for (const RoundedPoint& point : rounded_) error_ = std::max(error_, point.error);
     build(0, order_.size());
   }

@@ -214,7 +214,7 @@ class NearlyCoplanar {
   std::optional<Rational> squared_distance_to_others(const std::vector<Simplex>& triangles,
                                                      const Rational& squared_height) const {
     const Rational squared_far = kTimesFarthest * kTimesFarthest * squared_height;
-    const Rational far(upper_square_root(squared_far));
+    const Rational far = upper_square_root(squared_far);
     std::set<Vertex> own;
     for (const Simplex& triangle : triangles) own.insert(triangle.begin(), triangle.end());
     std::optional<Rational> least;
