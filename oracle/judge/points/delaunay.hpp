@@ -72,10 +72,6 @@ int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& share
 void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity);
 
-// Definition 4.1: no open circumball of a simplex contains a point of S (delaunay.vertex-in-ball);
-// weighted: no lifted point of S lies strictly below a witness plane (weighted.point-below-plane).
-void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
-
 // ---- Submerged points ----
 // The points of a weighted set that are no vertices: are they submerged? Book: Section 2.8 by way of
 // Section 5.2 (weighted Delaunay triangulations).
