@@ -92,15 +92,32 @@ def answer_once(row, builds, path, others=None):
     return 0
 
 
+def npm_packages(rows):
+    """NAME@VERSION, as targets.tsv has them."""
+    return {package for row in rows if row["from"].startswith("npm:") for package in row["from"][4:].split()}
+
+
+def install_by_lock(folder):
+    """All packages of package.json, by the checksums of package-lock.json. No script of theirs runs: what is hunted is a library of
+    strangers, and nothing but its functions is to be called."""
+    lock, installed = HERE / "package-lock.json", folder / "node_modules" / ".installed-lock.json"
+    if installed.exists() and installed.read_bytes() == lock.read_bytes():
+        return
+    for file in (HERE / "package.json", lock):
+        shutil.copy(file, folder)
+    if subprocess.run(["npm", "ci", "--ignore-scripts", "--silent", "--no-audit", "--no-fund"], cwd=folder).returncode:
+        print("npm did not install what package-lock.json names")
+    else:
+        shutil.copy(lock, installed)
+
+
 def install(rows, builds):
     """What npm has, and what is built from Debian's packages or from sources that lie in BUILDS/src. A failure is told, and passed over."""
     folder = Path(builds).resolve()
     for name in ("npm", "bin", "java", "cs"):
         (folder / name).mkdir(parents=True, exist_ok=True)
-    packages = sorted({package for row in rows if row["from"].startswith("npm:") for package in row["from"][4:].split()})
-    missing = [one for one in packages if not (folder / "npm" / "node_modules" / one.rsplit("@", 1)[0]).exists()]
-    if missing and subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", str(folder / "npm"), *missing]).returncode:
-        print(f"npm did not install {' '.join(missing)}")
+    if npm_packages(rows):
+        install_by_lock(folder / "npm")
     for row in rows:
         sources = row["from"].startswith("github:") and not any((folder / name).exists() for name in ("src", "rust", "go"))
         if row["build"] == "-" or sources:
@@ -191,7 +208,7 @@ def campaign(row, dimension, arguments):
     if not arguments.go_on:
         shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
-    words = [arguments.circumspect, "campaign", *families(arguments.circumspect, dimension, arguments.regime, is_of_domains), *options, "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
+    words = [arguments.circumspect, "campaign", "--go-on", *families(arguments.circumspect, dimension, arguments.regime, is_of_domains), *options, "--claim", row["claim"], "--dimension", str(dimension), "--seed", str(arguments.seed),
              "--time", arguments.time, "--minimize-time", "20s", "--jobs", str(arguments.jobs), "--output", str(folder), "--format", "json"]
     words += [] if is_of_domains else ["--full-dimension"]
     words += ["--mesh", "x.off", "--fill", "hull"] if row["claim"] == "cdt" else []

@@ -6,13 +6,14 @@
     summary.py --update         writes them there, and into each page the runs of its targets from runs.tsv
     summary.py --issue NAME     a report for the authors of the library, from the entry of the finding and its files
 """
+import json
 import re
 import sys
 from collections import Counter
 from pathlib import Path
 from statistics import median
 
-from hunt import HERE, POINT_CLAIMS, RUNS, RUN_COLUMNS, table, targets
+from hunt import HERE, POINT_CLAIMS, RUNS, RUN_COLUMNS, npm_packages, table, targets
 
 ROOT = HERE.parent
 PAGES = ROOT / "hunt" / "pages"
@@ -151,6 +152,14 @@ def faults_of_tables():
     for run in table(RUNS, RUN_COLUMNS):
         if run["target"] not in known:
             yield f"runs.tsv: expected a target of targets.tsv, found {run['target']}"
+    locked = json.loads((HERE / "package-lock.json").read_text())["packages"]
+    named = json.loads((HERE / "package.json").read_text())["dependencies"]
+    if {f"{name}@{version}" for name, version in named.items()} != npm_packages(targets()):
+        yield "package.json: expected the packages of npm that targets.tsv names, in these versions, found others"
+    for name, version in named.items():
+        if locked.get(f"node_modules/{name}", {}).get("version") != version:
+            yield f"package-lock.json: expected {name} {version}; run npm install --package-lock-only --ignore-scripts in hunt"
+    yield from (f"package-lock.json: expected a checksum of {name}" for name, one in locked.items() if name and "integrity" not in one)
     made = numbers()
     for name, goal in GOALS:
         if made[name] > goal if "at most" in name else made[name] < goal:
