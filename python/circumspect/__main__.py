@@ -32,7 +32,7 @@ def loaded(path: str):
 
 
 def main(arguments=None) -> int:
-    """0: all claims hold; 1: one does not; 2: usage; 3: an input is at fault; 4: one was not decided within the limit."""
+    """0: all claims hold; 1: one does not; 2: usage; 3: an input is at fault; 4: not decided, within the limit or before an interrupt."""
     parser = argparse.ArgumentParser(prog="python3 -m circumspect", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--version", action="version", version=f"circumspect {circumspect.__version__}")
@@ -66,4 +66,8 @@ def main(arguments=None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        print("circumspect: interrupted", file=sys.stderr)
+        sys.exit(4)
