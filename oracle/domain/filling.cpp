@@ -196,4 +196,20 @@ std::vector<Point> points_of_regions(const Regions& regions) {
   return points;
 }
 
+tl::expected<std::vector<Point>, std::size_t> seeds_of_unnamed(const std::vector<Point>& named,
+                                                               const Regions& regions) {
+  std::vector<bool> is_named(regions.size(), false);
+  for (std::size_t place = 0; place < named.size(); ++place) {
+    const auto region = regions.region_at(named[place]);
+    if (!region || *region == Regions::kUnbounded) return tl::unexpected(place);
+    is_named[*region] = true;
+  }
+  const std::vector<Point> points = points_of_regions(regions);
+  std::vector<Point> seeds;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (r != Regions::kUnbounded && !is_named[r]) seeds.push_back(points[r]);
+  }
+  return seeds;
+}
+
 }  // namespace circumspect

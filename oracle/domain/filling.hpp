@@ -56,6 +56,11 @@ tl::expected<std::vector<Point>, std::size_t> seeds_of_unfilled(
     Fill fill, const PiecewiseLinearInput& input, const PiecewiseLinearComplex& complex,
     const Regions& regions);
 
+// The same of regions that have none of these points in them.
+// Errors: the place of a point that is in nothing enclosed, or on a wall.
+tl::expected<std::vector<Point>, std::size_t> seeds_of_unnamed(const std::vector<Point>& named,
+                                                               const Regions& regions);
+
 // A point of each region but the unbounded one, by its number; for that one any point.
 std::vector<Point> points_of_regions(const Regions& regions);
 
