@@ -170,9 +170,10 @@ std::vector<Point> exact_points(std::int64_t count, std::int64_t dimension, cons
 Claim claim_of(const char* text, bool has_domain) {
   const std::string word = required(text, "a claim");
   std::string known;
-  for (const Claim claim : kClaims) {
-    if (is_about_a_domain(claim) == has_domain && name(claim) == word) return claim;
-    if (is_about_a_domain(claim) == has_domain) known += fmt::format(" {}", name(claim));
+  for (const ClaimEntry& one : claims()) {
+    if (one.is_about_a_domain != has_domain) continue;
+    if (one.name == word) return one.claim;
+    known += fmt::format(" {}", one.name);
   }
   refuse_call(fmt::format("expected a claim about a mesh {} domain, one of{}; found '{}'",
                           has_domain ? "and its" : "without a", known, on_one_line(word)));

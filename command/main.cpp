@@ -67,6 +67,7 @@ constexpr auto kSubcommands = std::to_array<Subcommand>({
     {"generate", circumspect::cli::add_generate},
 #endif
     {"compare", circumspect::cli::add_compare},
+    {"rule", circumspect::cli::add_rule},
 #ifndef __EMSCRIPTEN__
     {"command-pages", circumspect::cli::add_command_pages},
 #endif

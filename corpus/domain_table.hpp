@@ -31,9 +31,8 @@ struct DomainRow {
 inline const std::string kDomainFolder = CIRCUMSPECT_CORPUS_DIR "/domains/";
 
 inline Claim claim_about_a_domain(const std::string& word) {
-  for (const Claim claim : {Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
-                            Claim::kSteinerCdt, Claim::kConformingDelaunay}) {
-    if (word == name(claim)) return claim;
+  for (const ClaimEntry& one : claims()) {
+    if (one.is_about_a_domain && one.name == word) return one.claim;
   }
   throw std::runtime_error("expected a claim about a domain, found " + word);
 }

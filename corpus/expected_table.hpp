@@ -36,8 +36,8 @@ inline Row row_of(const std::string& line) {
   const std::vector<std::string> cells = split(line, '\t');
   Row row{.path = cells.at(0), .text = line};
   const std::vector<std::string> words = split(cells.at(1), ' ');
-  for (const Claim claim : {Claim::kTriangulation, Claim::kWeightedDelaunay}) {
-    if (words.at(0) == name(claim)) row.claim = claim;
+  for (const ClaimEntry& one : claims()) {
+    if (one.name == words.at(0)) row.claim = one.claim;
   }
   for (const std::string& word : words) {
     if (word == "--oriented") row.options.oriented = true;

@@ -10,24 +10,14 @@ import pathlib
 import re
 import sys
 
+from rules import RULES, of_meshes
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/certificates.md"
 HEADER = "| rule | of points | of domains |"
 CLAIMS = "| claim | that it holds | that it does not | what is not proved |"
 OF_POINTS = {"triangulation", "delaunay", "weighted-delaunay"}
-LISTING = "no: about how the simplices are listed, not about a claim (`%s`)"
-# Why there is no proof.
-UNPROVED = {
-    ("simplex.orientation", "points"): LISTING % "--oriented",
-    ("simplex.orientation", "domains"): LISTING % "--oriented",
-    ("complex.wrong-neighbor", "points"): LISTING % "--neighbors",
-    ("complex.wrong-neighbor", "domains"): LISTING % "--neighbors",
-    ("triangulation.unused-point", "domains"): "no: the definitions speak of simplices, not of a list of points",
-    ("domain.images-meet", "domains"): "no: nothing is proved of `--within`",
-}
-# Rules that are judged of points alone, or of domains alone.
-POINTS_ALONE = {"complex.facet-overused", "weighted.vertex-submerged", "weighted.point-below-plane"}
-DOMAINS_ALONE = re.compile(r"domain\.|cdt\.|delaunay\.no-empty-ball")
+TABLE = {one.identifier: one for one in sorted(of_meshes(), key=lambda one: one.number)}
 
 
 def text(path):
@@ -36,7 +26,7 @@ def text(path):
 
 def rules():
     """The one vocabulary."""
-    return re.findall(r'RuleEntry\{\s*Rule::\w+,\s*"([^"]+)"', text("oracle/model/rule.cpp"))
+    return list(TABLE)
 
 
 def shown():
@@ -55,13 +45,13 @@ def shown():
 
 
 def is_judged(rule, of):
-    return rule not in POINTS_ALONE if of == "domains" else not DOMAINS_ALONE.match(rule)
+    return TABLE[rule].of in ("kBoth", "kDomains" if of == "domains" else "kPoints")
 
 
 def cell(rule, of, theorems):
-    if (rule, of) in UNPROVED:
-        return UNPROVED[rule, of]
-    return ", ".join(f"`{name}`" for name in sorted(theorems.get((rule, of), ()))) or "–"
+    if not is_judged(rule, of):
+        return "–"
+    return ", ".join(f"`{name}`" for name in sorted(theorems.get((rule, of), ()))) or f"no: {TABLE[rule].unproved}"
 
 
 def rows(theorems):
@@ -88,16 +78,20 @@ def failing_rows():
 def faults_of_rules(theorems):
     named = set(re.findall(r'"([a-z]+\.[a-z-]+)"', text("proofs/MainTheorems.v")))
     for rule in rules():
+        lacking = [of for of in ("points", "domains") if is_judged(rule, of) and (rule, of) not in theorems]
         for of in ("points", "domains"):
-            ways = [(rule, of) in theorems, (rule, of) in UNPROVED, not is_judged(rule, of)]
-            if sum(ways) != 1:
-                yield f"tidy/proved.py: {rule} of {of} is to be proved (a refutation in proofs/mutants/ is accepted), in UNPROVED, or not judged"
+            if (rule, of) in theorems and not is_judged(rule, of):
+                yield f"{RULES}: {rule} is not judged of {of}, and a refutation in proofs/mutants/ is accepted"
+        if lacking and not TABLE[rule].unproved:
+            yield f"{RULES}: {rule} of {' and of '.join(lacking)} is to be proved (a refutation in proofs/mutants/ is accepted), or to say why not"
+        if not lacking and TABLE[rule].unproved:
+            yield f"{RULES}: {rule} is proved, and its row says why not"
         if (rule in named) != any((rule, of) in theorems for of in ("points", "domains")):
             yield f"proofs/MainTheorems.v: {rule} is to be named if and only if a refutation in proofs/mutants/ names it"
     for rule in sorted(named - set(rules())):
-        yield f"proofs/MainTheorems.v: {rule} is no rule of oracle/model/rule.cpp"
+        yield f"proofs/MainTheorems.v: {rule} is no rule of {RULES}"
     for rule, of in sorted({row for row in failing_rows() if not is_judged(*row)}):
-        yield f"tidy/proved.py: {rule} is judged of {of}: the corpus has such a mesh"
+        yield f"{RULES}: {rule} is judged of {of}: the corpus has such a mesh"
 
 
 def faults_of_claims(lines):

@@ -22,13 +22,11 @@ import subprocess
 import sys
 import tempfile
 
+import rules
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# The header of a table of identifiers, the source that has them, and how an entry of it begins.
-TABLES = [
-    ("| rule | what is wrong |", ROOT / "oracle" / "model" / "rule.cpp", r"RuleEntry\{\s*Rule"),
-    ("| breach | what is wrong |", ROOT / "kernel" / "piecewise_linear" / "validity.cpp",
-     r"\{BreachKind"),
-]
+# The header of a table of identifiers, and what stands in it.
+TABLES = [("| rule | what is wrong |", rules.of_meshes), ("| breach | what is wrong |", rules.of_domains)]
 # How the names of files begin that the examples write.
 SCRATCH = ("reference", "proof", "drawn", "certificate", "differences")
 SESSION = "/tmp/try$ "
@@ -126,17 +124,15 @@ def with_files(text):
     return "\n".join(lines) + "\n"
 
 
-def table(header, path, entry):
-    """The identifiers and their meanings as the source has them."""
-    source = re.sub(r'"\s*\n\s*"', "", path.read_text(encoding="utf-8"))
-    entries = re.findall(entry + r'::\w+,\s*"([^"]+)",\s*"([^"]+)"\}', source)
+def table(header, entries):
+    """The identifiers, which lead to their pages, and their meanings."""
     return [header, "| --- | --- |",
-            *(f"| `{identifier}` | {meaning} |" for identifier, meaning in entries)]
+            *(f"| [`{one.identifier}`](rules/{one.identifier}.md) | {one.meaning} |" for one in entries)]
 
 
 def with_tables(text):
     """The text with the tables of identifiers brought up to date."""
-    tables = {header: table(header, path, entry) for header, path, entry in TABLES}
+    tables = {header: table(header, sorted(entries(), key=lambda one: one.number)) for header, entries in TABLES}
     lines, inside = [], False
     for line in text.splitlines():
         if line in tables:

@@ -1,13 +1,15 @@
 """What `make docs` adds to the pages of docs/: the pages of the hunt, and pictures to turn, made by the command from the corpus.
 
-The pages of hunt/pages stand in the site as pages/, outside of its menu but for the first. mkdocs calls it (`hooks` in mkdocs.yml). Each rule of docs/rules.md gets the page of a mesh that breaks it, each breach that of a
-domain, and each finding that of its mesh, or of its input where the program wrote none. They are what `--html` writes, but for
+The pages of hunt/pages stand in the site as pages/, outside of its menu but for the first, and the menu gets the pages of docs/rules.
+mkdocs calls it (`hooks` in mkdocs.yml). Each page of docs/rules gets the picture of its example, a mesh that breaks the rule or
+a domain at fault, and each finding that of its mesh, or of its input where the program wrote none. They are what `--html` writes, but for
 the program of the page, which stands once in pictures/page.js: the site would have 120 MB otherwise.
 """
 import html
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 
 from mkdocs.structure.files import File
@@ -31,7 +33,7 @@ def on_page_markdown(markdown, page, **_):
     """Links between docs/ and hunt/pages as they stand in the site."""
     if page.file.src_path.startswith("pages/"):
         return markdown.replace("](../../docs/", "](../")
-    return markdown.replace("](../hunt/pages/", "](pages/")
+    return markdown.replace("../hunt/pages/", "pages/")
 
 
 def rows(path):
@@ -39,23 +41,10 @@ def rows(path):
 
 
 def of_rules():
-    """The words of the command for each rule and each breach: the first of the corpus that breaks it."""
-    words = {}
-    for mesh, claim, found, *_ in rows("expected.tsv"):
-        if mesh.startswith("reject/"):
-            name, *options = claim.split(" ")
-            words.setdefault(found, ["check", f"corpus/{mesh}", "--claim", name, *options])
-    for mesh, domain, claim, found, *_ in rows("domains/expected.tsv"):
-        if mesh.startswith("reject/"):
-            file, *kinds = domain.split(" ")
-            name, *options = claim.split(" ")
-            kind = [word for one in kinds if one in ("hull", "enclosed") for word in ("--domain-kind", one)]
-            words.setdefault(found, ["check", f"corpus/domains/{mesh}", "--domain", f"corpus/domains/{file}", "--claim", name,
-                                     *options, *kind])
-    words.pop("holds", None)
-    for domain in sorted((CORPUS / "domains" / "invalid").glob("plc.*.poly"), key=lambda path: path.stem):
-        words.setdefault(domain.stem.split("--")[0], ["inspect", str(domain.relative_to(ROOT))])
-    return words
+    """The words of the command for each rule and each breach: the example of its page."""
+    pages = sorted((ROOT / "docs" / "rules").glob("*.md"))
+    return {page.stem: shlex.split(re.search(r"^\$ circumspect (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)[1])
+            for page in pages if "\n![" in page.read_text(encoding="utf-8")}
 
 
 def of_findings():
@@ -83,17 +72,32 @@ def frame(name, words, to):
             f'style="width:100%;height:46rem;border:1px solid"></iframe></details>')
 
 
+def rules_in_menu(nav):
+    """The menu, with the pages of docs/rules behind their overview: those of meshes, then those of domains."""
+    names = sorted((page.stem for page in (ROOT / "docs" / "rules").glob("*.md")), key=lambda name: (name.startswith("plc."), name))
+    found = []
+    for entry in nav:
+        title, inside = next(iter(entry.items())) if isinstance(entry, dict) else (None, entry)
+        if title == "Rules":
+            found.append({title: [*inside, *({name: f"rules/{name}.md"} for name in names)]})
+        elif isinstance(inside, list):
+            found.append({title: rules_in_menu(inside)})
+        else:
+            found.append(entry)
+    return found
+
+
+def on_config(config, **_):
+    config["nav"] = rules_in_menu(config["nav"])
+    return config
+
+
 def on_page_content(content, page, **_):
-    if page.file.src_path == "rules.md":
-        known = {name: words for name, words in of_rules().items() if f"<code>{name}</code>" in content}
-
-        def row(match):
-            name = match[2]
-            return match[0] if name not in known else f'{match[1]}<a href="#see-{name}"><code>{name}</code></a>{match[3]}'
-
-        content = re.sub(r"(<td>)<code>([a-z.-]+)</code>(</td>)", row, content)
-        return content + "<h2 id=\"see\">What it looks like</h2>" + "".join(
-            f'<div id="see-{name}">{frame(name, f"<code>{name}</code>", "")}</div>' for name in known)
+    if page.file.src_path.startswith("rules/"):
+        name = pathlib.PurePath(page.file.src_path).stem
+        if name not in of_rules():
+            return content
+        return re.sub(r"(<p><img [^>]*></p>)", lambda match: match[1] + frame(name, "Turn it", "../"), content, count=1)
     if page.file.src_path.startswith("pages/"):
         known = of_findings()
         return re.sub(r'(<h[23] id="([\w.-]+)">.*?</h[23]>)',

@@ -13,7 +13,7 @@ import sys
 # Which folders a folder may include directly; through them it sees what they see. The lines
 # `circumspect_layer(...)` in CMakeLists.txt say the same to the linker.
 COMMAND_FOLDERS = ["command", *("command/" + room for room in [
-    "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages"])]
+    "build", "campaign", "check", "compare", "generate", "input", "inspect", "options", "output", "pages", "rule"])]
 COMMAND = ["reference/optimality", "reference/constrained", "reference/existence",
            "oracle/certificate", "oracle/judge/domain", "oracle/judge/within", "oracle/judge",
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]

@@ -164,8 +164,8 @@ TEST_CASE("subcommands") {
   CHECK(
       said({"chek", "x.ele"}) ==
       "circumspect: expected check|certify|build|inspect|replay|campaign|adapter|minimize|generate|"
-      "compare, found chek; the nearest is check");
-  CHECK(has(said({"frobnicate"}), "|compare, found frobnicate"));
+      "compare|rule, found chek; the nearest is check");
+  CHECK(has(said({"frobnicate"}), "|rule, found frobnicate"));
   CHECK_FALSE(has(said({"frobnicate"}), "nearest"));
   const std::string build = said({"build", "delunay", "x.node", "-o", "y.ele"});
   CHECK(begins_with(build, "circumspect build: expected delaunay|weighted-delaunay|"));

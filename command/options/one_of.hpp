@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "command/options/nearest_word.hpp"
-#include "oracle/model/verdict.hpp"
+#include "oracle/model/claim.hpp"
 
 namespace circumspect::cli {
 
@@ -53,11 +53,9 @@ inline CLI::Option* add_claim_option(CLI::App& command, std::optional<Claim>& cl
                                      const std::string& about) {
   std::map<std::string, Claim> words;
   std::string text;
-  for (const Claim one : {Claim::kTriangulation, Claim::kDelaunay, Claim::kWeightedDelaunay,
-                          Claim::kPlcTriangulation, Claim::kSteinerTriangulation, Claim::kCdt,
-                          Claim::kSteinerCdt, Claim::kConformingDelaunay}) {
-    words[std::string(name(one))] = one;
-    text += (text.empty() ? "" : "|") + std::string(name(one));
+  for (const ClaimEntry& one : claims()) {
+    words[std::string(one.name)] = one.claim;
+    text += (text.empty() ? "" : "|") + std::string(one.name);
   }
   return command.add_option("--claim", claim, about)->transform(one_of(words))->option_text(text);
 }

@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<std::string> kSubcommands = {"check",    "certify",  "build",    "inspect",
                                                "replay",   "campaign", "minimize", "adapter",
-                                               "generate", "compare"};
+                                               "generate", "compare",  "rule"};
 
 // What a shell command prints on either stream.
 std::string shell(const std::string& command) {

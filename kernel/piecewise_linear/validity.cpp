@@ -1,7 +1,6 @@
 #include "kernel/piecewise_linear/validity.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <iterator>
 #include <map>
@@ -20,46 +19,6 @@
 #include "kernel/predicates/place.hpp"
 
 namespace circumspect {
-
-namespace {
-
-constexpr std::array<BreachEntry, 12> kKinds = {{
-    {BreachKind::kIndexOutOfRange, "plc.index-out-of-range", "an index names no vertex"},
-    {BreachKind::kDuplicateVertex, "plc.duplicate-vertex", "two vertices are the same point"},
-    {BreachKind::kDegenerateSegment, "plc.degenerate-segment",
-     "a segment does not have two different ends"},
-    {BreachKind::kDegeneratePolygon, "plc.degenerate-polygon",
-     "the lines of a polygon repeat a vertex at once or enclose no area"},
-    {BreachKind::kPolygonNotPlanar, "plc.polygon-not-planar",
-     "the vertices of a polygon are not in one plane"},
-    {BreachKind::kVertexInSegment, "plc.vertex-in-segment",
-     "a vertex lies in the interior of a segment"},
-    {BreachKind::kCrossingSegments, "plc.crossing-segments",
-     "two segments cross in a point that is no vertex"},
-    {BreachKind::kPolygonHoleSeed, "plc.polygon-hole-seed",
-     "a hole seed of a polygon is off its plane, on its lines or in none of its holes"},
-    {BreachKind::kSegmentPiercesPolygon, "plc.segment-pierces-polygon",
-     "a segment goes through a polygon"},
-    {BreachKind::kPolygonsCross, "plc.polygons-cross",
-     "two polygons cross where they share no segment"},
-    {BreachKind::kPolygonsOverlap, "plc.polygons-overlap",
-     "two polygons of one plane have interior points in common"},
-    {BreachKind::kHoleSeedOnWall, "plc.hole-seed-on-wall",
-     "a hole seed lies on a polygon, or in the plane on a segment"},
-}};
-
-const BreachEntry& entry(BreachKind kind) {
-  const auto found = std::find_if(kKinds.begin(), kKinds.end(),
-                                  [&](const BreachEntry& one) { return one.kind == kind; });
-  assert(found != kKinds.end());
-  return *found;
-}
-
-}  // namespace
-
-std::span<const BreachEntry> breach_kinds() { return kKinds; }
-std::string_view identifier(BreachKind kind) { return entry(kind).identifier; }
-std::string_view meaning(BreachKind kind) { return entry(kind).meaning; }
 
 Rational offset_from_plane(const std::vector<Point>& plane, const Point& q) {
   const Point u = plane[1] - plane[0];

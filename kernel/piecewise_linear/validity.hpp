@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "kernel/exact/point.hpp"
 #include "kernel/exact/progress.hpp"
+#include "kernel/piecewise_linear/breach_kind.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect {
@@ -22,52 +21,8 @@ namespace circumspect {
 // ---- Breach ----
 // What is wrong with an input that is no piecewise linear complex. Book: Definition 4.3.
 
-enum class BreachKind {
-  kIndexOutOfRange,
-  kDuplicateVertex,
-  kDegenerateSegment,
-  kDegeneratePolygon,
-  kPolygonNotPlanar,
-  kVertexInSegment,
-  kCrossingSegments,
-  kPolygonHoleSeed,
-  kSegmentPiercesPolygon,
-  kPolygonsCross,
-  kPolygonsOverlap,
-  kHoleSeedOnWall,
-};
-
-struct BreachEntry {
-  BreachKind kind;
-  std::string_view identifier;  // "plc.crossing-segments"; never changes its meaning
-  std::string_view meaning;     // what is wrong, one clause
-};
-
-// All kinds, in the order in which they are judged.
-std::span<const BreachEntry> breach_kinds();
-std::string_view identifier(BreachKind kind);
-std::string_view meaning(BreachKind kind);
-
-// One breach with its witness; what a kind does not mention stays empty. Vertices are indices of the
-// input, segments ascending pairs of them, polygons places in its list of polygons.
-//
-//   kIndexOutOfRange        vertices: the index; segments or polygons: where it stands
-//   kDuplicateVertex        vertices: the first and the one that repeats it; point: where they are
-//   kDegenerateSegment      segments: as handed in; it has equal ends, or not two
-//   kDegeneratePolygon      polygons; vertices: one that follows itself in a line, or the ends of a
-//                           segment on which all lie, or nothing: its lines enclose no area
-//   kPolygonNotPlanar       polygons; squared_distance: of the farthest vertices from the plane that
-//                           is nearest to all (nearest_plane.hpp); vertices: such as are so far off
-//   kVertexInSegment        vertices; segments; point: the vertex
-//   kCrossingSegments       segments: two; point: in both
-//   kPolygonHoleSeed        polygons; point: the seed; offset and vertices (the three that span the
-//                           plane) if it is off the plane, segments or vertices if it lies on one of
-//                           the polygon's; nothing more if it is in no hole: beyond the outline, or
-//                           in what borders on the outside when the lines alone part the plane
-//   kSegmentPiercesPolygon  segments; polygons; point: in both
-//   kPolygonsCross          polygons: two; point: in both, on no segment
-//   kPolygonsOverlap        polygons: two, of one plane; point: inside both
-//   kHoleSeedOnWall         point: the seed; polygons (in the plane: segments): where it lies
+// One breach with its witness: breaches.def says what each kind sets. Vertices are indices of the input,
+// segments ascending pairs of them, polygons places in its list of polygons.
 //
 // The offset of a point q from the plane through a, b, c: with n = (b − a) × (c − a) and i the first
 // axis on which |n_i| is greatest, n·(q − a) / n_i. That far q lies from the plane along axis i, in

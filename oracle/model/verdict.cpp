@@ -12,30 +12,6 @@ void rename(const std::vector<Vertex>& places, Simplex& vertices) {
 
 }  // namespace
 
-std::string_view name(Claim claim) {
-  switch (claim) {
-    case Claim::kTriangulation:
-      return "triangulation";
-    case Claim::kDelaunay:
-      return "delaunay";
-    case Claim::kWeightedDelaunay:
-      return "weighted-delaunay";
-    case Claim::kPlcTriangulation:
-      return "plc-triangulation";
-    case Claim::kSteinerTriangulation:
-      return "steiner-triangulation";
-    case Claim::kCdt:
-      return "cdt";
-    case Claim::kSteinerCdt:
-      return "steiner-cdt";
-    case Claim::kConformingDelaunay:
-      return "conforming-delaunay";
-  }
-  return "";
-}
-
-bool is_about_a_domain(Claim claim) { return claim >= Claim::kPlcTriangulation; }
-
 Verdict::Verdict(Claim claim, const ExactMesh& mesh, std::size_t max_violations)
     : points(mesh.points.size()),
       simplices(mesh.simplices.size()),

@@ -5,11 +5,11 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "oracle/model/claim.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/rule.hpp"
 
@@ -51,23 +51,6 @@ struct Witness {
 
 // ---- Verdict ----
 // The answer to a claim. A fault of the input is not a verdict: it never gets as far as a checker.
-
-enum class Claim {
-  kTriangulation,
-  kDelaunay,
-  kWeightedDelaunay,
-  // Of a mesh and a domain.
-  kPlcTriangulation,
-  kSteinerTriangulation,
-  kCdt,
-  kSteinerCdt,
-  kConformingDelaunay,
-};
-
-// Is a domain needed to judge the claim?
-bool is_about_a_domain(Claim claim);
-
-std::string_view name(Claim claim);
 
 struct Violation {
   Rule rule;
@@ -143,7 +126,8 @@ class Verdict {
   bool holds() const { return tallies_.empty(); }
   Claim claim() const { return claim_; }
   const std::vector<Violation>& violations() const { return violations_; }
-  const std::map<Rule, Tally>& tallies() const { return tallies_; }
+  // By the stage at which rules are judged: the first names the cause.
+  const std::map<Rule, Tally, JudgedBefore>& tallies() const { return tallies_; }
 
   // Facts beside the verdict, for a Delaunay claim that holds: is there no other Delaunay
   // triangulation of the points? is this the canonical one? (Of constrained Delaunay triangulations
@@ -174,7 +158,7 @@ class Verdict {
   Claim claim_;
   std::size_t max_violations_;
   std::vector<Violation> violations_;
-  std::map<Rule, Tally> tallies_;
+  std::map<Rule, Tally, JudgedBefore> tallies_;
 };
 
 }  // namespace circumspect

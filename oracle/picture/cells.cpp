@@ -14,17 +14,11 @@ namespace {
 
 enum Role { kSimplex, kFace, kVertex, kBall, kDomainCell, kPoint };
 
-// The number of a rule in the list, from 1.
-std::size_t number_of(Rule rule) {
-  const auto all = rules();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [rule](const RuleEntry& entry) { return entry.rule == rule; });
-  return static_cast<std::size_t>(found - all.begin()) + 1;
-}
+int number_of(Rule rule) { return static_cast<int>(rule); }
 
 struct Cell {
   std::vector<std::size_t> corners;  // places among the points, from 0
-  std::size_t rule;
+  Rule rule;
   std::size_t violation;
   Role role;
 };
@@ -41,9 +35,8 @@ class Cells {
   Cells(const Verdict& verdict, const Mesh& mesh, const Domain* domain)
       : mesh_(mesh), domain_(domain) {
     for (const Violation& violation : verdict.violations()) {
-      rule_ = number_of(violation.rule);
       ++violation_;
-      add(violation.witness);
+      add(violation);
     }
   }
 
@@ -51,7 +44,12 @@ class Cells {
   const std::vector<CellPoint>& points() const { return points_; }
 
  private:
-  void add(const Witness& witness) {
+  void add(const Violation& violation) {
+    const Witness& witness = violation.witness;
+    const auto add_cell = [&](std::vector<std::size_t> corners, Role role) {
+      if (corners.empty() || corners.size() > 4) return;
+      cells_.push_back({std::move(corners), violation.rule, violation_, role});
+    };
     for (const Simplex& simplex : witness.simplices) add_cell(corners(simplex), kSimplex);
     if (witness.face) add_cell(corners(*witness.face), kFace);
     for (const Vertex v : witness.vertices) add_cell(corners({v}), kVertex);
@@ -99,17 +97,11 @@ class Cells {
     return points_.size() - 1;
   }
 
-  void add_cell(std::vector<std::size_t> corners, Role role) {
-    if (corners.empty() || corners.size() > 4) return;
-    cells_.push_back({std::move(corners), rule_, violation_, role});
-  }
-
   const Mesh& mesh_;
   const Domain* domain_;
   std::map<Vertex, std::size_t> place_of_;
   std::vector<CellPoint> points_;
   std::vector<Cell> cells_;
-  std::size_t rule_ = 0;
   std::size_t violation_ = 0;
 };
 
@@ -146,7 +138,8 @@ void write_as_vtu(std::ostream& out, const Cells& all) {
   write_array(out, "Int64", "index", all.points(), [](const CellPoint& p) { return p.index; });
   write_array(out, "Float64", "radius", all.points(), [](const CellPoint& p) { return p.radius; });
   out << "</PointData>\n<CellData>\n";
-  write_array(out, "Int32", "rule", all.cells(), [](const Cell& cell) { return cell.rule; });
+  write_array(out, "Int32", "rule", all.cells(),
+              [](const Cell& cell) { return number_of(cell.rule); });
   write_array(out, "Int32", "violation", all.cells(),
               [](const Cell& cell) { return cell.violation; });
   write_array(out, "Int32", "role", all.cells(),
@@ -166,10 +159,9 @@ void write_data(std::ostream& out, std::string_view section, std::string_view na
 
 void write_as_gmsh(std::ostream& out, const Cells& all) {
   constexpr int kTypes[] = {15, 1, 2, 4};
-  std::map<std::pair<std::size_t, std::size_t>, std::string_view> groups;  // dimension, rule
+  std::map<std::pair<std::size_t, int>, std::string_view> groups;  // dimension, number of a rule
   for (const Cell& cell : all.cells()) {
-    groups.emplace(std::pair(cell.corners.size() - 1, cell.rule),
-                   rules()[cell.rule - 1].identifier);
+    groups.emplace(std::pair(cell.corners.size() - 1, number_of(cell.rule)), identifier(cell.rule));
   }
   out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << groups.size() << '\n';
   for (const auto& [group, name] : groups) {
@@ -183,8 +175,8 @@ void write_as_gmsh(std::ostream& out, const Cells& all) {
   out << "$EndNodes\n$Elements\n" << all.cells().size() << '\n';
   tag = 0;
   for (const Cell& cell : all.cells()) {
-    out << fmt::format("{} {} 2 {} {}", ++tag, kTypes[cell.corners.size() - 1], cell.rule,
-                       cell.violation);
+    out << fmt::format("{} {} 2 {} {}", ++tag, kTypes[cell.corners.size() - 1],
+                       number_of(cell.rule), cell.violation);
     for (const std::size_t corner : cell.corners) out << ' ' << corner + 1;
     out << '\n';
   }

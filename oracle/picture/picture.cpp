@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "kernel/exact/point.hpp"
+#include "oracle/picture/caption.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::picture {
@@ -375,7 +376,12 @@ std::vector<Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domai
   const std::vector<Violation>& all = verdict.violations();
   std::vector<Witness> witnesses;
   for (std::size_t i = 0; i < std::min(all.size(), most); ++i) witnesses.push_back(all[i].witness);
-  return pictures(witnesses, mesh, domain);
+  std::vector<Json> found = pictures(witnesses, mesh, domain);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i]["caption"] = caption(all[i], mesh);
+    found[i]["mark"] = name(entry(all[i].rule).mark);
+  }
+  return found;
 }
 
 std::vector<Json> pictures(std::span<const Witness> witnesses, const Mesh& mesh,

@@ -29,6 +29,7 @@ namespace circumspect::picture {
 //   walls            segments and triangles of the domain in the neighbourhood
 //   ball             radius, normal (from the centre towards the first point), surface (where that line
 //                    leaves the ball), and the centre unless it is very far
+//   caption, mark    of a violation: a sentence that says what is to be seen, and what is drawn beside these (Mark)
 //   thin             a unit normal, and the height of each point along it, each rounded by itself
 //   left_out         a sentence, if something near is not drawn
 std::vector<report::Json> pictures(const Verdict& verdict, const Mesh& mesh, const Domain* domain,
@@ -43,8 +44,8 @@ std::vector<report::Json> pictures(std::span<const Witness> witnesses, const Mes
 enum class CellFormat { kVtu, kGmsh };
 
 // For each violation that the verdict keeps: its simplices, its face, its vertices and its point, the centre of
-// its ball, the cell of the domain. Each cell has numbers: `rule`, the place in the list of rules counted from 1
-// (in a .msh a physical group with the rule's name), `violation`, counted from 1, and `role`: 0 a simplex, 1 a
+// its ball, the cell of the domain. Each cell has numbers: `rule`, the rule's own number (oracle/model/rules.def;
+// in a .msh a physical group with the rule's name), `violation`, counted from 1, and `role`: 0 a simplex, 1 a
 // face, 2 a vertex, 3 the centre of a ball, 4 a cell of the domain, 5 a point. Each point has `index`, the
 // user's own or -1, and `radius`, of the ball whose centre it is, or 0. Coordinates are the decimals nearest to
 // the exact ones. Requires: points of one to three coordinates, or none.

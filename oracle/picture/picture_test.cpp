@@ -200,7 +200,6 @@ TEST_CASE("cells: each has its rule, its violation and its role; a centre has a 
   CHECK(array("CellData", "role") == Numbers{0, 1, 2, 5, 3, 0});
   CHECK(array("CellData", "violation") == Numbers{1, 1, 1, 1, 1, 2});
   CHECK(array("CellData", "rule") == Numbers{23, 23, 23, 23, 23, 1});
-  CHECK(rules()[22].rule == Rule::kVertexInBall);
   CHECK(array("PointData", "index") == Numbers{1, 2, 3, 4, 5, -1, -1});
   CHECK(array("PointData", "radius").back() == doctest::Approx(0.8660254037844386));
   CHECK(text.find("<!-- rule 23: delaunay.vertex-in-ball -->") != std::string::npos);

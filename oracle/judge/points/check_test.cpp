@@ -144,18 +144,5 @@ TEST_CASE("neighbours: the true ones pass, each false one is named with what it 
   CHECK(only_rule(mesh) == Rule::kWrongNeighbor);
 }
 
-TEST_CASE("rules: every one has an identifier of its own and a meaning") {
-  std::vector<std::string_view> seen;
-  for (const RuleEntry& entry : rules()) {
-    CHECK(identifier(entry.rule) == entry.identifier);
-    CHECK(!meaning(entry.rule).empty());
-    CHECK(entry.identifier.find('.') != std::string_view::npos);
-    CHECK(std::find(seen.begin(), seen.end(), entry.identifier) == seen.end());
-    seen.push_back(entry.identifier);
-  }
-  // None is left out of the list: its order is that of the enumeration.
-  CHECK(seen.size() == static_cast<std::size_t>(rules().back().rule) + 1);
-}
-
 }  // namespace
 }  // namespace circumspect::check

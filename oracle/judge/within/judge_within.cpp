@@ -26,10 +26,13 @@ Claim with_steiner_points(Claim claim) {
   return claim == Claim::kCdt ? Claim::kSteinerCdt : claim;
 }
 
-// Is a simplex or a listed face at fault by itself, or listed twice?
+// Is there a fault that no distance mends: of a simplex or a listed face by itself, or of a facet that three simplices
+// share, wherever they are?
 bool is_unsound(const Verdict& verdict) {
   return std::any_of(verdict.tallies().begin(), verdict.tallies().end(), [](const auto& tally) {
-    return tally.first <= Rule::kDuplicateSimplex && tally.first != Rule::kOrientation;
+    const Rule rule = tally.first;
+    if (rule == Rule::kOrientation) return false;
+    return stage(rule) == Stage::kSimplices || rule == Rule::kFacetOverused;
   });
 }
 

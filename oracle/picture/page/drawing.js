@@ -5,7 +5,6 @@ import {
   triangles, unit,
 } from './vectors.js';
 
-const NO_FACES = ['simplex.wrong-dimension', 'simplex.repeated-vertex'];
 const NOUNS = { 1: 'vertex', 2: 'edge', 3: 'triangle', 4: 'tetrahedron' };
 
 const list = (indices) => indices.join(' ');
@@ -72,7 +71,7 @@ export class Drawing {
       const indices = simplex.filter((one) => one !== null);
       this.simplex(indices, groups[i]?.role ?? ['first', 'second', 'third'][Math.min(i, 2)], groups[i]?.words ??
         `${noun(v.simplices[i])} ${list(v.simplices[i])}${i === 2 && bad.length > 3 ? ' and others' : ''}`,
-        drawn && !NO_FACES.includes(v.rule));
+        drawn && picture.mark !== 'edges');
     });
     this.outlines(v.groups ?? []);
     if (v.ball_words) this.ball('ball', v.ball_words);
@@ -89,7 +88,8 @@ export class Drawing {
     if (picture.point !== undefined) this.dot(picture.point, 'point', 'the point of the witness');
     for (const i of picture.dots ?? []) this.dot(i, 'corner');
     this.domainCell();
-    this.caption = v.caption ?? RULES[v.rule]?.(this, v, picture) ?? '';
+    this.caption = v.caption ?? picture.caption ?? '';
+    MARKS[picture.mark]?.(this, v);
     for (const simplex of picture.near) this.simplexOutline(simplex, 'near', v.around ?? 'simplices around it');
     for (const facet of picture.boundary) this.facet(facet, 'boundary', 'boundary of the mesh');
     for (const segment of picture.walls.segments) {
@@ -240,138 +240,52 @@ export function relativeDepth(v) {
 }
 
 function inBall(drawing, v) {
-  const q = list(v.vertices);
-  const flat = drawing.picture.dimension === 2;
-  const round = flat ? 'circle' : 'ball';
-  drawing.ball('ball', `open ${round} through the corners of ${list(v.simplices[0])}`);
-  if (v.face && drawing.picture.vertices[0] !== null) {
-    const apex = drawing.at(drawing.picture.vertices[0]);
-    for (const corner of drawing.all(drawing.picture.face)) {
-      drawing.line(apex, corner, 'other', `simplex on the other side of ${list(v.face)}`, { dashed: true });
-    }
+  drawing.ball('ball', `open ${drawing.picture.dimension === 2 ? 'circle' : 'ball'} through the corners of ${list(v.simplices[0])}`);
+  if (!v.face || drawing.picture.vertices[0] === null) return;
+  const apex = drawing.at(drawing.picture.vertices[0]);
+  for (const corner of drawing.all(drawing.picture.face)) {
+    drawing.line(apex, corner, 'other', `simplex on the other side of ${list(v.face)}`, { dashed: true });
   }
-  const other = v.face ? ` It is the corner on the other side of ${noun(v.face)} ${list(v.face)}.` : '';
-  return `Vertex ${q} lies inside the ${round} through the corners of ${noun(v.simplices[0])} ` +
-    `${list(v.simplices[0])}.${other} A Delaunay mesh has no vertex inside such a ${round}.`;
 }
 
 function visible(drawing, v) {
+  inBall(drawing, v);
   const q = drawing.picture.vertices[0];
-  const words = inBall(drawing, v).replace('A Delaunay mesh', 'A constrained Delaunay mesh')
-    .replace(/inside such a (\w+)\.$/, 'that is seen from it inside such a $1.');
   if (q !== undefined && q !== null) drawing.rays(q, drawing.picture.simplices[0]);
-  return `${words} Lines of sight lead from the vertex to five points of ${noun(v.simplices[0])} ` +
-    `${list(v.simplices[0])}; that it is seen from some point is exact, whatever these five show.`;
 }
 
-function weighted(drawing, v) {
-  drawing.ball('ball', `ball that is orthogonal to the corners of ${list(v.simplices[0] ?? [])}`);
+// Along the vertices of two simplices, in the order in which they are listed.
+function arrows(drawing) {
+  drawing.picture.simplices.forEach((simplex, s) => simplex.slice(1).forEach((i, k) =>
+    drawing.line(drawing.at(simplex[k]), drawing.at(i), s === 0 ? 'first' : 'second', undefined, { arrow: true })));
 }
 
-// One sentence for each rule, and what is drawn for it alone.
-const RULES = {
-  'triangulation.unknown-vertex': (d, v) =>
-    `${v.simplices[0].length} vertices are listed, and ${list(v.vertices)} is the index of no point. ` +
-    'Only the corners that exist are drawn.',
-  'simplex.wrong-dimension': (d, v) =>
-    `The simplex ${list(v.simplices[0])} has ${v.simplices[0].length} vertices` +
-    (v.values['vertices expected'] ? `, and each simplex of these points is to have ${v.values['vertices expected'].exact}.` :
-      ', which is not what its place needs.'),
-  'simplex.repeated-vertex': (d, v) =>
-    `Vertex ${list(v.vertices)} is listed twice in ${list(v.simplices[0])}, so nothing is left but a face.`,
-  'simplex.degenerate': (d, v) => {
-    noBall(d);
-    const flat = d.picture.dimension === 2 ? 'on one line' : 'in one plane';
-    return `All corners of ${list(v.simplices[0])} lie ${flat}, exactly. It encloses nothing, and no ball ` +
-      'has just these corners on its sphere.';
-  },
-  'simplex.orientation': (d, v) => {
-    d.picture.simplices.forEach((simplex, s) => simplex.slice(1).forEach((i, k) =>
-      d.line(d.at(simplex[k]), d.at(i), s === 0 ? 'first' : 'second', undefined, { arrow: true })));
-    return `The arrows follow the order in which ${list(v.simplices[0])} and ${list(v.simplices[1])} list ` +
-      'their corners. One turns like a right hand, the other like a left hand.';
-  },
-  'complex.duplicate-simplex': (d, v) =>
-    `${list(v.simplices[0])} and ${list(v.simplices[1])} are the same ${noun(v.simplices[0])}, listed twice.`,
-  'complex.facet-overused': (d, v) =>
-    `${v.simplices.length} simplices have ${noun(v.face)} ${list(v.face)}. It has two sides, so at least two ` +
-    'of them lie on the same one and overlap. "Explode" moves them apart.',
-  'complex.overlap': (d, v) => {
-    overlap(d);
-    return `The ${noun(v.simplices[0])} ${list(v.simplices[0])} and the ${noun(v.simplices[1])} ` +
-      `${list(v.simplices[1])} meet in more than a common face.`;
-  },
-  'complex.wrong-neighbor': (d, v) =>
-    `Across ${noun(v.face)} ${list(v.face)} another simplex lies than the one that is listed as neighbour.`,
-  'triangulation.unused-point': (d, v) =>
-    `Point ${list(v.vertices)} is a corner of no simplex.`,
-  'triangulation.hull-not-closed': (d, v) =>
-    `The boundary is torn or pinched: ${v.simplices.length} of its facets meet in ` +
-    `${v.face.length ? `${noun(v.face)} ${list(v.face)}` : 'the empty face'}, where two are to.`,
-  'triangulation.hull-not-convex': (d, v) => {
-    const q = d.picture.vertices[0];
-    const face = d.picture.face;
-    if (face && q !== undefined) {
-      const hole = [...d.all(face), d.at(q)];
-      for (const side of triangles(hole)) d.polygon(side, 'hole', 'part of the hole', { hatch: true });
-      for (const corner of d.all(face)) d.line(corner, d.at(q), 'hole', 'part of the hole', { dashed: true });
-    }
-    return `The mesh ends at ${noun(v.face)} ${list(v.face)}, and point ${list(v.vertices)} lies beyond. What ` +
-      'is between them belongs to the convex hull and is covered by nothing, or is beside what covers it.';
-  },
-  'triangulation.covered-twice': (d, v) => {
-    overlap(d);
-    return `The ${noun(v.simplices[0])} ${list(v.simplices[0])} and ${list(v.simplices[1])} both cover the ` +
-      'point that is marked: the mesh folds over itself or winds around twice.';
-  },
-  'domain.vertex-missing': (d, v) => {
-    if (d.picture.nearest !== undefined && d.picture.cell?.vertex !== undefined) {
-      d.line(d.at(d.picture.cell.vertex), d.at(d.picture.nearest), 'nearest', undefined, { dashed: true });
-    }
-    const far = v.nearest ? ` The nearest vertex of the mesh, ${v.nearest.vertex}, is about ` +
-      `${v.nearest.distance_decimal} away.` : '';
-    return `The domain has a vertex where the mesh has none.${far}`;
-  },
-  'domain.steiner-forbidden': (d, v) =>
-    `Vertex ${list(v.vertices)} is no vertex of the domain, and the claim allows no further ones.`,
-  'domain.vertex-in-edge': (d, v) =>
-    `Vertex ${list(v.vertices)} lies inside edge ${list(v.face ?? [])}: the two belong to one segment, and the ` +
-    'mesh is not cut there.',
-  'domain.segment-missing': () =>
-    'The segment of the domain is to consist of edges of the mesh, and at least part of it does not. ' +
-    'Simplices of the mesh pass across it.',
-  'domain.polygon-not-tiled': (d, v) => {
-    cuts(d);
-    const at = v.face ? ` Where the mesh is to have a triangle beside ${noun(v.face)} ${list(v.face)}, it has none.` : '';
-    return `The green polygon of the domain is to consist of triangles of the mesh, and does not.${at}`;
-  },
-  'domain.images-meet': () => 'Cells of the domain that are apart have faces of the mesh in common.',
-  'domain.uncovered': (d, v) => {
-    bareSide(d, v);
-    return `Part of the domain is covered by nothing${v.face ? `: it begins at ${noun(v.face)} ${list(v.face)}` : ''}.`;
-  },
-  'domain.outside': (d, v) =>
-    `The ${noun(v.simplices[0])} ${list(v.simplices[0])} lies outside the domain, at least in part.`,
-  'delaunay.facet-not-local': inBall,
-  'delaunay.vertex-in-ball': inBall,
-  'weighted.vertex-submerged': (d, v) => {
-    weighted(d, v);
-    return `Vertex ${list(v.vertices)} is so light that it lies above the lower hull of the lifted points. It ` +
-      'is not to be a vertex.';
-  },
-  'weighted.point-below-plane': (d, v) => {
-    weighted(d, v);
-    return `Lifted by its weight, point ${list(v.vertices)} lies below the witness plane of ` +
-      `${list(v.simplices[0])}.`;
-  },
-  'delaunay.no-empty-ball': (d, v) => {
-    d.ball('ball', 'smallest ball through its corners');
-    return `Every ball through the corners of ${list(v.simplices[0])} has one of the vertices ` +
-      `${list(v.vertices)} inside. The smallest one is drawn.`;
-  },
-  'cdt.facet-not-local': visible,
-  'cdt.visible-vertex-in-ball': visible,
-  'cdt.dangling-not-delaunay': visible,
+// Between the face at which the mesh ends and a point beyond.
+function hole(drawing) {
+  const { face, vertices: [q] } = drawing.picture;
+  if (!face || q === undefined) return;
+  const corners = [...drawing.all(face), drawing.at(q)];
+  for (const side of triangles(corners)) drawing.polygon(side, 'hole', 'part of the hole', { hatch: true });
+  for (const corner of drawing.all(face)) drawing.line(corner, drawing.at(q), 'hole', 'part of the hole', { dashed: true });
+}
+
+function nearest(drawing) {
+  const { cell, nearest: vertex } = drawing.picture;
+  if (vertex === undefined || cell?.vertex === undefined) return;
+  drawing.line(drawing.at(cell.vertex), drawing.at(vertex), 'nearest', undefined, { dashed: true });
+}
+
+// What is drawn beside the cells of a witness, by the mark of the rule (Mark in oracle/model/rule.hpp).
+const MARKS = {
+  'no-ball': noBall,
+  order: arrows,
+  'common-part': overlap,
+  hole,
+  nearest,
+  cuts,
+  'bare-side': bareSide,
+  ball: inBall,
+  'ball-and-sight': visible,
+  'orthogonal-ball': (d, v) => d.ball('ball', `ball that is orthogonal to the corners of ${list(v.simplices[0] ?? [])}`),
+  'smallest-ball': (d) => d.ball('ball', 'smallest ball through its corners'),
 };
-
-export const drawnRules = Object.keys(RULES);

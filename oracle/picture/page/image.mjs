@@ -1,5 +1,5 @@
-// The picture of one violation as an SVG image, drawn by the code of the page.
-//   node image.mjs PAGE N OUTPUT [--exaggerate]     PAGE: written by circumspect check --html; N: which violation, from 1
+// The picture of one card as an SVG image, drawn by the code of the page.
+//   node image.mjs PAGE N OUTPUT [--exaggerate]     PAGE: written by --html; N: which card, from 1
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -12,10 +12,10 @@ const read = (name) => readFileSync(join(here, name), 'utf8');
 const [file, number, output, option] = process.argv.slice(2);
 const page = readFileSync(file, 'utf8');
 const data = JSON.parse(page.match(/<script type="application\/json" id="data">([^<]*)/)[1]);
-const cards = data.results.flatMap(({ report, pictures }) => report.violations.map((v, i) => [v, pictures[i]]));
+const cards = data.results.flatMap(({ report, cards: own, pictures }) => (report?.violations ?? own).map((v, i) => [v, pictures[i]]));
 const [v, picture] = cards[Number(number) - 1] ?? [];
 if (!picture || picture.why_none) {
-  console.error(`image.mjs: expected the number of a violation with a picture, found ${number}`);
+  console.error(`image.mjs: expected the number of a card with a picture, found ${number}`);
   process.exit(2);
 }
 const drawing = new Drawing(v, picture, option === '--exaggerate' ? largestStretch(picture) : 1);

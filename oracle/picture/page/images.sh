@@ -17,3 +17,12 @@ image() {
 }
 image vertex-in-ball reject/delaunay.facet-not-local.ele
 image covered-twice peers/tetgen/hunted-tetgen-covered-twice-3d.1.ele --exaggerate
+
+# Each page of docs/rules has the image of its own example, which breaks the rule or is at fault.
+mkdir -p "$folder/rules"
+for rule in docs/rules/*.md; do
+  grep -q '^!\[' "$rule" || continue
+  read -r -a words < <(sed -n 's/^\$ circumspect //p;T;q' "$rule")
+  "$command" "${words[@]}" --quiet --html "$page" 2>/dev/null && exit 1
+  node "$here/image.mjs" "$page" 1 "$folder/rules/$(basename "$rule" .md).svg"
+done

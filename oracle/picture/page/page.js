@@ -198,7 +198,7 @@ function rules() {
   return element('section', { 'aria-label': 'Rules' }, element('h2', {}, 'Rules'),
     ...[...broken].map(([rule, meaning]) => element('p', { id: `rule-${rule}` },
       element('code', {}, rule), `: ${meaning}. `,
-      data.docs ? element('a', { href: `${data.docs}/rules.html` }, 'All rules') : 'docs/rules.md has all rules.')));
+      element('code', {}, `circumspect rule ${rule}`), ' says what causes it, and how to mend it.')));
 }
 
 function step(by) {
