@@ -77,10 +77,11 @@ web web-soak: deps-web
 deb: deps-deb
 	@JOBS=$(JOBS) cmake/deb.sh build/deb
 
-# The command as one file for any Linux, in an archive with its man pages and all licences, in build/dist.
+# The command as one file for any Linux, in an archive with its man pages and all licences, in build/dist. Where the
+# sources lie is not in it.
 dist: deps-build
 	@$(CONFIGURE) -S . -B build/static -G Ninja -DCMAKE_BUILD_TYPE=Release -DCIRCUMSPECT_BUILD_TESTS=OFF \
-	  -DCIRCUMSPECT_STATIC=ON
+	  -DCIRCUMSPECT_STATIC=ON -DCMAKE_CXX_FLAGS=-ffile-prefix-map=$(CURDIR)=.
 	@cmake --build build/static -j $(JOBS) --target circumspect_cli
 	@cmake/dist.sh build/static build/dist
 

@@ -310,10 +310,10 @@ constexpr const char* kFooter =
     "It also minimizes the findings for which it had no time.\n"
     "\n"
     "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run, "
-    "or\n"
-    "fails on the first ten inputs, or another campaign began in the folder, 4 interrupted or "
-    "nothing judged, 5 internal "
-    "error.";
+    "fails\n"
+    "on the first ten inputs, or another campaign began in the folder, 4 interrupted or "
+    "nothing\n"
+    "judged, 5 internal error.";
 
 }  // namespace
 
