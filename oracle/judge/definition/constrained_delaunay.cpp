@@ -4,6 +4,7 @@
 
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/definition/delaunay.hpp"
 #include "oracle/judge/definition/simplicial_complex.hpp"
 #include "oracle/judge/definition/visibility.hpp"
