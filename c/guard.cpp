@@ -98,7 +98,7 @@ circumspect_status status_of_exception() noexcept {
 const char* circumspect_last_error(void) { return circumspect::c::last_error; }
 
 void circumspect_end_calls_after(double seconds, const int32_t* stop) {
-  // NaN is no limit either.
+  // NaN is not a limit either.
   circumspect::c::most_seconds = std::chrono::duration<double>(seconds > 0 ? seconds : 0);
   circumspect::c::stop_of_calls = stop;
 }

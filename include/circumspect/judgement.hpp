@@ -28,9 +28,9 @@ struct JudgeOptions {
 // Judges, exactly, what a program made of points. The claims that need no domain are known here:
 // "triangulation", "delaunay" (Book: Definitions 2.1 and 4.1) and "weighted-delaunay" (Section 5.2).
 // An index that names no point is the program's fault.
-// Throws std::invalid_argument: an unknown claim; coordinates that are no multiple of the dimension or
-// not finite; weights that are not as many as the points; equal points, and no points and no simplices,
-// unless `options` let them pass.
+// Throws std::invalid_argument: an unknown claim; coordinates that are not a multiple of the
+// dimension or not finite; weights that are not as many as the points; equal points, and no points
+// and no simplices, unless `options` let them pass.
 Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices,
                 const JudgeOptions& options = {});
 

@@ -77,7 +77,7 @@ Triangles grid(std::size_t n) {
   return mesh;
 }
 
-// Adds points that are no vertices, in the box of the mesh and a little around it, many on edges.
+// Adds points that are not vertices, in the box of the mesh and a little around it, many on edges.
 std::vector<std::size_t> with_points(Triangles& mesh, std::size_t count, std::int64_t width) {
   std::mt19937_64 random(11);
   std::vector<std::size_t> added;

@@ -201,7 +201,7 @@ std::vector<std::size_t> triangles_at(const std::vector<Point>& seeds, const Poi
   return found;
 }
 
-// Marks triangles, and what is joined to them across edges that are no walls.
+// Marks triangles, and what is joined to them across edges that are not walls.
 class Flood {
  public:
   Flood(const std::vector<Simplex>& triangles, const std::vector<Simplex>& walls)

@@ -24,13 +24,13 @@ std::vector<Simplex> triangulate_by_sweep(const PointSet& points,
 
 // Some triangles with these vertices whose union is the polygon, and which have its segments for
 // edges; ascending. The convex hull of the vertices is cut into triangles that have the segments for
-// edges; those that are joined, across edges that are no segments, to the outside or to a triangle
+// edges; those that are joined, across edges that are not segments, to the outside or to a triangle
 // with a hole seed do not belong to the polygon. Of its segments, those that are joined to the
-// outside on both sides (dangling from the outline) leave no triangle, and that is right.
-// `slits` are more segments, of which it is not yet known whether they lie in the polygon: they
-// become edges as well, but do not part the polygon from what does not belong to it.
-// Requires: `vertices` ascending, in one plane with coordinates `axes`; segments and slits meet one
-// another and `vertices` only in their ends, and have ends among the vertices.
+// outside on both sides (dangling from the outline) leave no triangle, and that is right. `slits`
+// are more segments, of which it is not yet known whether they lie in the polygon: they become
+// edges as well, but do not part the polygon from what does not belong to it. Requires: `vertices`
+// ascending, in one plane with coordinates `axes`; segments and slits meet one another and
+// `vertices` only in their ends, and have ends among the vertices.
 std::vector<Simplex> polygon_triangles(const PointSet& points, const std::vector<std::size_t>& axes,
                                        const std::vector<Vertex>& vertices,
                                        const std::vector<Simplex>& segments,

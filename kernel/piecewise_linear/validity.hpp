@@ -19,7 +19,7 @@
 namespace circumspect {
 
 // ---- Breach ----
-// What is wrong with an input that is no piecewise linear complex. Book: Definition 4.3.
+// What is wrong with an input that is not a piecewise linear complex. Book: Definition 4.3.
 
 // One breach with its witness: breaches.def says what each kind sets. Vertices are indices of the input,
 // segments ascending pairs of them, polygons places in its list of polygons.

@@ -348,7 +348,7 @@ TEST_CASE("validated in the plane: vertices and segments") {
         std::vector<Breach>{{BreachKind::kVertexInSegment, {1}, {{0, 2}}, {}, Point{1, 1}}});
   // Segments of one line that overlap have vertices inside one another.
   CHECK(breaches(plane(row, {{0, 2}, {1, 3}})).size() == 2);
-  // A T: the end of one inside the other, which is no crossing.
+  // A T: the end of one inside the other, which is not a crossing.
   CHECK(breaches(plane({{0, 0}, {4, 0}, {2, 0}, {2, 3}}, {{0, 1}, {2, 3}})) ==
         std::vector<Breach>{{BreachKind::kVertexInSegment, {2}, {{0, 1}}, {}, Point{2, 0}}});
 }

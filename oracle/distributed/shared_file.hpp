@@ -20,10 +20,11 @@ struct Counted {
   bool operator==(const Counted&) const = default;
 };
 
-// A name may lead to another file on another machine, or in another folder. Slices of two files are no mesh, and ranks
-// that count other points wait for each other for ever. Called by all ranks, of which each has read its
-// part. Errors, the same at all ranks: a file has other counts, another size, or other bytes at its beginning, where its
-// header is, or its end. This finds mistakes, and does not defend against anybody.
+// A name may lead to another file on another machine, or in another folder. Slices of two files are
+// not a mesh, and ranks that count other points wait for each other for ever. Called by all ranks,
+// of which each has read its part. Errors, the same at all ranks: a file has other counts, another
+// size, or other bytes at its beginning, where its header is, or its end. This finds mistakes, and
+// does not defend against anybody.
 formats::Status check_shared(Ranks& ranks, const std::string& path, const Counted& own);
 
 }  // namespace circumspect::distributed

@@ -35,8 +35,8 @@ struct ListedNeighbors {
   // As they are listed: counted from the index of the first simplex, −1 for none.
   explicit ListedNeighbors(Neighbors listed);
 
-  // Counted from 0, −1 for none. Only where somebody lists the index before the first simplex, which is no
-  // simplex but would then be −1, they are as listed.
+  // Counted from 0, −1 for none. Only where somebody lists the index before the first simplex,
+  // which is not a simplex but would then be −1, they are as listed.
   IndexLists rows = {};
   Vertex first_index = 0;
   bool are_as_listed = false;

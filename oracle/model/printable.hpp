@@ -8,8 +8,9 @@
 namespace circumspect {
 
 // The text with all that is not printable written as \xNN, byte by byte: control characters (those of eight
-// bits too), separators of lines and paragraphs, controls of the direction of text, bytes that are no UTF-8
-// and the two noncharacters that XML excludes. What is printable stays, in any language, a backslash too.
+// bits too), separators of lines and paragraphs, controls of the direction of text, bytes that are
+// not UTF-8 and the two noncharacters that XML excludes. What is printable stays, in any language,
+// a backslash too.
 std::string on_one_line(std::string_view text);
 
 // The same, but for line ends and tabs, which stay.

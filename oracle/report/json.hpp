@@ -14,8 +14,9 @@ namespace circumspect::report {
 
 using Json = nlohmann::ordered_json;
 
-// A document as it is printed: UTF-8 on several lines (on one if `indent` is -1), a line end last. In its strings bytes that are no
-// UTF-8 are U+FFFD, and what on_one_line (oracle/model/printable.hpp) does not let pass is written as \uNNNN.
+// A document as it is printed: UTF-8 on several lines (on one if `indent` is -1), a line end last.
+// In its strings bytes that are not UTF-8 are U+FFFD, and what on_one_line
+// (oracle/model/printable.hpp) does not let pass is written as \uNNNN.
 std::string document_text(const Json& document, int indent = 2);
 
 // An exact value as {"exact": "1/3", "decimal": "0.3333333333333333"}.

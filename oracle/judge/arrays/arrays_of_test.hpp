@@ -26,7 +26,7 @@ struct MeshInArrays {
   }
 };
 
-// Appends the number; false if it is no double.
+// Appends the number; false if it is not a double.
 inline bool append(const Rational& number, std::vector<double>& doubles) {
   doubles.push_back(number.get_d());
   return exact_value(doubles.back()) == number;
@@ -37,7 +37,7 @@ inline bool append(const std::vector<Vertex>& row, std::vector<std::int64_t>& in
   return true;
 }
 
-// None if some number is no double, or a row has not d + 1 entries.
+// None if some number is not a double, or a row has not d + 1 entries.
 inline std::optional<MeshInArrays> arrays_of(const ExactMesh& mesh) {
   MeshInArrays arrays{.dimension = mesh.points.ambient_dimension()};
   bool fits = arrays.dimension > 0;
@@ -96,7 +96,7 @@ inline std::string difference_from_slow(Claim claim, const ExactMesh& labelled,
   if (judgement.report != explanation) return "report";
   if (judgement.unique != verdict.unique) return "unique";
   if (judgement.canonical != verdict.canonical) return "canonical";
-  // What weighted points are that are no vertices is left to oracle/judge/points.
+  // What weighted points are that are not vertices is left to oracle/judge/points.
   if (!judgement.counts.fast && !verdict.holds() && claim != Claim::kWeightedDelaunay &&
       has_sound_simplex(mesh)) {
     return "decided too little";

@@ -20,8 +20,9 @@ Claim claim_named(const std::string& claim);
 // From arrays to a mesh that can be judged.
 
 // The mesh of these points, on the memory of their array, which has to outlive it, with weights if they are
-// to count; labels are the places in the array. Throws std::invalid_argument: coordinates that are no
-// multiple of the dimension or not finite; weights that are not as many as the points, or not finite.
+// to count; labels are the places in the array. Throws std::invalid_argument: coordinates that are
+// not a multiple of the dimension or not finite; weights that are not as many as the points, or not
+// finite.
 Mesh mesh_of(const PointArray& points, const SimplexArray& simplices, bool weighted = false);
 Mesh mesh_of(PointArray&& points, const SimplexArray& simplices, bool weighted = false) = delete;
 

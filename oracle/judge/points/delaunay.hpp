@@ -26,8 +26,8 @@ void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
 // ---- Ambiguity ----
 // What empty balls say about other Delaunay triangulations of the same points.
 
-// A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is no simplex
-// and has more than one triangulation; of these the canonical one has empty balls under the
+// A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is not a
+// simplex and has more than one triangulation; of these the canonical one has empty balls under the
 // perturbation too.
 struct Ambiguity {
   bool unique = true;
@@ -73,14 +73,15 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
                                    Verdict& verdict, Ambiguity& ambiguity);
 
 // ---- Submerged points ----
-// The points of a weighted set that are no vertices: are they submerged? Book: Section 2.8 by way of
-// Section 5.2 (weighted Delaunay triangulations).
+// The points of a weighted set that are not vertices: are they submerged? Book: Section 2.8 by way
+// of Section 5.2 (weighted Delaunay triangulations).
 
-// Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
-// outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
-// that simplex (else weighted.point-below-plane). Of several that have it, the first in the list. Returns how many orientations it took to find the
-// simplices (kernel/boxes/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
-// and `uses` are those of its facets.
+// Each point that is not a vertex must lie in some simplex (else triangulation.unused-point: a
+// point outside is a vertex whatever its weight), its lifted companion on or above the witness
+// plane of that simplex (else weighted.point-below-plane). Of several that have it, the first in
+// the list. Returns how many orientations it took to find the simplices
+// (kernel/boxes/point_search.hpp). Requires: the mesh is a triangulation of its vertices, and
+// `uses` are those of its facets.
 std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity);
 
