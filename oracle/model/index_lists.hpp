@@ -95,8 +95,7 @@ struct PartOf {
   }
   // The part that has the item. Requires: there are more items.
   static std::size_t with(std::uint64_t item, std::uint64_t count, std::size_t parts) {
-    const std::uint64_t longer = count % parts,
-                        size = count / parts;  // so many parts have one more
+    const std::uint64_t longer = count % parts, size = count / parts;  // so many have one more
     const std::uint64_t before = longer * (size + 1);
     return item < before ? item / (size + 1) : longer + (item - before) / size;
   }
