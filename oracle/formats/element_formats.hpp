@@ -24,7 +24,7 @@ namespace circumspect::formats {
 // Is this the word with which such a file begins?
 bool is_gmsh_keyword(std::string_view token);
 
-// Points are in the order of their tags and counted from the lowest; where tags leave gaps, they are
+// Points are in the order of their tags and counted from the lowest; if tags have gaps, they are
 // counted from 1, which is noted.
 Result<ElementFile> read_gmsh(const Source& source, NumberReading reading);
 
@@ -59,7 +59,7 @@ void write_medit(std::ostream& out, const ElementFile& file);
 // text, as bytes in base 64, or appended, compressed by zlib or not.
 //
 // Points of several pieces follow one another. Numbers in text are taken as they are written, whatever type
-// is declared. Data of points and cells are not looked at.
+// is declared. Data of points and cells are ignored.
 
 // Does the text begin as such a file does?
 bool is_vtu(std::string_view text);
@@ -81,7 +81,7 @@ void write_vtu(std::ostream& out, const ElementFile& file);
 //
 // With option b, what stands behind the counts is binary: doubles, then vertices of 32 bits.
 
-// Outer tetrahedra, which fill the convex hull up around a domain, are left out, which is noted.
+// Outer tetrahedra, which fill the convex hull around a domain, are left out, which is noted.
 // Points are counted from 0.
 Result<ElementFile> read_tet(const Source& source, NumberReading reading);
 

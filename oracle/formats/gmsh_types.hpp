@@ -7,7 +7,7 @@
 
 namespace circumspect::formats {
 
-// What has no shape here is curved.
+// Types without a shape here are curved.
 inline constexpr std::array kGmshTypes = {
     ElementType{15, 1, ElementShape::kPoint, "a point"},
     ElementType{1, 2, ElementShape::kPolyline, "an edge"},
