@@ -37,8 +37,8 @@ class FacetId {
 // The answer to a question about a mesh is one of these, or none (judge.hpp).
 enum class Question { kTriangulation, kDelaunay, kWeightedDelaunay };
 
-// Points one after the other, and simplices likewise; indices from 0. Nothing is assumed about the
-// numbers but the lengths of the arrays.
+// Points one after the other, and simplices one after the other; indices from 0. Nothing is assumed
+// about the numbers except the lengths of the arrays.
 template <std::size_t kDimension, typename Index>
 struct MeshView {
   static constexpr std::size_t kVertices = kDimension + 1;

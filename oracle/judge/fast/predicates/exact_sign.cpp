@@ -16,7 +16,7 @@ namespace circumspect::fast {
 
 namespace {
 
-// An integer of any size whose operations return values, as polynomials.hpp wants them: those of
+// An integer of any size whose operations return values, as polynomials.hpp requires: those of
 // Integer itself return references to their operands.
 struct Unbounded {
   Integer value;
@@ -78,8 +78,8 @@ constexpr std::size_t site_of_row(std::size_t i) {
 
 // ── Differences in one limb ──────────────────────────────────────────────────────────────────────
 
-// Of a difference of weights, where one of coordinates is in a Fixed<1>. Heights are then at most 4
-// · 2^124, and the polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
+// The bits of a difference of weights, if differences of coordinates are in a Fixed<1>. Heights are
+// then at most 4 · 2^124, and the polynomial of degree five at most 24 · 4 · 2^(5 · 62) < 2^319.
 constexpr int kWeightBits = 2 * kLimbBits;
 
 // value / 2^unit, if that is an integer of less than kWeightBits bits, so that differences have no more.
@@ -112,7 +112,8 @@ struct Grid {
   int weight_bits = 0;  // of the largest difference of weights
 };
 
-// Takes the common factors of two out of the differences, and those of four out of the weights.
+// Divides the differences by their common powers of two, and the weights by the corresponding
+// powers of four.
 template <std::size_t kDimension, std::size_t kCount>
 void reduce(Grid<kDimension, kCount>& grid, bool weighted) {
   std::uint64_t any = 0, widest = 0;

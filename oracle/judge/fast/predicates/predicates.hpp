@@ -23,7 +23,7 @@
 
 namespace circumspect::fast {
 
-// Positive for counterclockwise triangles. `lattice` is one that all points lie on, if that is
+// Positive for counterclockwise triangles. `lattice` contains all points, if such a lattice is
 // known.
 int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& stages,
                 Lattice lattice = {});
@@ -31,21 +31,21 @@ int orientation(const Site<2>& a, const Site<2>& b, const Site<2>& c, Stages& st
 int orientation(const Site<3>& a, const Site<3>& b, const Site<3>& c, const Site<3>& d,
                 Stages& stages, Lattice lattice = {});
 
-// A simplex whose ball, or witness plane if weighted, is asked for several queries: what depends on the
-// simplex alone is computed once, and gives its orientation on the way.
+// A simplex whose ball, or witness plane if weighted, is compared with several queries: what
+// depends on the simplex alone is computed once, which also gives its orientation.
 template <std::size_t kDimension, bool kWeighted = false>
 class Ball;
 
 template <bool kWeighted>
 class Ball<2, kWeighted> {
  public:
-  // `lattice` is one that all vertices and queries lie on, if that is known.
+  // `lattice` contains all vertices and queries, if such a lattice is known.
   Ball(const Site<2>& a, const Site<2>& b, const Site<2>& c, Lattice lattice = {});
 
   int orientation(Stages& stages) const;
   // For a positively oriented simplex: positive iff the query is inside the open ball (weighted:
-  // strictly below the witness plane), zero iff on its boundary. Negated if negatively oriented; what
-  // it says of a degenerate simplex is the sign of the polynomial.
+  // strictly below the witness plane), zero iff on its boundary. Negated if negatively oriented;
+  // for a degenerate simplex it is the sign of the polynomial.
   int contains(const Site<2>& query, Stages& stages) const;
 
  private:

@@ -17,7 +17,7 @@
 namespace circumspect::fast {
 namespace {
 
-// A hundredth of the tuples takes seconds: CIRCUMSPECT_TUPLES=10000.
+// CIRCUMSPECT_TUPLES=10000, a hundredth of the tuples, takes seconds.
 int tuples_each() {
   const char* const given = std::getenv("CIRCUMSPECT_TUPLES");
   return given == nullptr ? 1000000 : std::atoi(given);
