@@ -1,4 +1,4 @@
-// Each family is what the table says it is, exactly.
+// Each family is exactly what the table says.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -60,7 +60,7 @@ TEST_CASE("families on spheres are cospherical, exactly") {
         CAPTURE(name);
         PointsCase set = drawn_from(name, dimension, seed);
         if (name == std::string("parallel-lifted")) {
-          // Those of one plane are "cospherical" as weighted points.
+          // Coplanar points are "cospherical" as weighted points.
           PointsCase lower;
           for (std::size_t v = 0; v < set.points.size(); ++v) {
             if (set.weights[v] != squared_length(set.points[v])) continue;

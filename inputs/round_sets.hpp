@@ -44,8 +44,9 @@ std::vector<Point> cubic_lattice_points(Dice& dice, std::size_t dimension, Count
 std::vector<Point> body_centred_lattice_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> face_centred_lattice_points(Dice& dice, std::size_t dimension, Count count);
 
-// Hexagonal layers, one above the other: equilateral triangles as near as doubles come, for √3 is
-// irrational; points that should be cocircular are so up to rounding. Requires: dimension >= 2.
+// Hexagonal layers, one above the other: triangles as nearly equilateral as doubles allow, because
+// √3 is irrational; points that should be cocircular are so up to rounding. Requires: dimension >=
+// 2.
 std::vector<Point> hexagonal_lattice_points(Dice& dice, std::size_t dimension, Count count);
 
 }  // namespace circumspect::generators

@@ -1,4 +1,4 @@
-// What the families of point sets are made of.
+// The parts of which the families of point sets are made.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ Rational small_rational(Dice& dice);
 
 Rational power_of_two(long exponent);
 
-// `count` times what draw() returns.
+// The results of `count` calls of draw().
 template <class Draw>
 auto several(std::size_t count, const Draw& draw) {
   std::vector<decltype(draw())> drawn;
@@ -30,16 +30,16 @@ auto several(std::size_t count, const Draw& draw) {
 // Integer coordinates from -bound to bound; those of a part of a grid.
 Point integer_point(Dice& dice, std::size_t dimension, long bound);
 
-// The points in the order given, each once.
+// The points in the order given, without repetition.
 std::vector<Point> distinct(const std::vector<Point>& points);
 
-// Points that draw() returns, each once.
+// Points that draw() returns, without repetition.
 template <class Draw>
 std::vector<Point> set_of(Dice& dice, Count count, const Draw& draw) {
   return distinct(several(count.drawn(dice), draw));
 }
 
-// A set of one of the families, each of them equally likely.
+// A set of one of the families, all equally likely.
 using Sets = std::vector<Point> (*)(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> one_of(std::initializer_list<Sets> families, Dice& dice, std::size_t dimension,
                           Count count);
