@@ -135,7 +135,7 @@ std::uint8_t random_byte(Dice& dice) { return static_cast<std::uint8_t>(dice.bel
 RecipeStep random_step(Dice& dice) {
   RecipeStep step{};
   for (std::uint8_t& byte : step) byte = random_byte(dice);
-  // Degeneracies more often than chance brings them.
+  // Chosen so that degeneracies are more frequent than by chance.
   if (dice.below(2) == 0) step[0] = std::array<std::uint8_t, 4>{0, 2, 4, 7}[dice.below(4)];
   return step;
 }

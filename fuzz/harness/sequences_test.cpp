@@ -15,7 +15,7 @@ namespace circumspect {
 namespace {
 
 struct Mistakes {
-  bool forgets_to_fill = false;  // the edge between the neighbours of what is removed
+  bool forgets_to_fill = false;  // the edge between the neighbours of the removed point
   bool throws_when_empty = false;
   bool reuses_numbers = false;
 };
