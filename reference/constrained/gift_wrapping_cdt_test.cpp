@@ -100,7 +100,7 @@ TEST_CASE("Schönhardt's polyhedron has a facet that cannot be finished (Figure 
   Cavity cavity;
   cavity.axes = kSpace;
   cavity.candidates = {0, 1, 2, 3, 4, 5};
-  // Of each quadrilateral between, the diagonal that is reflex.
+  // The reflex diagonal of each quadrilateral between.
   for (const Simplex& facet : {Simplex{0, 1, 2},
                                {3, 4, 5},
                                {0, 1, 4},
@@ -277,7 +277,7 @@ TEST_CASE("gift-wrapping a CDT: an internal square that hides vertices from one 
   CHECK(after->dangling.empty());
 }
 
-// The prism over a polygon of the plane, from height 0 to 1.
+// The prism over a planar polygon, from height 0 to 1.
 PiecewiseLinearInput prism(const std::vector<std::pair<int, int>>& outline) {
   PiecewiseLinearInput input;
   const auto size = static_cast<Vertex>(outline.size());

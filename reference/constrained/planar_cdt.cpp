@@ -140,7 +140,7 @@ class SegmentInsertion {
     return orientation(points_.configuration(), axes_, Simplex{a, b, c});
   }
 
-  // The edge opposite a in the triangle through which ab leaves a.
+  // The edge opposite a in the triangle that ab enters at a.
   Simplex crossed_edge_at(Vertex a, Vertex b, std::vector<Simplex>& crossed) const {
     for (const Simplex& triangle : triangles_.star({a})) {
       const Simplex edge = without(triangle, {a});
@@ -189,10 +189,10 @@ StarIndex planar_delaunay(const PointSet& points, const std::vector<std::size_t>
   return StarIndex(triangles);
 }
 
-// Makes the canonical CDT of some segments that of these and of one more: deletes the triangles that
-// the segment crosses, and retriangulates the cavities on its left and right.
-// Requires: the triangles fill a convex hull; both ends are vertices; no vertex is inside the segment,
-// and no other segment crosses it.
+// Adds one more segment to the canonical CDT of some segments: deletes the triangles that the
+// segment crosses, and retriangulates the cavities on its left and right. Requires: the triangles
+// fill a convex hull; both ends are vertices; no vertex is inside the segment, and no other segment
+// crosses it.
 void insert_segment(const PointSet& points, const std::vector<std::size_t>& axes,
                     StarIndex& triangles, const Simplex& segment) {
   if (triangles.size() == 0 || !triangles.star(segment).empty()) return;
@@ -252,7 +252,7 @@ std::vector<Simplex> by_gift_wrapping(const PointSet& points, const Polygon& pol
   return ascending(dictionary.simplices());
 }
 
-// Those triangles that are joined to the inner side of a segment, across edges that are none.
+// The triangles that are joined to the inner side of a segment across edges that are not segments.
 std::vector<Simplex> part_within(const PointSet& points, const Polygon& polygon,
                                  const StarIndex& triangles) {
   const std::set<Simplex> segments(polygon.segments.begin(), polygon.segments.end());

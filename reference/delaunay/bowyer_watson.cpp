@@ -23,7 +23,7 @@ Simplex affine_basis(const PointSet& points) {
 Simplex first_independent(const PointSet& points, const std::vector<Vertex>& sequence) {
   const auto wanted = static_cast<std::size_t>(points.dimension() + 1);
   Simplex basis;
-  // Mostly they are in front; beginnings of the sequence twice as long each time find them wherever
+  // Mostly they are in front; prefixes of the sequence, twice as long each time, find them wherever
   // they are.
   for (std::size_t length = wanted; basis.size() < wanted; length = 2 * length) {
     const Simplex beginning(

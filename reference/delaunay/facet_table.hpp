@@ -25,7 +25,7 @@ class FacetTable {
   void erase(const OrientedFacet& facet);
   std::optional<Vertex> find(const OrientedFacet& facet) const;
 
-  // The slots, for going through all entries; each is an entry or empty.
+  // The slots, for iteration over all entries; each is an entry or empty.
   std::size_t slots() const { return slots_; }
   bool is_entry(std::size_t slot) const { return *at(slot) != kEmpty; }
   OrientedFacet facet(std::size_t slot) const;

@@ -13,8 +13,8 @@ namespace {
 
 using Simplices = std::vector<Simplex>;
 
-// The name of the flip that removes a facet, and what the triangulation becomes. In space the
-// procedure of Figure 4.8 must agree. Flipped back, the triangulation must be as it was.
+// The name of the flip that removes a facet, and the resulting triangulation. In space, the
+// procedure of Figure 4.8 must agree. Flipping back must restore the triangulation.
 std::string flipped(const PointSet& points, const Simplices& start, const Simplex& facet,
                     const Simplices& expected) {
   StarIndex triangulation(start);
@@ -38,7 +38,7 @@ std::string flipped(const PointSet& points, const Simplices& start, const Simple
   return extended->name();
 }
 
-// The name of the flip that parts a face with a new vertex, and what the triangulation becomes.
+// The name of the flip that splits a face with a new vertex, and the resulting triangulation.
 std::string split(const PointSet& points, const Simplices& start, const Simplex& simplex, Vertex v,
                   const Simplices& expected) {
   StarIndex triangulation(start);

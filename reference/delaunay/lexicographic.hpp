@@ -1,4 +1,4 @@
-// The lexicographic triangulation: a triangulation of any point set without any Delaunay property.
+// The lexicographic triangulation: a triangulation of any point set, without the Delaunay property.
 // Book: Section 2.1, Section 4.1 ("the lexicographic triangulation … generalizes to higher
 // dimensions with no change").
 #pragma once

@@ -48,7 +48,7 @@ std::vector<Circuit> circuits(const PointSet& points) {
 
 namespace {
 
-// What is joined to a face in the simplices that have it.
+// The simplices that are joined to a face in the simplices that have it.
 std::vector<Simplex> link(const Triangulation& triangulation, const Simplex& face) {
   std::vector<Simplex> joined;
   for (const Simplex& simplex : triangulation.simplices()) {
