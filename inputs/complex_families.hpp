@@ -21,7 +21,8 @@ struct ComplexFamily {
   std::function<ComplexCase(Dice& dice, std::size_t max_points)> draw;
 };
 
-// A change that can be made to the domains of any family: "planar-grid+rotated". It returns valid domains of doubles.
+// A change that can be made to the domains of any family: "planar-grid+rotated". It returns valid
+// domains of doubles.
 struct ComplexModifier {
   std::string name;
   std::string about;

@@ -37,8 +37,8 @@ ComplexCase scattered_cells(Dice& dice, std::vector<Point> points);
 ComplexCase glued_tetrahedra(Dice& dice, std::vector<Point> points);
 
 // A cube with vertices in its faces and inside, whose faces have holes, slits and polygons within a
-// polygon, with a smaller box inside that is or is not a cavity, with dangling polygons and segments
-// (Book: Definition 4.3, Figures 2.6 and 4.11).
+// polygon, with a smaller box inside that is or is not a cavity, with dangling polygons and
+// segments (Book: Definition 4.3, Figures 2.6 and 4.11).
 ComplexCase furnished_box(Dice& dice);
 
 // Schönhardt's polyhedron and its kin, prisms over a triangle or a square that are twisted, with

@@ -41,8 +41,8 @@ const std::vector<FamilyModifier>& family_modifiers();
 // Every family, without and with each one of the modifiers: those without come first.
 const std::vector<Family>& modified_families();
 
-// A family by its name, which may have several modifiers, one applied after the other: "grid+moved+ulp"; null if there is
-// none. It lives as long as the program.
+// A family by its name, which may have several modifiers, one applied after the other:
+// "grid+moved+ulp"; null if there is none. It lives as long as the program.
 const Family* find_family(std::string_view name);
 
 // How many points a campaign asks for by default: few points show most faults and are judged

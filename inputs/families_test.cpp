@@ -1,4 +1,5 @@
-// What every family must do: sets of the right size and dimension, the same for a seed, that shrink.
+// What every family must do: sets of the right size and dimension, the same for a seed, that
+// shrink.
 #include "inputs/families.hpp"
 
 #include <algorithm>

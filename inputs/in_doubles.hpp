@@ -16,8 +16,8 @@ bool is_double(const Rational& value);
 // `keep_repeated_points`.
 PointsCase in_doubles(const PointsCase& set, bool keep_repeated_points = false);
 
-// The vertices and hole seeds rounded. Valid again if the vertices were doubles and the seeds are not
-// next to a wall, as in all families of complex_families.hpp.
+// The vertices and hole seeds rounded. Valid again if the vertices were doubles and the seeds are
+// not next to a wall, as in all families of complex_families.hpp.
 ComplexCase in_doubles(ComplexCase whole);
 
 // The points in the order given, without repetition, each with its first weight.

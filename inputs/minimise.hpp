@@ -1,5 +1,5 @@
-// Makes a failing input small: fewer points and cells, coordinates nearer to small integers, as long as
-// it fails in the same way.
+// Makes a failing input small: fewer points and cells, coordinates nearer to small integers, as
+// long as it fails in the same way.
 #pragma once
 
 #include <atomic>
@@ -22,19 +22,19 @@ struct MinimiseLimits {
 };
 
 // Chunks of points are dropped, half of all at first (delta debugging: Zeller and Hildebrandt,
-// "Simplifying and isolating failure-inducing input", 2002), then coordinates and weights are moved:
-// those of all points at once (ranks, coarser grids, the origin), then one by one. In the end, no
-// single point can be left out. Equal points appear only if the input had some. `still_fails` is
-// never asked about the same input twice in a row. Requires: it fails; still_fails(it) may be asked
-// any number of times.
+// "Simplifying and isolating failure-inducing input", 2002), then coordinates and weights are
+// moved: those of all points at once (ranks, coarser grids, the origin), then one by one. In the
+// end, no single point can be left out. Equal points appear only if the input had some.
+// `still_fails` is never asked about the same input twice in a row. Requires: it fails;
+// still_fails(it) may be asked any number of times.
 template <class Case>
 using StillFails = std::function<bool(const Case&)>;
 
 PointsCase minimised(PointsCase set, const StillFails<PointsCase>& still_fails,
                      const MinimiseLimits& limits = {});
 
-// The same for domains: polygons, segments and hole seeds are dropped, then vertices that no cell uses,
-// then coordinates are moved. If the input is valid, `still_fails` is asked only about valid
+// The same for domains: polygons, segments and hole seeds are dropped, then vertices that no cell
+// uses, then coordinates are moved. If the input is valid, `still_fails` is asked only about valid
 // inputs.
 ComplexCase minimised(ComplexCase whole, const StillFails<ComplexCase>& still_fails,
                       const MinimiseLimits& limits = {});

@@ -121,8 +121,8 @@ ComplexCase mapped(ComplexCase whole, const Image& image) {
   return in_doubles(std::move(whole));
 }
 
-// Rows of integers whose product with their transpose is `square` times the identity, and not a permutation.
-// In space they are those of a quaternion of integers.
+// Rows of integers whose product with their transpose is `square` times the identity, and not a
+// permutation. In space they are those of a quaternion of integers.
 struct Turn {
   std::vector<std::vector<long>> rows;
   long stretch = 1;  // the factor of lengths

@@ -11,7 +11,8 @@ namespace circumspect::generators {
 // `may_repeat_points`.
 
 // Rounded to doubles, then about half of the coordinates moved by one ulp, up or down: what was
-// cospherical or coplanar is almost so. A coordinate 0 moves by an ulp of the set's largest coordinate.
+// cospherical or coplanar is almost so. A coordinate 0 moves by an ulp of the set's largest
+// coordinate.
 PointsCase one_ulp_away(Dice& dice, const PointsCase& set, bool may_repeat_points);
 
 // The whole set times 2^k, weights times 4^k, k from −300 to 300 (closer to 0 if coordinates would

@@ -1,5 +1,5 @@
-// Random point sets, by family. Each function draws distinct points of one dimension, as many as `count`
-// says, and what it draws follows from the dice alone.
+// Random point sets, by family. Each function draws distinct points of one dimension, as many as
+// `count` says, and what it draws follows from the dice alone.
 #pragma once
 
 #include <cstddef>
@@ -39,11 +39,13 @@ std::vector<Point> clustered_points(Dice& dice, std::size_t dimension, Count cou
 // such sets cannot reasonably be scaled to integers together.
 std::vector<Point> unrelated_denominator_points(Dice& dice, std::size_t dimension, Count count);
 
-// A part of the grid {0, 1, 2}^d, or of a larger one for more points than that has: cospherical, coplanar and collinear all at once; Delaunay
-// subdivisions whose cells are not simplices (Book: Section 4.1, 4.2).
+// A part of the grid {0, 1, 2}^d, or of a larger one for more points than that has: cospherical,
+// coplanar and collinear all at once; Delaunay subdivisions whose cells are not simplices (Book:
+// Section 4.1, 4.2).
 std::vector<Point> grid_points(Dice& dice, std::size_t dimension, Count count);
 
-// Some of the corners of a cube, its centre and the centres of its facets; for more points, of cubes side by side.
+// Some of the corners of a cube, its centre and the centres of its facets; for more points, of
+// cubes side by side.
 std::vector<Point> cube_points(Dice& dice, std::size_t dimension, Count count);
 
 // Exactly cospherical points, the reason for the perturbation (Book: Section 2.9). Rational ones by
@@ -52,9 +54,9 @@ std::vector<Point> cube_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> sphere_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> integer_sphere_points(Dice& dice, std::size_t dimension, Count count);
 
-// Points of a line, and of a plane, circles and grids among them: the affine hull has fewer dimensions
-// than the space (Book: Section 4.1, "if the affine hull of S is k-dimensional"). Planes require:
-// dimension >= 2.
+// Points of a line, and of a plane, circles and grids among them: the affine hull has fewer
+// dimensions than the space (Book: Section 4.1, "if the affine hull of S is k-dimensional"). Planes
+// require: dimension >= 2.
 std::vector<Point> line_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> plane_points(Dice& dice, std::size_t dimension, Count count);
 
@@ -67,18 +69,19 @@ std::vector<Point> skew_line_points(Dice& dice, std::size_t dimension, Count cou
 std::vector<Point> moment_curve_points(Dice& dice, std::size_t dimension, Count count);
 
 // ---- Weighted sets ----
-// Weighted point sets, and sets with equal points. Book: Section 5.2, weighted Delaunay triangulations.
+// Weighted point sets, and sets with equal points. Book: Section 5.2, weighted Delaunay
+// triangulations.
 
 // Integer points with weights within 100 of 0, small beside squared distances or not.
 PointsCase integer_weights(Dice& dice, std::size_t dimension, Count count);
 
-// Weights |p|² and |p|² + 1, so that the lifted points lie on two parallel hyperplanes: degenerate for
-// any points.
+// Weights |p|² and |p|² + 1, so that the lifted points lie on two parallel hyperplanes: degenerate
+// for any points.
 PointsCase lifted_to_parallel_planes(Dice& dice, std::size_t dimension, Count count);
 
-// The corners of a simplex (as many as there is room for) and integer points of its interior, about half of
-// which have a weight so low that they are submerged below the lifted simplex, far from its facets:
-// they are not vertices of the weighted Delaunay triangulation.
+// The corners of a simplex (as many as there is room for) and integer points of its interior, about
+// half of which have a weight so low that they are submerged below the lifted simplex, far from its
+// facets: they are not vertices of the weighted Delaunay triangulation.
 PointsCase submerged_points(Dice& dice, std::size_t dimension, Count count);
 
 // Integer points within 3 of the origin, some of them twice or more often; with two points or more
@@ -115,8 +118,8 @@ std::vector<Point> cluster_points(Dice& dice, std::size_t dimension, Count count
 // Integer points, each times its own 2^-k, k from 0 to 50: clusters within clusters at the origin.
 std::vector<Point> nested_points(Dice& dice, std::size_t dimension, Count count);
 
-// Integer points times 2^990 (about 1e298), or 2^-1000 (about 1e-301): exactly degenerate as integers
-// are, but squares overflow or underflow in doubles.
+// Integer points times 2^990 (about 1e298), or 2^-1000 (about 1e-301): exactly degenerate as
+// integers are, but squares overflow or underflow in doubles.
 std::vector<Point> huge_points(Dice& dice, std::size_t dimension, Count count);
 std::vector<Point> tiny_points(Dice& dice, std::size_t dimension, Count count);
 

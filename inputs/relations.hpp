@@ -1,4 +1,5 @@
-// Changes of an input after which a program has to be as right as before: metamorphic relations. All are exact.
+// Changes of an input after which a program has to be as right as before: metamorphic relations.
+// All are exact.
 #pragma once
 
 #include <optional>

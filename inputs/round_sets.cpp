@@ -42,8 +42,8 @@ std::vector<std::vector<long>> integer_points_of_sphere(std::size_t dimension, l
 
 using Spheres = std::vector<std::vector<std::vector<long>>>;
 
-// A few spheres with many integer points. In the plane the squared radii are products of primes 4k + 1:
-// 12, 48 and 96 points.
+// A few spheres with many integer points. In the plane the squared radii are products of primes 4k
+// + 1: 12, 48 and 96 points.
 const Spheres& spheres_of_integer_points(std::size_t dimension) {
   static const std::array<Spheres, 7> all = [] {
     const std::array<std::vector<long>, 7> squares = {

@@ -44,15 +44,15 @@ using Sets = std::vector<Point> (*)(Dice& dice, std::size_t dimension, Count cou
 std::vector<Point> one_of(std::initializer_list<Sets> families, Dice& dice, std::size_t dimension,
                           Count count);
 
-// The points, which may have fewer coordinates, carried into R^dimension by a random similarity with
-// integer coefficients, so that grids stay grids and circles circles.
+// The points, which may have fewer coordinates, carried into R^dimension by a random similarity
+// with integer coefficients, so that grids stay grids and circles circles.
 std::vector<Point> carried(Dice& dice, const std::vector<Point>& points, std::size_t dimension);
 
 // The point of the unit sphere in R^{n+1} that stereographic projection sends to `image` in R^n.
 Point from_stereographic(const Point& image);
 
-// The number of symmetries of the cube in R^d, d! · 2^d, and the image of a point under one of them: a
-// permutation of the coordinates and a choice of signs. Requires: dimension <= 16.
+// The number of symmetries of the cube in R^d, d! · 2^d, and the image of a point under one of
+// them: a permutation of the coordinates and a choice of signs. Requires: dimension <= 16.
 std::size_t cube_symmetries(std::size_t dimension);
 Point symmetric_image(const Point& point, std::size_t code);
 

@@ -207,7 +207,8 @@ class Campaign {
     return tried_case(plan_.subject, input, outcome, runner, number < plan_.replayed.size());
   }
 
-  // In the order of cases, so that nothing depends on the number of jobs. Requires: the mutex is locked.
+  // In the order of cases, so that nothing depends on the number of jobs. Requires: the mutex is
+  // locked.
   void go_on_with_trial() {
     for (auto next = waiting_.find(tried_); next != waiting_.end() && next->first == tried_;
          ++next, ++tried_) {

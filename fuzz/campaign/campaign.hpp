@@ -96,17 +96,17 @@ struct Progress {
   std::size_t minimising = 0;  // findings that are being made small, or wait for it
 };
 
-// Case i is the i-th replayed input or, after those, the input that seed_of_case(seed, i) stands for in
-// source i mod sources.size(). Cases are counted in this order whatever the number of jobs, so the
-// first case with a signature, and everything that follows from it, depends only on the plan, the
-// program and the number of cases. If `output` has a journal with the same settings, the campaign
-// continues there. When the time is over, running cases are finished, and findings that are not yet
-// small are left to the next call, which continues there. When `stop` becomes true, it ends within
-// a second; running cases are forgotten, and run the next time. Unless Plan::goes_on is set, a new
-// campaign is on trial: nothing is written before the program has made a mesh of an input, or there
-// are no more cases. Errors: the journal belongs to another campaign; the program cannot be
-// started, or has failed its trial. Requires: sources or replayed inputs; cases or seconds; jobs ≥
-// 1; called while there is one thread.
+// Case i is the i-th replayed input or, after those, the input that seed_of_case(seed, i) stands
+// for in source i mod sources.size(). Cases are counted in this order whatever the number of jobs,
+// so the first case with a signature, and everything that follows from it, depends only on the
+// plan, the program and the number of cases. If `output` has a journal with the same settings, the
+// campaign continues there. When the time is over, running cases are finished, and findings that
+// are not yet small are left to the next call, which continues there. When `stop` becomes true, it
+// ends within a second; running cases are forgotten, and run the next time. Unless Plan::goes_on is
+// set, a new campaign is on trial: nothing is written before the program has made a mesh of an
+// input, or there are no more cases. Errors: the journal belongs to another campaign; the program
+// cannot be started, or has failed its trial. Requires: sources or replayed inputs; cases or
+// seconds; jobs ≥ 1; called while there is one thread.
 tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,
                                       const std::function<void(const Progress&)>& progress);
 

@@ -152,7 +152,8 @@ std::string rows_after(const std::string& word, const std::vector<Point>& points
   return text;
 }
 
-// Version 2.2, which all programs read: element type 2 is a triangle; one physical and one elementary entity.
+// Version 2.2, which all programs read: element type 2 is a triangle; one physical and one
+// elementary entity.
 std::string msh_text(const PiecewiseLinearInput& input) {
   std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n{}$EndNodes\n",
                                  input.points.size(), counted(input.points, 1)) +

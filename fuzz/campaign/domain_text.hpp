@@ -8,9 +8,9 @@
 
 namespace circumspect::campaign {
 
-// As a .poly file: of Triangle in the plane, of TetGen in space, where a lone segment is a facet with
-// one polygon of two corners. A facet lists all cells that lie in it, as TetGen requires, if the
-// domain is valid: segments as polygons of two corners, vertices as polygons of one.
+// As a .poly file: of Triangle in the plane, of TetGen in space, where a lone segment is a facet
+// with one polygon of two corners. A facet lists all cells that lie in it, as TetGen requires, if
+// the domain is valid: segments as polygons of two corners, vertices as polygons of one.
 std::string poly_text(const PiecewiseLinearInput& input, Vertex first_index);
 
 // As text for workers (docs/workers.md): six counts, the points, the segments, the facets as in

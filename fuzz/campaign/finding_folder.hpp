@@ -55,10 +55,10 @@ std::string command_line(const Subject& subject);
 // ---- Witness picture ----
 // The picture in issue.md.
 
-// The first witness of a verdict as an SVG: its simplices, its face, the cell of the domain and, ringed, the vertices that it names, with the
-// user's indices. Positions are computed exactly, relative to these, and rounded only then. Empty:
-// no rule is broken, the points have neither two nor three coordinates, or fewer than three of
-// them, or more than a hundred, would be drawn.
+// The first witness of a verdict as an SVG: its simplices, its face, the cell of the domain and,
+// ringed, the vertices that it names, with the user's indices. Positions are computed exactly,
+// relative to these, and rounded only then. Empty: no rule is broken, the points have neither two
+// nor three coordinates, or fewer than three of them, or more than a hundred, would be drawn.
 std::string witness_picture(const report::Json& verdict);
 
 }  // namespace circumspect::campaign

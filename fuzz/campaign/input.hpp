@@ -1,4 +1,5 @@
-// The input of a program under test: points, points with updates, or a domain; and the text of its file.
+// The input of a program under test: points, points with updates, or a domain; and the text of its
+// file.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +38,9 @@ inline constexpr generators::Exponents kOrdinary = {-100, 100};
 // Are all coordinates, weights and seeds doubles, so that a program reads what is judged?
 bool is_of_doubles(const Input& input);
 
-// The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz .case" for
-// points, ".case" for those that come and go, ".poly .geo .off .stl .ply .obj .msh .case" for domains.
+// The extensions of the files that inputs can be written to: ".node .qhull .off .json .xyz .case"
+// for points, ".case" for those that come and go, ".poly .geo .off .stl .ply .obj .msh .case" for
+// domains.
 bool is_points_extension(const std::string& extension);
 bool is_domain_extension(const std::string& extension);
 

@@ -13,7 +13,8 @@ namespace circumspect::campaign {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped", "flaky", "known".
+// One case that is done. `what`: the signature of a finding, or "holds", "refused", "skipped",
+// "flaky", "known".
 struct CaseRecord {
   std::string family;
   std::string what;

@@ -160,7 +160,8 @@ TEST_CASE("a witness is drawn in the plane and, aslant, in space") {
   const std::string plane = drawn(R"({"simplices": [[1, 2, 3]], "face": [1, 2], "vertices": [4],
       "coordinates": {"1": ["0", "0"], "2": ["4", "0"], "3": ["0", "4"], "4": ["1", "1"]}})");
   CHECK(plane.rfind("<svg xmlns=", 0) == 0);
-  // The lower left corner, the lower right one and the upper left one; the ring is around the fourth.
+  // The lower left corner, the lower right one and the upper left one; the ring is around the
+  // fourth.
   CHECK(plane.find("M30.00 330.00 L330.00 330.00 L30.00 30.00 Z") != std::string::npos);
   CHECK(plane.find("M30.00 330.00 L330.00 330.00 Z\" fill=\"none\" stroke=\"black\"") !=
         std::string::npos);

@@ -193,8 +193,8 @@ std::string space_of(std::size_t dimension) {
   return "in dimension " + std::to_string(dimension);
 }
 
-// In which dimension all simplices of the mesh are full, if that is not the dimension of the inputs.
-// For flat points, meshes have simplices with fewer vertices.
+// In which dimension all simplices of the mesh are full, if that is not the dimension of the
+// inputs. For flat points, meshes have simplices with fewer vertices.
 std::string misunderstood_dimension(const Subject& subject, const Input& input, const Mesh& mesh) {
   const std::size_t vertices = mesh.simplices.columns();
   if (vertices < 2 || vertices == subject.dimension + 1 || is_flat(subject, input)) return "";

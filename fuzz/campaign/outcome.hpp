@@ -1,4 +1,5 @@
-// The program under test, and the outcome of one case. Outcomes differ if a person would react to them differently.
+// The program under test, and the outcome of one case. Outcomes differ if a person would react to
+// them differently.
 #pragma once
 
 #include <optional>

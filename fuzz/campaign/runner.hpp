@@ -30,8 +30,8 @@ class Runner {
   // process gets the input and its end, as when run by hand, which reveals a worker that then does
   // not end or writes more.
   //
-  // Then, if it was right or refused the input: the same on the input under each relation of the subject, and what the
-  // program of Subject::against does with it.
+  // Then, if it was right or refused the input: the same on the input under each relation of the
+  // subject, and what the program of Subject::against does with it.
   Outcome run(const Input& input);
   // The same in a fresh process.
   Outcome run_anew(const Input& input);

@@ -64,7 +64,8 @@ TEST_CASE("numbers that no double reaches, as making others small tries them, ar
   }
 }
 
-// A worker: `script` is run for each case, when $count and $dimension have been read, and $points lines.
+// A worker: `script` is run for each case, when $count and $dimension have been read, and $points
+// lines.
 Subject worker(const std::string& script) {
   Subject subject = shell(
       "while read count dimension rest; do points=''; i=0; while [ $i -lt $count ]; do read line; "

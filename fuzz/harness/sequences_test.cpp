@@ -1,6 +1,6 @@
-// Dynamic structures: one that is rebuilt from scratch is right, and others are not. They live on a line,
-// where a triangulation is the points in order; properties/harness_property.cpp has some in the plane and
-// in space.
+// Dynamic structures: one that is rebuilt from scratch is right, and others are not. They live on a
+// line, where a triangulation is the points in order; properties/harness_property.cpp has some in
+// the plane and in space.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -24,8 +24,9 @@ enum class Containment {
 // "namespaces" or "supervisor".
 const char* name(Containment containment);
 
-// As fork. The child is the first process of a process namespace of its own, with its own /proc. −1 where the
-// system does not allow that: then there is no child. Requires: this process has one thread.
+// As fork. The child is the first process of a process namespace of its own, with its own /proc. −1
+// where the system does not allow that: then there is no child. Requires: this process has one
+// thread.
 pid_t fork_into_namespaces();
 
 // How many tasks (processes and their threads) the kernel should allow a program that may have so
@@ -69,8 +70,8 @@ class Turn {
  public:
   Turn() = default;
 
-  // Waits for a place and takes it. False: the other end of the socket `lifeline` was closed before there
-  // was one. Makes only system calls, so that a process between vfork and exec may call it.
+  // Waits for a place and takes it. False: the other end of the socket `lifeline` was closed before
+  // there was one. Makes only system calls, so that a process between vfork and exec may call it.
   bool take(int lifeline) const;
   // Gives the place back, if it holds one.
   void give_back() const;

@@ -85,8 +85,8 @@ bool moved(int from, const char* name, int to, unsigned& number) {
   return false;
 }
 
-// Deletes a folder in `top`. The folders in it are moved up to `top` first: so neither paths nor the
-// stack grow with the depth.
+// Deletes a folder in `top`. The folders in it are moved up to `top` first: so neither paths nor
+// the stack grow with the depth.
 bool flattened(const Folder& top, const char* name, unsigned& number) {
   open_to_owner(top.file(), name);
   {

@@ -234,7 +234,8 @@ TEST_CASE("a fork bomb in a process namespace ends with one kill") {
   CHECK(trial.run("true").code == 0);
 }
 
-// Linux 5.14 counts the tasks of a user in a namespace by themselves, and 6.14 those of a superuser too.
+// Linux 5.14 counts the tasks of a user in a namespace by themselves, and 6.14 those of a superuser
+// too.
 bool kernel_counts_tasks() {
   utsname system = {};
   int major = 0, minor = 0;
@@ -259,7 +260,8 @@ TEST_CASE("in a process namespace the kernel refuses more tasks, however fast th
                "except RuntimeError: os._exit(7)\n"
                "os._exit(8)'")
           .code == 7);
-  // This one never ends, and each process of it has a session of its own, to which the kernel gives as much time as to the supervisor.
+  // This one never ends, and each process of it has a session of its own, to which the kernel gives
+  // as much time as to the supervisor.
   const auto start = Clock::now();
   CHECK(trial
             .run("exec python3 -c 'import os\n"

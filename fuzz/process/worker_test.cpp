@@ -242,7 +242,8 @@ TEST_CASE("time in which no processor is free is not a program's own") {
     request.command = {pinned, "-c", "0", "/bin/sh", "-c", script};
     return trial.supervisor.run(request, trial.limits);
   };
-  // Twelve that compute, each in a session of its own: some systems share a processor among sessions.
+  // Twelve that compute, each in a session of its own: some systems share a processor among
+  // sessions.
   WorkerTrial others;
   others.limits.seconds = 100;
   std::thread load([&] {

@@ -1,5 +1,5 @@
-// All named families of domains: those of complex_families.hpp, and those that are made of a Delaunay
-// triangulation to be edge-protected (Book: Section 4.5.3).
+// All named families of domains: those of complex_families.hpp, and those that are made of a
+// Delaunay triangulation to be edge-protected (Book: Section 4.5.3).
 #pragma once
 
 #include <string_view>

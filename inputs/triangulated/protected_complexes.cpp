@@ -244,8 +244,8 @@ std::set<Simplex> grown(Dice& dice, const Triangulation& triangulation) {
   return chosen;
 }
 
-// A point in each of the cavities: components of the complement of the chosen tetrahedra that do not
-// reach the hull. Each only every other time.
+// A point in each of the cavities: components of the complement of the chosen tetrahedra that do
+// not reach the hull. Each only every other time.
 std::vector<Point> cavity_seeds(Dice& dice, const PointSet& points,
                                 const Triangulation& triangulation,
                                 const std::set<Simplex>& chosen) {

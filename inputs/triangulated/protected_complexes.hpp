@@ -1,5 +1,5 @@
-// Random piecewise linear complexes made of edges of a Delaunay triangulation: edge-protected, so that
-// they have a CDT. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem).
+// Random piecewise linear complexes made of edges of a Delaunay triangulation: edge-protected, so
+// that they have a CDT. Book: Section 4.5.3, Theorem 4.9 (the CDT Theorem).
 #pragma once
 
 #include <vector>
@@ -26,12 +26,12 @@ PolygonLines polygon_of(const PointSet& points, const std::vector<Simplex>& part
 // ---- Protected complexes ----
 // The two readings of "edge-protected". "If the symbolic perturbations … are used to make the
 // vertices … generic, then every Delaunay edge is strongly Delaunay": the segments are edges of the
-// canonical Delaunay triangulation. Without perturbation, each has a closed circumball that contains
-// no other vertex.
+// canonical Delaunay triangulation. Without perturbation, each has a closed circumball that
+// contains no other vertex.
 enum class Protection { kCanonical, kStrong };
 
-// Triangles of three edges of the Delaunay triangulation, seldom facets of it, and quadrilaterals of
-// four coplanar ones, as long as they do not cross; other edges as lone segments, which may be
+// Triangles of three edges of the Delaunay triangulation, seldom facets of it, and quadrilaterals
+// of four coplanar ones, as long as they do not cross; other edges as lone segments, which may be
 // slits. The kind is hull, with dangling and isolated cells.
 generators::ComplexCase protected_polygons(generators::Dice& dice, std::vector<Point> points,
                                            Protection protection = Protection::kCanonical);

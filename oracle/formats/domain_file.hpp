@@ -69,11 +69,12 @@ DomainFile with_duplicates_merged(DomainFile file);
 Status add_faces(DomainFile& file, const SimplexFile& faces);
 
 // ---- Domain files ----
-// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in two,
-// as users of Triangle and TetGen keep it.
+// Finds and reads domains, whatever their format: a piecewise linear complex in one file, or in
+// two, as users of Triangle and TetGen keep it.
 
-// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh, .msh, .vtk,
-// .vtu, .vtp; a file with another name is recognised by its content. "-" is standard input.
+// .poly and .smesh (points in them or in the .node beside them), .off, .stl, .ply, .obj, .mesh,
+// .msh, .vtk, .vtu, .vtp; a file with another name is recognised by its content. "-" is standard
+// input.
 Result<DomainFile> read_domain(const std::string& path, NumberReading reading);
 
 // Does the name of this file say that it is a domain? (.off may also be a list of points, and so

@@ -57,7 +57,8 @@ bool is_abaqus(const Source& beginning) {
   return false;
 }
 
-// Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first vertex with its label.
+// Three counts, of vertices, triangles and edges (in space tetrahedra and triangles), and the first
+// vertex with its label.
 bool is_freefem(const Source& beginning) {
   Lines lines(beginning);
   if (!lines.next() || lines.size() != 3) return false;
@@ -67,7 +68,8 @@ bool is_freefem(const Source& beginning) {
   return lines.next() && (lines.size() == 3 || lines.size() == 4);
 }
 
-// "MESH dimension 3 ElemType Triangle Nnode 3", in any case, perhaps with a name and with signs of equality.
+// "MESH dimension 3 ElemType Triangle Nnode 3", in any case, perhaps with a name and with signs of
+// equality.
 bool is_gid(const std::vector<std::string_view>& first) {
   return is_word(first[0], "mesh") &&
          std::any_of(first.begin(), first.end(),

@@ -1,5 +1,5 @@
-// Finds the files of a mesh from the name that a user gives, and reads them: the points of x.1.ele are in x.1.node.
-// The extension tells the format or, if there is none, the content does.
+// Finds the files of a mesh from the name that a user gives, and reads them: the points of x.1.ele
+// are in x.1.node. The extension tells the format or, if there is none, the content does.
 #pragma once
 
 #include <map>
@@ -66,8 +66,8 @@ struct MeshRequest {
   bool keeps_coordinates = false;            // no third coordinate is left out (plane.hpp)
   std::optional<PointFile> own_points = {};  // instead of any file's
   Weights weights = Weights::kNone;
-  // Only simplices with one of these labels, if there are any: in Medit's files the reference, in Gmsh's the
-  // (first) physical group, in .ele the first attribute. See below.
+  // Only simplices with one of these labels, if there are any: in Medit's files the reference, in
+  // Gmsh's the (first) physical group, in .ele the first attribute. See below.
   std::vector<Vertex> kept_labels = {};
   std::vector<LoadedFile> loaded = {};  // used instead of the files' contents; see load_streams
 };
@@ -106,12 +106,12 @@ struct MeshFile {
   std::vector<std::string> notes = {};  // what was read differently from the files, a line each
 };
 
-// Reads a mesh and its points: files as programs write them at the speed of memory (read_plain_mesh), all
-// others by their own readers, which have the messages. `threads`: 0: as many as the machine has; the
-// answer is the same for any number.
-// Errors: a file that is missing or malformed; elements of second order, faces that are not
-// triangles and facets that are not simplices, none of which can be judged; neighbours of other
-// simplices than these; missing weights where they are demanded.
+// Reads a mesh and its points: files as programs write them at the speed of memory
+// (read_plain_mesh), all others by their own readers, which have the messages. `threads`: 0: as
+// many as the machine has; the answer is the same for any number. Errors: a file that is missing or
+// malformed; elements of second order, faces that are not triangles and facets that are not
+// simplices, none of which can be judged; neighbours of other simplices than these; missing weights
+// where they are demanded.
 Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
 
 // The same, but always by the readers that have the messages.

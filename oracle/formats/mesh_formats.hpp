@@ -1,4 +1,5 @@
-// The formats of meshes and of points, and formats of other programs that are recognized but not read.
+// The formats of meshes and of points, and formats of other programs that are recognized but not
+// read.
 #pragma once
 
 #include <optional>

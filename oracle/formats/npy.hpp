@@ -1,8 +1,10 @@
-// Arrays as NumPy saves them, .npy, and the header with which their files begin. Points are an array n × d of
-// float64 or float32, simplices one m × k of integers, row after row or column after column (Fortran order),
-// in either byte order. Each number is taken exactly. Vertices are counted from 0.
+// Arrays as NumPy saves them, .npy, and the header with which their files begin. Points are an
+// array n × d of float64 or float32, simplices one m × k of integers, row after row or column after
+// column (Fortran order), in either byte order. Each number is taken exactly. Vertices are counted
+// from 0.
 //
-// An archive of such arrays, .npz, is a ZIP file as numpy.savez and numpy.savez_compressed write it.
+// An archive of such arrays, .npz, is a ZIP file as numpy.savez and numpy.savez_compressed write
+// it.
 #pragma once
 
 #include <cstddef>
@@ -40,9 +42,9 @@ bool is_npy(std::string_view beginning);
 Result<NpyHeader> read_npy_header(const RandomAccess& file, const std::string& name);
 
 // ---- NPY ----
-// Arrays as NumPy saves them: .npy. Points are an array n × d of float64 or float32, simplices one m × k of
-// integers, row after row or column after column (Fortran order), in either byte order. Each number is taken
-// exactly. Vertices are counted from 0.
+// Arrays as NumPy saves them: .npy. Points are an array n × d of float64 or float32, simplices one
+// m × k of integers, row after row or column after column (Fortran order), in either byte order.
+// Each number is taken exactly. Vertices are counted from 0.
 
 // Indices of 32 bits if the file has such or shorter ones, else of 64 bits.
 using NpySimplices = std::variant<Rows<std::int32_t>, Rows<std::int64_t>>;
@@ -60,7 +62,8 @@ Result<Rows<double>> read_rows_of_npy_points(const RandomAccess& file, const std
 Result<NpySimplices> read_rows_of_npy_simplices(const RandomAccess& file, const std::string& name,
                                                 Slice rows = kAllRows);
 
-// A list of indices, such as those of the points of a part in a whole: of shape (n,), as one column. Errors: the same.
+// A list of indices, such as those of the points of a part in a whole: of shape (n,), as one
+// column. Errors: the same.
 Result<NpySimplices> read_npy_indices(const RandomAccess& file, const std::string& name);
 
 // The same as exact numbers and as lists, as the other formats have them.
@@ -70,9 +73,9 @@ Result<SimplexFile> read_npy_simplices(const Source& source);
 // Does a file begin as a ZIP file does?
 bool is_npz(std::string_view beginning);
 
-// The array `name`, such as "points", of an archive as an .npy file; messages call it "x.npz/points.npy".
-// Errors: not an archive, no array of that name, one that is packed differently from NumPy's, more
-// than 4 GiB, damage.
+// The array `name`, such as "points", of an archive as an .npy file; messages call it
+// "x.npz/points.npy". Errors: not an archive, no array of that name, one that is packed differently
+// from NumPy's, more than 4 GiB, damage.
 Result<Source> array_of_npz(const Source& archive, std::string_view name);
 
 }  // namespace circumspect::formats

@@ -57,8 +57,8 @@ class PlainTokens {
     return ends_token(*at_);
   }
 
-  // A decimal: [-]digits[.digits][e[+-]digits], one of the two runs of digits perhaps empty. Its value
-  // is the nearest double, as from strtod, but 0 for -0. Numbers that overflow are refused.
+  // A decimal: [-]digits[.digits][e[+-]digits], one of the two runs of digits perhaps empty. Its
+  // value is the nearest double, as from strtod, but 0 for -0. Numbers that overflow are refused.
   // from_chars also accepts "inf" and "nan", which are not finite, and it stops within hexadecimal
   // floats and fractions, so these are refused too.
   bool number(double& value) {
@@ -132,7 +132,8 @@ struct PlainHeader {
 // Nothing unless there are 1 to 4 integers, 0 or more.
 std::optional<PlainHeader> read_plain_header(const RandomAccess& file);
 
-// A part of a file that one thread reads: whole lines, which hold the rows from `first` up to `last`.
+// A part of a file that one thread reads: whole lines, which hold the rows from `first` up to
+// `last`.
 struct PlainBlock {
   std::size_t begin = 0;  // bytes
   std::size_t end = 0;
@@ -189,9 +190,9 @@ bool read_plain_rows(const RandomAccess& file, const PlainRows& rows, unsigned t
 }
 
 // ---- Plain files ----
-// .node, .ele and .neigh files as programs write them, read at the speed of memory into flat arrays.
-// Files that are faulty or not of the plain form have no answer here: tetgen.hpp then reads them,
-// or says what is wrong. An answer is always the same as that of tetgen.hpp with
+// .node, .ele and .neigh files as programs write them, read at the speed of memory into flat
+// arrays. Files that are faulty or not of the plain form have no answer here: tetgen.hpp then reads
+// them, or says what is wrong. An answer is always the same as that of tetgen.hpp with
 // NumberReading::kDouble.
 
 struct PlainReading {

@@ -31,8 +31,8 @@ inline constexpr Vertex kVtkPolygon = 7;
 std::optional<std::string> add_vtk_cell(ElementFile& file, Vertex type, Simplex vertices,
                                         std::size_t line);
 
-// Takes cells out of one list of all their vertices: cell i ends before place offsets[i]. Errors, as
-// those of `text`: offsets that go down or beyond the list.
+// Takes cells out of one list of all their vertices: cell i ends before place offsets[i]. Errors,
+// as those of `text`: offsets that go down or beyond the list.
 Result<VtkCells> cells_of(const MixedText& text, const std::vector<Vertex>& offsets,
                           const std::vector<Vertex>& connectivity, std::size_t line);
 

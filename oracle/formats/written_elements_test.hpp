@@ -1,5 +1,5 @@
-// For tests: one mesh of elements in every form of every format, as other programs write it. All must be read and
-// judged alike.
+// For tests: one mesh of elements in every form of every format, as other programs write it. All
+// must be read and judged alike.
 #pragma once
 
 #include <bit>

@@ -34,8 +34,8 @@ class PolygonInSpace {
   bool parts(const Simplex& simplex) const;
   bool is_coplanar(const Simplex& simplex) const;
 
-  // Is the part of the segment from the polygon's vertex v to a point of h that is close to v in the
-  // polygon? The triangles of the polygon at v tell.
+  // Is the part of the segment from the polygon's vertex v to a point of h that is close to v in
+  // the polygon? The triangles of the polygon at v tell.
   bool is_inside_near(Vertex v, const Point& towards) const;
 
   const Polygon& polygon() const { return polygon_; }
@@ -53,9 +53,9 @@ class PolygonInSpace {
 //
 // Such a tetrahedron has a vertex on each side, and its section with h is a convex cell, which is
 // either part of the polygon or has no interior point in it: all segments are edges of the
-// triangulation and do not cut the cell. For the same reason, where a facet that meets the inside of
-// the polygon has a vertex on each side, both its tetrahedra are crossed. So the search only needs
-// to pass such facets, and to test only its first tetrahedra. It may start at the polygon's
+// triangulation and do not cut the cell. For the same reason, where a facet that meets the inside
+// of the polygon has a vertex on each side, both its tetrahedra are crossed. So the search only
+// needs to pass such facets, and to test only its first tetrahedra. It may start at the polygon's
 // vertices: where it can go no further, an edge in the polygon bounds the cells. Requires: all
 // segments of the polygon are edges of the triangulation, which fills a convex hull; every vertex
 // of the triangulation in the polygon is one of the polygon's.

@@ -174,10 +174,11 @@ class FlipInsertPolygon {
   // convex and so constant on h, and about all points to which this spreads. But u = 0 on the
   // segments of the polygon.
   //
-  // Nor has any wall or segment been lost. All that a flip deletes has a face A, which it exchanges for
-  // B, the other Radon part. Were A in a closed half-space of h, its u at the common point would be d
-  // or 0, and no greater than that of B, so A would stay below and there would be no event. And a wall
-  // or segment with vertices on both sides does not come near the polygon's interior.
+  // Nor has any wall or segment been lost. All that a flip deletes has a face A, which it exchanges
+  // for B, the other Radon part. Were A in a closed half-space of h, its u at the common point
+  // would be d or 0, and no greater than that of B, so A would stay below and there would be no
+  // event. And a wall or segment with vertices on both sides does not come near the polygon's
+  // interior.
   std::optional<NoChange> finish() {
     std::optional<NoChange> wrong;
     if (!queue_.empty()) wrong = NoChange{WhyNoChange::kFlipBlocked, queue_.begin()->facet};

@@ -41,8 +41,8 @@ struct EventTime {
 // With Σ_v c_v p_v = 0 = Σ_v c_v the affine dependence of the five vertices, c negative at the
 // apex, the apex is below aff σ⁺ iff Σ_v c_v z_v(κ) > 0. The height z_v(κ) = |v|² − ω_v +
 // κ d(v, h), where the last term only counts for the vertices right of h, makes that an affine
-// function of κ, whose slope Σ c_v d(v, h) says what happens at time ∞. (If the slope is zero, all stays as it
-// is at time 0, when the facet is locally Delaunay.)
+// function of κ, whose slope Σ c_v d(v, h) says what happens at time ∞. (If the slope is zero, all
+// stays as it is at time 0, when the facet is locally Delaunay.)
 //
 // Its zero −(Σ c_v |v|²) / slope + Σ (c_v / slope) ω_v tells the dependence up to a factor. So two
 // events have equal times iff they have the same dependence, and belong to one and the same flip:
@@ -107,8 +107,8 @@ tl::expected<PlcTriangulation, NoPolygonInsertion> cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
     std::vector<PolygonFlips>* runs = nullptr);
 
-// The CDT of the convex hull with all segments, and with the polygons in it, whatever the kind of the
-// domain. Requires: as above, and complex.points.dimension() == 3.
+// The CDT of the convex hull with all segments, and with the polygons in it, whatever the kind of
+// the domain. Requires: as above, and complex.points.dimension() == 3.
 tl::expected<EvolvingCdt, NoPolygonInsertion> hull_cdt_by_polygon_insertion(
     const PiecewiseLinearComplex& complex, const PolygonInsertionOptions& options = {},
     std::vector<PolygonFlips>* runs = nullptr);

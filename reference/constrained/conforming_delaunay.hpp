@@ -17,11 +17,11 @@ namespace circumspect::constrained {
 // The triangles whose union a polygon must become. Book: Section 4.5.3 ("every polygon is a union
 // of Delaunay (preferably strongly Delaunay) triangles").
 
-// The triangles of the canonical Delaunay triangulation of some points of the polygon that are in it.
-// If the segments of the polygon are unions of edges, the polygon is the union of these triangles.
-// If the polygon is a union of triangles of a triangulation of more points under the canonical
-// perturbation, these are the triangles in it. Requires: `vertices` are the polygon's, and others
-// that have been added in it.
+// The triangles of the canonical Delaunay triangulation of some points of the polygon that are in
+// it. If the segments of the polygon are unions of edges, the polygon is the union of these
+// triangles. If the polygon is a union of triangles of a triangulation of more points under the
+// canonical perturbation, these are the triangles in it. Requires: `vertices` are the polygon's,
+// and others that have been added in it.
 std::vector<Simplex> subfacets(const PointSet& points, const Polygon& polygon,
                                const std::vector<Vertex>& vertices);
 

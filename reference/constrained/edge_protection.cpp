@@ -84,12 +84,12 @@ std::pair<Simplex, std::vector<Rational>> first_simplex_towards(const PointSet& 
   return {};
 }
 
-// With σ the simplex into which ab sets out, b − a = Σ μ (x − a) over the other vertices x of σ, and
-// M = Σ μ, the point Σ (μ/M) x is on the line of ab. The sum of the powers, Σ (μ/M) power(x), has the
-// sign of the height of the lower hull less that of the lifted segment, just after a. The former is
-// a convex function, and equal to the latter in the ends; so it is smaller in between or equal
-// throughout. If it is smaller, no circumball is empty. If it is equal, b⁺ lies on the witness plane
-// of σ, and the open circumball of σ is one of ab.
+// With σ the simplex into which ab sets out, b − a = Σ μ (x − a) over the other vertices x of σ,
+// and M = Σ μ, the point Σ (μ/M) x is on the line of ab. The sum of the powers, Σ (μ/M) power(x),
+// has the sign of the height of the lower hull less that of the lifted segment, just after a. The
+// former is a convex function, and equal to the latter in the ends; so it is smaller in between or
+// equal throughout. If it is smaller, no circumball is empty. If it is equal, b⁺ lies on the
+// witness plane of σ, and the open circumball of σ is one of ab.
 SimplexDelaunayhood of_missing_edge(const PointSet& points, const StarIndex& canonical,
                                     const Simplex& edge) {
   const auto [simplex, coefficients] = first_simplex_towards(points, canonical, edge[0], edge[1]);

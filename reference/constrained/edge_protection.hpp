@@ -32,8 +32,8 @@ std::vector<SegmentProtection> edge_protection(const PointSet& points,
 std::vector<SegmentProtection> edge_protection(const PiecewiseLinearComplex& complex,
                                                const Progress& progress = {});
 
-// A point of the obstruction that the diametral ball of the segment contains; nothing if the segment
-// is strongly Delaunay.
+// A point of the obstruction that the diametral ball of the segment contains; nothing if the
+// segment is strongly Delaunay.
 std::optional<Vertex> encroaching_vertex(const PointSet& points,
                                          const SegmentProtection& protection);
 

@@ -23,8 +23,8 @@ namespace circumspect::constrained {
 
 namespace {
 
-// A point of the facet by its barycentric coordinates; an affine function on the facet by its values
-// at the vertices.
+// A point of the facet by its barycentric coordinates; an affine function on the facet by its
+// values at the vertices.
 using OnFacet = Point;
 
 // The part of a convex polygon where the function is not negative. (A segment is a polygon with two
@@ -243,8 +243,8 @@ class SpatialWrapping {
     return std::nullopt;
   }
 
-  // Is some vertex in front visible from the facet? Then the tetrahedron that should be there, with the
-  // first such vertex, is crossed by a polygon.
+  // Is some vertex in front visible from the facet? Then the tetrahedron that should be there, with
+  // the first such vertex, is crossed by a polygon.
   NoCdt why_unfinished(const OrientedFacet& facet) const {
     const Regions regions(complex_);
     if (respects(complex_, regions, facet.vertices)) {

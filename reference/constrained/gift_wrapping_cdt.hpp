@@ -96,15 +96,16 @@ struct NoCdt {
 // The canonical CDT of a PLC in space. Both outcomes are values: the algorithm decides, in
 // polynomial time, whether the PLC under the canonical perturbation has a CDT.
 //
-// Why. Suppose that there is one, T. Its triangles in the polygons are their planar CDTs (Proposition
-// 4.11), the seeds. Let f be a facet of T and v the apex of the tetrahedron in front. Of all
-// vertices in front of f and visible from its relative interior, v comes first in the pencil of
-// spheres through f: any before it would be in the ball of f and v, and visible from points inside
-// the tetrahedron as well. So the wrapping, which takes for visible a vertex whose tetrahedron with f
-// is clear of all polygons (then it is visible; and v counts as visible), finds T and nothing else.
+// Why. Suppose that there is one, T. Its triangles in the polygons are their planar CDTs
+// (Proposition 4.11), the seeds. Let f be a facet of T and v the apex of the tetrahedron in front.
+// Of all vertices in front of f and visible from its relative interior, v comes first in the pencil
+// of spheres through f: any before it would be in the ball of f and v, and visible from points
+// inside the tetrahedron as well. So the wrapping, which takes for visible a vertex whose
+// tetrahedron with f is clear of all polygons (then it is visible; and v counts as visible), finds
+// T and nothing else.
 //
-// Conversely, let the wrapping end. The boundary of its tetrahedra, as a chain of oriented facets, is
-// that of the domain; so every point of the domain is covered once, and no other point. (For the
+// Conversely, let the wrapping end. The boundary of its tetrahedra, as a chain of oriented facets,
+// is that of the domain; so every point of the domain is covered once, and no other point. (For the
 // hull kind, the hull's own facets are not given in advance, so all of the hull might be covered c
 // more times. One sample point shows that c = 0.) Tetrahedra that tile facet to facet, with
 // triangulated polygons for facets, do so face to face. If all segments and vertices of the domain
@@ -112,8 +113,8 @@ struct NoCdt {
 // locally Delaunay, it is a CDT by Lemma 4.10. If any of that fails, what has been found is not the
 // CDT, and by the first part there is none.
 //
-// Requires: complex.ambient_dimension() == 3; the complex is valid. (A hull without volume has nothing
-// inside.)
+// Requires: complex.ambient_dimension() == 3; the complex is valid. (A hull without volume has
+// nothing inside.)
 tl::expected<PlcTriangulation, NoCdt> gift_wrapping_cdt(const PiecewiseLinearComplex& complex,
                                                         const Progress& progress = {});
 

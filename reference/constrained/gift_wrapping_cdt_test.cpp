@@ -202,8 +202,8 @@ TEST_CASE("gift-wrapping a CDT: Schonhardt's polyhedron has none, with vertices 
   REQUIRE_FALSE(none.has_value());
   // Vertex 5 is the first that is visible from the facet 0 1 2, but not from all of it.
   CHECK(none.error() == NoCdt{WhyNoCdt::kPolygonCrosses, {0, 1, 2, 5}, {0, 2, 3}});
-  // A vertex in the middle gives it a triangulation, but no CDT: seen from there, the two facets at a
-  // reflex edge fall back too steeply.
+  // A vertex in the middle gives it a triangulation, but no CDT: seen from there, the two facets at
+  // a reflex edge fall back too steeply.
   PiecewiseLinearInput centred = input;
   centred.points.push_back({0, 0, 5});
   const auto not_constrained_delaunay = cdt_of(centred);

@@ -70,8 +70,8 @@ struct Pierced {
 
 TEST_CASE("when two tetrahedra become cohyperplanar, to the last infinitesimal") {
   const Pierced p;
-  // (p3 + p4) / 2 = p0 / 2 + p1 / 4 + p2 / 4; the means of |v|² are 3 and 8, the vertex on the right
-  // is at distance 1, so 3 + κ/2 = 8.
+  // (p3 + p4) / 2 = p0 / 2 + p1 / 4 + p2 / 4; the means of |v|² are 3 and 8, the vertex on the
+  // right is at distance 1, so 3 + κ/2 = 8.
   const auto time = event_time(p.polygon, {0, 1, 3, 4}, 2);
   REQUIRE(time.has_value());
   CHECK(time->standard == 10);

@@ -36,11 +36,11 @@ struct RecoveredSegments {
 //
 // 1. A segment ab that is acute at a has no vertex but a nearer to a than 2^k. Points at shells of
 //    a have been chosen so. Points in the middle half of a subsegment are further away than an end
-//    of that subsegment, or, if it is ab itself, a quarter of ab or more, and 2^k is no more. As for points at shells of b, the nearest to a was
-//    split off from a subsegment that begins at b. If that was ab itself, of length l, the point is
-//    no further from b than 9/8 · 2l/3 or 9/8 · l/4, since b's least shell is at most l/4; so it is
-//    l/4 or further from a, and 2^k ≤ l/4. If not, the subsegment has another vertex for its end,
-//    which is nearer to a.
+//    of that subsegment, or, if it is ab itself, a quarter of ab or more, and 2^k is no more. As
+//    for points at shells of b, the nearest to a was split off from a subsegment that begins at b.
+//    If that was ab itself, of length l, the point is no further from b than 9/8 · 2l/3 or 9/8 ·
+//    l/4, since b's least shell is at most l/4; so it is l/4 or further from a, and 2^k ≤ l/4. If
+//    not, the subsegment has another vertex for its end, which is nearer to a.
 // 2. A short subsegment ap is strongly Delaunay, by its diametral ball. That ball is in the closed
 //    ball about a with radius √m 2^k ≤ 9/8 · 2^k, which is smaller than the distance of a from all
 //    other original vertices and all segments that do not end at a. A vertex q on a segment that
@@ -50,18 +50,18 @@ struct RecoveredSegments {
 // 3. A subsegment at one acute end that is not short is split so that the rest of it at that end is
 //    at most 3/4 as long, or short. This cannot go on for ever.
 // 4. So from some time on only others are split, each within its middle half. Then none gets
-//    shorter than some ℓ: let 4ℓ be at most the length of every subsegment at that time, and at most
-//    the distance of the part of any segment s that is at least 2^k away from its acute ends from
-//    every original vertex and every segment other than s, save those that meet s in an end b that
-//    is not acute. A subsegment xy of s that is shorter than 4ℓ has nothing in its closed diametral
-//    ball that is so far away. Segments that meet s in b at an angle of 90° or more have no point in
-//    it apart from b: they are on the other side of the plane through b orthogonal to s, or in it.
-//    Let a vertex p be on one with an angle θ < 90°: cos θ ≤ 1/4, since b is not narrow, and
-//    |bp| ≥ ℓ, since no subsegment is shorter. If x = b, p is in the ball only if
-//    |bp| ≤ |by| cos θ < ℓ. If not, |bx| ≥ ℓ, and with t = |bp| cos θ, where h = |bp| sin θ is at
-//    least t √15, p is in the ball only if h² ≤ (t − |bx|)(|by| − t); so |bx| < t and
-//    |by| > t + 15 t > 16 |bx|, and xy is longer than 15ℓ. So xy is strongly Delaunay, and is not
-//    split; a longer one has parts that are ℓ or longer.
+//    shorter than some ℓ: let 4ℓ be at most the length of every subsegment at that time, and at
+//    most the distance of the part of any segment s that is at least 2^k away from its acute ends
+//    from every original vertex and every segment other than s, save those that meet s in an end b
+//    that is not acute. A subsegment xy of s that is shorter than 4ℓ has nothing in its closed
+//    diametral ball that is so far away. Segments that meet s in b at an angle of 90° or more have
+//    no point in it apart from b: they are on the other side of the plane through b orthogonal to
+//    s, or in it. Let a vertex p be on one with an angle θ < 90°: cos θ ≤ 1/4, since b is not
+//    narrow, and |bp| ≥ ℓ, since no subsegment is shorter. If x = b, p is in the ball only if |bp|
+//    ≤ |by| cos θ < ℓ. If not, |bx| ≥ ℓ, and with t = |bp| cos θ, where h = |bp| sin θ is at least
+//    t √15, p is in the ball only if h² ≤ (t − |bx|)(|by| − t); so |bx| < t and |by| > t + 15 t >
+//    16 |bx|, and xy is longer than 15ℓ. So xy is strongly Delaunay, and is not split; a longer one
+//    has parts that are ℓ or longer.
 //
 // Therefore, unlike conforming_delaunay.hpp, it has no limit on Steiner points; but there may be
 // many of them: for two parallel segments, in proportion to the ratio of their length to their

@@ -54,8 +54,8 @@ TEST_CASE("conforming Delaunay: the named complexes") {
   CHECK(!notched.in_polygons.empty());
 }
 
-// Two vertices very near the middle of a polygon, on either side of it: an edge between them pierces
-// the polygon until it has a vertex there.
+// Two vertices very near the middle of a polygon, on either side of it: an edge between them
+// pierces the polygon until it has a vertex there.
 TEST_CASE("conforming Delaunay: a polygon with vertices close by on both sides") {
   PiecewiseLinearInput input = generators::box(0, 4);
   const auto first = static_cast<Vertex>(input.points.size());

@@ -75,7 +75,8 @@ bool BowyerWatson::is_conflict(const Simplex& simplex, Vertex u) {
 }
 
 // DigCavity3D. The facets to pass have a deleted simplex, and so u, in front. The book recurses; a
-// stack of facets visits them in the same depth-first order and does not overflow on large cavities.
+// stack of facets visits them in the same depth-first order and does not overflow on large
+// cavities.
 void BowyerWatson::dig_cavity(Vertex u) {
   while (!facets_to_pass_.empty()) {
     const OrientedFacet facet = std::move(facets_to_pass_.back());

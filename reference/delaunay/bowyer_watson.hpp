@@ -1,5 +1,5 @@
-// The Bowyer–Watson algorithm: incremental insertion with ghost simplices. Book: Section 5.2; orders
-// of insertion and point location in Sections 5.3 to 5.5.
+// The Bowyer–Watson algorithm: incremental insertion with ghost simplices. Book: Section 5.2;
+// orders of insertion and point location in Sections 5.3 to 5.5.
 #pragma once
 
 #include <cstdint>

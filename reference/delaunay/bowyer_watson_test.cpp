@@ -1,4 +1,5 @@
-// Vertices inserted by the Bowyer–Watson algorithm, and deleted. Book: Section 5.2; Figures 4.2 and 4.4.
+// Vertices inserted by the Bowyer–Watson algorithm, and deleted. Book: Section 5.2; Figures 4.2 and
+// 4.4.
 #include "reference/delaunay/bowyer_watson.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Bistellar flips, insertion by flips, and the flip algorithm. Book: Section 4.4; Section 2.5 in the plane.
+// Bistellar flips, insertion by flips, and the flip algorithm. Book: Section 4.4; Section 2.5 in
+// the plane.
 #include <algorithm>
 
 #include <doctest/doctest.h>

@@ -68,8 +68,8 @@ std::optional<Simplex> linear_scan(const PointSet& points, const SimplexDictiona
 //
 // Where it ends, the simplex is in conflict with q or q is submerged: the witness plane of a
 // simplex that contains q carries the lower hull over q, and q⁺ is below it or not. (Without
-// weights q⁺ is below it, as q is in the open circumball of every simplex that contains it.) A point
-// strictly in front of a hull facet is in conflict with its ghost, whatever the weights.
+// weights q⁺ is below it, as q is in the open circumball of every simplex that contains it.) A
+// point strictly in front of a hull facet is in conflict with its ghost, whatever the weights.
 //
 // Requires: the dictionary holds the canonical triangulation of some points, with its ghosts; q is
 // not one of its vertices; `start` is one of its solid simplices, positively oriented.

@@ -33,8 +33,8 @@ std::string solver_version();
 
 // ---- Existence ----
 // Does a piecewise linear complex have any triangulation without Steiner points, or any constrained
-// Delaunay triangulation? The former is NP-complete in general, the latter NP-hard where the complex
-// is not generic. Book: Section 4.5, Sections 5.6 and 5.9.
+// Delaunay triangulation? The former is NP-complete in general, the latter NP-hard where the
+// complex is not generic. Book: Section 4.5, Sections 5.6 and 5.9.
 
 // The tetrahedra of a triangulation, ascending, in lexicographic order.
 struct Exists {

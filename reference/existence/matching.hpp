@@ -13,9 +13,9 @@ namespace circumspect::existence {
 // ---- Candidates ----
 // The tetrahedra that a triangulation of a complex can consist of.
 
-// Every tetrahedron with vertices of the complex that respects it, ascending, in lexicographic order.
-// A triangulation has no others (Definition 4.4), whatever its vertices' order.
-// Requires: the complex is in space.
+// Every tetrahedron with vertices of the complex that respects it, ascending, in lexicographic
+// order. A triangulation has no others (Definition 4.4), whatever its vertices' order. Requires:
+// the complex is in space.
 std::vector<Simplex> respecting_tetrahedra(const PiecewiseLinearComplex& complex,
                                            const Regions& regions);
 
@@ -28,8 +28,8 @@ std::vector<Simplex> constrained_delaunay_tetrahedra(const PiecewiseLinearComple
 // Variable i + 1 says that tetrahedron i is chosen. The formula is true iff the chosen ones are a
 // triangulation of the polyhedra of the complex (Definition 4.4). Its clauses:
 //  1. At most one of the tetrahedra on one side of a facet is chosen.
-//  2. A chosen tetrahedron has a chosen one across each of its facets that has some of the domain on
-//     its other side.
+//  2. A chosen tetrahedron has a chosen one across each of its facets that has some of the domain
+//     on its other side.
 //  3. For each region of the domain: of the tetrahedra that reach some point on its boundary from
 //     within, exactly one is chosen.
 //

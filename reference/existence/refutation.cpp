@@ -74,7 +74,8 @@ class UnitPropagation {
     return conflict;
   }
 
-  // After `refutes`: the clauses that become unit in turn, by their numbers, and the one that becomes false.
+  // After `refutes`: the clauses that become unit in turn, by their numbers, and the one that
+  // becomes false.
   const std::vector<std::size_t>& antecedents() const { return antecedents_; }
 
  private:

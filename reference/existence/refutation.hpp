@@ -71,8 +71,8 @@ struct ProofFault {
 // satisfies the formula. Deletions only save time; deleting a clause that is not there is ignored.
 tl::expected<void, ProofFault> replay(const Formula& formula, const Refutation& refutation);
 
-// A step with the clauses that become unit in turn if its literals are false, and at last the one that becomes
-// false: by their numbers from 0, the formula's before the steps'.
+// A step with the clauses that become unit in turn if its literals are false, and at last the one
+// that becomes false: by their numbers from 0, the formula's before the steps'.
 struct HintedStep {
   Clause clause;
   std::vector<std::size_t> hints;
@@ -88,9 +88,9 @@ std::optional<std::vector<HintedStep>> with_hints(const Formula& formula,
 // The formula, after comments of one line each.
 std::string to_dimacs(const Formula& formula, const std::vector<std::string>& comments = {});
 
-// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces, each
-// of literals and a 0, on lines as they like. The header's counts are not trusted: they must agree
-// with what follows, and no memory is reserved for them.
+// Reads comments (c …), one header (p cnf variables clauses) and as many clauses as it announces,
+// each of literals and a 0, on lines as they like. The header's counts are not trusted: they must
+// agree with what follows, and no memory is reserved for them.
 tl::expected<Formula, MalformedProof> read_dimacs(std::string_view text);
 
 }  // namespace circumspect::existence

@@ -29,8 +29,8 @@ std::vector<Simplex> simplicial_complex(const Triangulation& triangulation);
 // include the extreme ones.
 enum class VertexUse { kAllPoints, kSomePoints };
 
-// Every triangulation, each once, in ascending order of the lists of simplices. A set of dimension k
-// has at most C(n, k+1) simplices to choose from; intended for n ≤ 9.
+// Every triangulation, each once, in ascending order of the lists of simplices. A set of dimension
+// k has at most C(n, k+1) simplices to choose from; intended for n ≤ 9.
 std::vector<Triangulation> all_triangulations(const PointSet& points,
                                               VertexUse use = VertexUse::kAllPoints);
 

@@ -1,5 +1,5 @@
-// A file of words in text and numbers that may be binary: Gmsh's .msh, VTK's legacy files, and the arrays of
-// VTK's XML files.
+// A file of words in text and numbers that may be binary: Gmsh's .msh, VTK's legacy files, and the
+// arrays of VTK's XML files.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +55,8 @@ inline constexpr NumberType kFloat64{NumberType::Kind::kFloating, 8};
 
 class MixedText {
  public:
-  // `first_line`: the line of the file on which the text begins. Requires: the text outlives this object.
+  // `first_line`: the line of the file on which the text begins. Requires: the text outlives this
+  // object.
   MixedText(std::string name, std::string_view text, NumberReading reading,
             std::size_t first_line = 1);
 

@@ -73,8 +73,8 @@ class RandomAccess {
   // The size when the file was opened.
   std::size_t size() const { return size_; }
 
-  // Copies `count` bytes from `offset` on; false if there are not as many. Any number of threads may
-  // call this at once. Requires: `to` has room.
+  // Copies `count` bytes from `offset` on; false if there are not as many. Any number of threads
+  // may call this at once. Requires: `to` has room.
   bool read(std::size_t offset, std::size_t count, char* to) const;
 
  private:

@@ -115,8 +115,9 @@ class Boundary {
     return row;
   }
 
-  // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the other
-  // backwards. Forwards: from the lesser vertex to the greater; in the plane, towards the vertex.
+  // Facets of the boundary are oriented alike, so that one runs through a ridge forwards and the
+  // other backwards. Forwards: from the lesser vertex to the greater; in the plane, towards the
+  // vertex.
   void list_turns(FacetId facet, std::vector<Turn>& turns) const {
     const std::size_t s = facet.simplex();
     const auto row = mesh_.row(s);

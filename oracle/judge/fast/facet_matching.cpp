@@ -235,8 +235,8 @@ class Matching {
     match_one_by_one(pile, table);
   }
 
-  // Pairs records of the same hash in a table with open addressing, of which at most half is used if all facets have
-  // two simplices.
+  // Pairs records of the same hash in a table with open addressing, of which at most half is used
+  // if all facets have two simplices.
   void match_one_by_one(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& table) {
     constexpr std::uint64_t kFree = ~std::uint64_t{0};
     const int bits = bits_of(pile.size());
@@ -287,7 +287,8 @@ class Matching {
     if (!twice.empty()) match_by_vertices(with_partners(doubtful, twice), twice);
   }
 
-  // The records whose hash is among those of `some`, and those of the facets that they are linked to.
+  // The records whose hash is among those of `some`, and those of the facets that they are linked
+  // to.
   std::vector<std::uint64_t> with_partners(std::span<const std::uint64_t> pile,
                                            const std::vector<std::uint64_t>& some) {
     std::set<std::uint64_t> hashes, facets;

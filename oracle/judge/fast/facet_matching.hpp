@@ -61,8 +61,8 @@ LargeArray<T> large_array(std::size_t count) {
 struct OwnedLinks {
   LargeArray<std::int32_t> links;
   std::size_t count = 0;
-  // Facets of three or more simplices, each as simplex · (d + 1) + place of the vertex opposite, ascending.
-  // They have no links.
+  // Facets of three or more simplices, each as simplex · (d + 1) + place of the vertex opposite,
+  // ascending. They have no links.
   std::vector<std::vector<std::uint64_t>> overused = {};
 
   std::span<const std::int32_t> view() const { return {links.get(), count}; }
@@ -72,8 +72,8 @@ struct OwnedLinks {
 enum class Proposal {
   // Finds facets of three simplices only if they meet by chance; the fastest.
   kLikely,
-  // A facet without a link that is not overused is in no other simplex, and one with a link that is right
-  // is in no third.
+  // A facet without a link that is not overused is in no other simplex, and one with a link that is
+  // right is in no third.
   kComplete,
 };
 

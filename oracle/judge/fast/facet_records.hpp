@@ -27,8 +27,8 @@ inline std::uint64_t mixed_vertex(std::uint64_t v) {
   return v ^ (v >> 29);
 }
 
-// A record holds, from the top, the low bits of a hash of the facet's vertices and which facet of which
-// simplex it is: simplex · (d + 1) + place of the vertex opposite.
+// A record holds, from the top, the low bits of a hash of the facet's vertices and which facet of
+// which simplex it is: simplex · (d + 1) + place of the vertex opposite.
 class RecordLayout {
  public:
   // Requires: fewer than 2^62 facets. The number with all bits set is not a facet.
@@ -62,10 +62,10 @@ template <std::size_t kVertices, typename Index, typename Visit>
 // ---- Facet pairs ----
 // Pairs of records with the same hash, found without unpredictable branches.
 
-// Adds up the records of each slot of a table, chosen by bits of their hashes after the first `skipped`.
-// If two are alone in a slot, the sum minus one record is the other; otherwise the difference most
-// likely has another hash. Calls found(record, other, is_pair) for each record; those without a
-// partner are moved to the front. Returns their number.
+// Adds up the records of each slot of a table, chosen by bits of their hashes after the first
+// `skipped`. If two are alone in a slot, the sum minus one record is the other; otherwise the
+// difference most likely has another hash. Calls found(record, other, is_pair) for each record;
+// those without a partner are moved to the front. Returns their number.
 template <typename Found>
 std::size_t pair_by_sums(const RecordLayout& layout, std::span<std::uint64_t> records, int skipped,
                          std::vector<std::uint64_t>& sums, const Found& found) {
@@ -98,8 +98,9 @@ class NearbyFacets {
  public:
   static constexpr std::size_t kVertices = kDimension + 1;
 
-  // `links` are those of the whole mesh; `left[pile]` counts facets that were forgotten without a partner.
-  // Requires: the number of piles is a power of two; at most `simplices` simplices will come.
+  // `links` are those of the whole mesh; `left[pile]` counts facets that were forgotten without a
+  // partner. Requires: the number of piles is a power of two; at most `simplices` simplices will
+  // come.
   NearbyFacets(const RecordLayout& layout, std::size_t simplices, std::int32_t* links,
                std::span<std::uint32_t> left)
       : layout_(layout),

@@ -1,5 +1,6 @@
 // Lists every place where a mesh of doubles breaks a rule, by the stages of the exact checkers
-// (ARCHITECTURE.md: "Stages"). The exact checkers look at these places again and name what is wrong.
+// (ARCHITECTURE.md: "Stages"). The exact checkers look at these places again and name what is
+// wrong.
 #pragma once
 
 #include <array>
@@ -43,7 +44,8 @@ struct Faults {
   std::vector<std::size_t> duplicates = {};
   std::vector<std::size_t> turned = {};
   std::vector<std::size_t> unused = {};
-  // If all are sound: the orientation of most (of both alike: 1), and the first simplex that has it.
+  // If all are sound: the orientation of most (of both alike: 1), and the first simplex that has
+  // it.
   int orientation_of_most = 1;
   std::size_t first_of_most = 0;
 

@@ -15,8 +15,9 @@ namespace circumspect::fast {
 // ---- Names of facets ----
 // The name of a facet of a mesh.
 
-// A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many. A
-// facet of two simplices is named by the one that comes first. In order by simplices, then by places.
+// A simplex and the place in it of the vertex opposite; in eight bytes, since a mesh may have many.
+// A facet of two simplices is named by the one that comes first. In order by simplices, then by
+// places.
 class FacetId {
  public:
   // Requires: place < 4, as in the plane and in space; simplex < 2^62.
@@ -86,7 +87,8 @@ std::array<Index, kVertices - 1> facet_of(std::span<const Index, kVertices> simp
   return facet;
 }
 
-// For each simplex and vertex, what is across the facet opposite: given, or found by facet_matching.hpp.
+// For each simplex and vertex, what is across the facet opposite: given, or found by
+// facet_matching.hpp.
 template <typename Link>
 using Links = std::span<const Link>;
 

@@ -123,7 +123,8 @@ void check_far_grid(bool mirrored) {
     CHECK(facts->holds());
     CHECK(facts->stages.unbounded > 0);
   }
-  // Without one of its simplices, and with one twice; then with a point moved to its neighbour's far side.
+  // Without one of its simplices, and with one twice; then with a point moved to its neighbour's
+  // far side.
   const auto good = mesh.simplices;
   std::mt19937_64 random(8);
   for (int i = 0; i < 10; ++i) {

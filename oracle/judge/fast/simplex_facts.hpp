@@ -1,5 +1,5 @@
-// Facts about the simplices of a mesh that do not depend on the region that they cover: for meshes of domains, whose
-// walls decide the rest (docs/theory/domains.md).
+// Facts about the simplices of a mesh that do not depend on the region that they cover: for meshes
+// of domains, whose walls decide the rest (docs/theory/domains.md).
 #pragma once
 
 #include <vector>
@@ -25,11 +25,11 @@ struct SimplexFacts {
   std::vector<FacetId> ties = {};
   std::vector<FacetId> not_canonical = {};
   bool oriented = true;  // all simplices alike
-  // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2 and 3
-  // of docs/theory/points.md.)
+  // Is it known that they are a triangulation of all points, if that was asked for? (Conditions 2
+  // and 3 of docs/theory/points.md.)
   bool fills_hull = false;
-  // Is it known that no point is strictly inside the ball of a simplex that has a facet of its own, if that was asked
-  // for, in space?
+  // Is it known that no point is strictly inside the ball of a simplex that has a facet of its own,
+  // if that was asked for, in space?
   bool boundary_balls_are_empty = false;
   Stages stages = {};  // what decided the signs
 };

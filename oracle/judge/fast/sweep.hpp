@@ -1,5 +1,5 @@
-// One pass over the simplices that looks at every simplex and every facet once, and notes orientations, used points,
-// and simplices at the boundary.
+// One pass over the simplices that looks at every simplex and every facet once, and notes
+// orientations, used points, and simplices at the boundary.
 #pragma once
 
 #include <algorithm>
@@ -92,7 +92,8 @@ class BoundarySimplices {
   // Bit i of `bits`: simplex `block` · kBlock + i.
   void set(std::size_t block, std::uint32_t bits) { blocks_[block] = bits; }
 
-  // Their facets without a link in simplices `first` to `last` − 1, ascending. Requires: first is a multiple of kBlock.
+  // Their facets without a link in simplices `first` to `last` − 1, ascending. Requires: first is a
+  // multiple of kBlock.
   template <std::size_t kVertices, typename Link>
   std::vector<FacetId> facets(Links<Link> links, std::size_t first, std::size_t last) const {
     std::vector<FacetId> facets;
@@ -113,8 +114,8 @@ class BoundarySimplices {
 };
 
 // ---- Sweep ----
-// One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1 of
-// docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
+// One pass over the simplices that looks at every simplex and every facet once: conditions 0 and 1
+// of docs/theory/points.md, what condition 3 says of simplices, the links, and Lemma 4.1.
 
 template <std::size_t kDimension, typename Index, typename Link>
 struct SweepTask {

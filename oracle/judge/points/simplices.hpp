@@ -1,5 +1,5 @@
-// Each simplex by itself, and the set of vertices: conditions that must hold before simplices can be compared with
-// each other.
+// Each simplex by itself, and the set of vertices: conditions that must hold before simplices can
+// be compared with each other.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What the filters assume of the machine's arithmetic: IEEE 754 binary64, every operation rounded by
-// itself, to nearest, with gradual underflow.
+// What the filters assume of the machine's arithmetic: IEEE 754 binary64, every operation rounded
+// by itself, to nearest, with gradual underflow.
 #pragma once
 
 #include <cfloat>

@@ -1,4 +1,5 @@
-// The first stage: polynomials with doubles, bounds on their errors, and whether their signs are certain.
+// The first stage: polynomials with doubles, bounds on their errors, and whether their signs are
+// certain.
 #pragma once
 
 #include <cmath>
@@ -14,9 +15,9 @@ namespace circumspect::fast {
 // ---- Filter bounds ----
 // Bounds on the errors of the polynomials of polynomials.hpp when evaluated with doubles.
 
-// Each is proved by the script proofs/filters/NAME.gappa, for differences (and weights) scaled so that
-// the largest in its column is 1. Columns have degree one in the polynomials, so that for others the
-// bound is multiplied by the largest entry of each column; see proofs/filters/README.md.
+// Each is proved by the script proofs/filters/NAME.gappa, for differences (and weights) scaled so
+// that the largest in its column is 1. Columns have degree one in the polynomials, so that for
+// others the bound is multiplied by the largest entry of each column; see proofs/filters/README.md.
 inline constexpr double kOrientation2 = 0x1.001p-50;      // orientation_2.gappa
 inline constexpr double kOrientation3 = 0x1.701p-48;      // orientation_3.gappa
 inline constexpr double kInCircle = 0x1.001p-46;          // in_circle.gappa
@@ -28,9 +29,9 @@ inline constexpr double kInSphereWeighted = 0x1.781p-43;  // in_sphere_weighted.
 // products, each rounded, are low by a factor of at most (1 − 2^-53)^5 > 1 − 2^-50.
 inline constexpr double kRoundedBound = 1 + 0x1p-40;
 
-// Within these limits of the largest entry of each column of coordinates (their squares: of heights)
-// nothing overflows, and what underflow adds to one product is at most 2^-125 after scaling, which
-// is what the scripts assume. Largest: 2^(5·190) times at most 2^7.
+// Within these limits of the largest entry of each column of coordinates (their squares: of
+// heights) nothing overflows, and what underflow adds to one product is at most 2^-125 after
+// scaling, which is what the scripts assume. Largest: 2^(5·190) times at most 2^7.
 inline constexpr double kSmallestScale = 0x1p-190;
 inline constexpr double kLargestScale = 0x1p190;
 inline constexpr double kLargestHeight = 0x1p380;
@@ -88,10 +89,10 @@ template <bool kWeighted>
   return {{x, y, z, w - weight}, {std::fabs(x), std::fabs(y), std::fabs(z), std::fabs(weight)}};
 }
 
-// The sign of a polynomial whose computed value is `value`, if it is certain. `columns` is the product
-// of the largest entries of its columns, `smallest` and `largest` those of the columns of coordinates.
-// A column of zeros makes the polynomial zero. Differences that overflowed fail the second test,
-// and NaN (from infinities) fails the comparisons. If `exact`, nothing was rounded.
+// The sign of a polynomial whose computed value is `value`, if it is certain. `columns` is the
+// product of the largest entries of its columns, `smallest` and `largest` those of the columns of
+// coordinates. A column of zeros makes the polynomial zero. Differences that overflowed fail the
+// second test, and NaN (from infinities) fails the comparisons. If `exact`, nothing was rounded.
 template <typename Sign>
 [[gnu::always_inline]] inline Sign certain_sign(double value, double bound, double columns,
                                                 double smallest, double largest,

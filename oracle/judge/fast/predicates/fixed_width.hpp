@@ -1,5 +1,5 @@
-// Integers of fixed width for the exact stages. Nothing is checked: callers know from the sizes of the factors
-// that nothing overflows.
+// Integers of fixed width for the exact stages. Nothing is checked: callers know from the sizes of
+// the factors that nothing overflows.
 #pragma once
 
 #include <array>

@@ -42,7 +42,8 @@ inline Term operator*(const Term& a, const Term& b) {
 // Operations are numbered from the leaves, left before right, and each once.
 class GappaScript {
  public:
-  // A script that is proved if the computed value of `result` is always within `bound` of the exact one.
+  // A script that is proved if the computed value of `result` is always within `bound` of the exact
+  // one.
   static std::string of(const Term& result, const std::string& head, const std::string& bound) {
     GappaScript script;
     const std::string number = script.visit(result).substr(1);

@@ -1,15 +1,19 @@
 // Orientation and ball tests of points given by doubles: exact, and as fast as doubles where those
-// suffice. Book: Section 3.1 (Orient2D, Orient3D, InCircle, InSphere); Section 5.2 for weighted points.
+// suffice. Book: Section 3.1 (Orient2D, Orient3D, InCircle, InSphere); Section 5.2 for weighted
+// points.
 //
 // Laws (held by predicates_test.cpp, and by predicates_soak_test.cpp on a million tuples of every
 // family, under these numbers):
 //  F1 each sign is the sign of kernel/predicates, whatever the stage that decides: for numbers from
-//     the least denormal to the largest double, one ulp apart, far from the origin, with exact zeros.
+//     the least denormal to the largest double, one ulp apart, far from the origin, with exact
+//     zeros.
 //  F2 coordinates (and weights, where they count) are finite; other input is a breach of contract.
-//  F3 the arithmetic is as oracle/judge/fast/predicates/arithmetic.hpp says; `arithmetic_is_as_proved` tests it.
+//  F3 the arithmetic is as oracle/judge/fast/predicates/arithmetic.hpp says;
+//     `arithmetic_is_as_proved` tests it.
 //  F4 each call adds one to exactly one of the stages.
 //  F5 a filter's bound is the one that a script in proofs/filters proves for its operations
-//     (gappa_scripts_test.cpp), which are the same for many simplices side by side (block_test.cpp).
+//     (gappa_scripts_test.cpp), which are the same for many simplices side by side
+//     (block_test.cpp).
 //  F6 a lattice that all points lie on changes no sign.
 #pragma once
 

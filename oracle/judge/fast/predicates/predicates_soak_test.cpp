@@ -1,5 +1,5 @@
-// Law F1 of oracle/judge/fast/predicates/predicates.hpp on a million tuples of every family of inputs and every kind of
-// hard tuple, in the plane and in space.
+// Law F1 of oracle/judge/fast/predicates/predicates.hpp on a million tuples of every family of
+// inputs and every kind of hard tuple, in the plane and in space.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
