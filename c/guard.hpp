@@ -18,7 +18,7 @@ struct circumspect_document {
 
 namespace circumspect::c {
 
-// Why a call is refused, with the status that comes back.
+// Why a call is refused, with the status that it returns.
 struct Refusal {
   circumspect_status status;
   std::string message;

@@ -21,7 +21,7 @@ using Steps = std::vector<Step>;
 
 // Where a sequence first goes wrong.
 struct Failure {
-  std::size_t steps = 0;  // the number of steps done, of which it is the last
+  std::size_t steps = 0;  // the number of steps done, it being the last
   std::string rule = {};
   std::string report = {};
 };

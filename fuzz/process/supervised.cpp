@@ -96,7 +96,7 @@ struct OpenFiles {
   bool all_open() const { return std::min({files[0], files[1], files[2]}) >= 0; }
 };
 
-// The kernel is told once how many, since all runs of a supervisor have the same limits.
+// The number is set once, because all runs of a supervisor have the same limits.
 rlim_t tasks_for(const Limits& limits, Containment containment) {
   static rlim_t told = RLIM_INFINITY;
   const rlim_t tasks = most_tasks(containment, limits.processes);

@@ -24,8 +24,7 @@ struct DomainFile {
   Vertex first_index = 0;      // the user's index of the first point
   std::vector<Vertex> labels =
       {};  // the user's own index of each point, if they are not consecutive
-  std::vector<std::size_t> segment_lines =
-      {};  // the line on which each segment stands, for messages
+  std::vector<std::size_t> segment_lines = {};  // the line of each segment, for messages
   std::vector<std::size_t> polygon_lines = {};  // the same for each polygon; 0: a binary file
   std::vector<Vertex> polygon_markers = {};     // the marker of each in the file; 0: none
   std::string name = {};

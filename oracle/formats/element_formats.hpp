@@ -82,7 +82,7 @@ void write_vtu(std::ostream& out, const ElementFile& file);
 //     x y z                                       a line each; with option r, fractions
 //     4 v0 v1 v2 v3                               a line each, indices from 0
 //
-// With option b, what stands behind the counts is binary: doubles, then vertices of 32 bits.
+// With option b, everything after the counts is binary: doubles, then vertices of 32 bits.
 
 // Outer tetrahedra, which fill the convex hull around a domain, are left out, which is noted.
 // Points are counted from 0.

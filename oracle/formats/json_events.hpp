@@ -13,7 +13,7 @@
 
 namespace circumspect::formats {
 
-// The interface is the one that nlohmann::json::sax_parse calls: true goes on, false stops.
+// The interface is the one that nlohmann::json::sax_parse calls: true continues, false stops.
 class JsonEvents {
  public:
   // `position` points after the last character that the parser has taken from the source. Requires:

@@ -275,7 +275,7 @@ TEST_CASE("what cannot be found or judged") {
       ".npy, .npz, .qhull-i; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
   const std::string unknown = folder.write("x.plt", "TITLE a mesh\n");
   CHECK(error_of(mesh_of(unknown)) == unknown + ":1: expected " + known + ", found \"TITLE\"");
-  // A sign may stand before a number, with which lists of points begin.
+  // Lists of points begin with a number, which may have a sign.
   const std::string negative = folder.write("y.plt", "-1 2\n");
   CHECK(error_of(read_points(negative, NumberReading::kDouble)) ==
         negative + ":1: expected the number of points, 0 or more, found \"-1\"");

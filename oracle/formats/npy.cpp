@@ -203,7 +203,7 @@ constexpr std::size_t kLargestGrowth = 100;
 struct ZipEntry {
   std::string_view name;
   bool is_encrypted = false;
-  std::uint64_t method = 0;  // 0: as it is, 8: packed by zlib
+  std::uint64_t method = 0;  // 0: stored, 8: packed by zlib
   std::uint64_t checksum = 0;
   std::uint64_t packed_size = 0;
   std::uint64_t size = 0;

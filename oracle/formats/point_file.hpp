@@ -33,7 +33,7 @@ struct PointFile {
 
 struct SimplexFile {
   std::vector<Simplex> simplices = {};   // indices of points exactly as in the file
-  std::vector<std::size_t> lines = {};   // the line on which each stands, for messages
+  std::vector<std::size_t> lines = {};   // the line of each, for messages
   std::vector<Vertex> labels = {};       // the label of each in the file; empty if there are none
   std::size_t vertices_per_simplex = 0;  // 0 if they differ
   Vertex first_index = 0;                // the user's index of the first simplex

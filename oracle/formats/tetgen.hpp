@@ -44,7 +44,7 @@ void write_node(std::ostream& out, const PointFile& file);
 //     index v0 … v(k-1) attributes…                 one line a simplex
 
 // The k vertices of each simplex, as written. An .ele file does not say the dimension, so that
-// elements of second order (6 nodes in the plane, 10 in space) come back with all their nodes.
+// elements of second order (6 nodes in the plane, 10 in space) are returned with all their nodes.
 // Attributes have to be numbers and are otherwise ignored. Indices of simplices are consecutive.
 Result<SimplexFile> read_ele(const Source& source, NumberReading reading = NumberReading::kDouble);
 

@@ -295,7 +295,7 @@ Status VtkReader::skip_fields() {
   return {};
 }
 
-// METADATA goes on up to an empty line.
+// METADATA ends at an empty line.
 void VtkReader::skip_information() {
   text_.rest_of_line();
   while (text_.bytes_left() > 0 && !text_.rest_of_line().empty()) continue;

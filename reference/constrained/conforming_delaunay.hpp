@@ -73,8 +73,7 @@ struct ConformingDelaunay {
 // Cells that meet at smaller angles may add points to each other for ever; therefore the limit.
 // "There are algorithms that can find a Steiner Delaunay tetrahedralization of any
 // three-dimensional polyhedron, but they might introduce a superpolynomial number of new vertices":
-// this is none of them.
-// Requires: the complex is valid.
+// this is not one of them. Requires: the complex is valid.
 tl::expected<ConformingDelaunay, SteinerLimitReached> conforming_delaunay(
     const PiecewiseLinearComplex& complex, std::size_t most_steiner_points);
 

@@ -100,7 +100,7 @@ struct NoCdt {
 // (Proposition 4.11), the seeds. Let f be a facet of T and v the apex of the tetrahedron in front.
 // Of all vertices in front of f and visible from its relative interior, v comes first in the pencil
 // of spheres through f: any before it would be in the ball of f and v, and visible from points
-// inside the tetrahedron as well. So the wrapping, which takes for visible a vertex whose
+// inside the tetrahedron as well. So the wrapping, which counts as visible a vertex whose
 // tetrahedron with f is clear of all polygons (then it is visible; and v counts as visible), finds
 // T and nothing else.
 //

@@ -23,8 +23,8 @@ struct RecoveredSegments {
 };
 
 // Adds vertices on the segments of any valid complex, in the plane or in space, until every
-// subsegment is strongly Delaunay: the complex that comes back is edge-protected in both readings,
-// and so has a CDT (Theorem 4.9). A complex that is edge-protected is returned unchanged.
+// subsegment is strongly Delaunay: the resulting complex is edge-protected in both readings, and so
+// has a CDT (Theorem 4.9). A complex that is edge-protected is returned unchanged.
 //
 // Round after round, every subsegment that is not strongly Delaunay is split, and no other. That
 // wastes nothing: more vertices never make a subsegment strongly Delaunay, so each of them must be

@@ -106,7 +106,7 @@ class VertexInsertion {
   }
 
   // Segments in the interior of the cavity. There are no vertices: suppose that all tetrahedra at a
-  // vertex u are in the cavity, and no facet at u bounds it. Then the line from v to u goes on in
+  // vertex u are in the cavity, and no facet at u bounds it. Then the line from v to u continues in
   // one of them, τ. (If u is on the hull, v is in the planes of all its facets at u, and they meet
   // in more than u, so along that line.) The sphere of τ passes through u, and its ball has points
   // beyond u on the line. So v is strictly outside, perturbed or not, and τ does not contain v: it

@@ -22,7 +22,7 @@ namespace circumspect::delaunay {
 
 // Keeps the first candidate in front, and replaces it by any later one that lies in the open
 // circumball of the facet and the one kept. The spheres through the facet are a pencil, in which
-// the candidates in front stand in one order; the scan finds the first of them.
+// the candidates in front have a linear order; the scan finds the first of them.
 std::optional<Vertex> apex_of_facet(const PointSet& points, const std::vector<std::size_t>& axes,
                                     const OrientedFacet& facet,
                                     const std::vector<Vertex>& candidates) {

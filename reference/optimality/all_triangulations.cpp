@@ -60,7 +60,7 @@ Location locate(const PointSet& points, const Simplex& simplex, Vertex q) {
 }
 
 // The simplices that a triangulation may consist of: all that are not degenerate and, if all points
-// are to be vertices, contain no point but their own vertices.
+// must be vertices, contain no point except their own vertices.
 std::vector<Simplex> eligible_simplices(const PointSet& points, VertexUse use) {
   std::vector<Simplex> eligible;
   Simplex subset = first_subset(static_cast<std::size_t>(points.dimension()) + 1);

@@ -115,7 +115,7 @@ class MixedText {
   std::size_t at_ = 0;
   std::size_t line_;
   std::string_view word_;       // read last
-  std::size_t word_line_;       // on which it stands
+  std::size_t word_line_;       // its line
   std::size_t read_at_ = 0;     // where the item that was read last begins
   std::string section_;         // its first word; empty before any
   std::size_t section_at_ = 0;  // where that word is

@@ -77,7 +77,7 @@ class Boundary {
   // facet.
   struct Turn {
     FacetId facet;        // where it began
-    std::size_t simplex;  // where it is
+    std::size_t simplex;  // its current place
     Index leaves;         // the vertex opposite the facet through which it continues
     Index ridge;          // the vertices of the ridge, xor
     Index far = 0;        // at its end: the vertex off the ridge of the other boundary facet

@@ -235,8 +235,8 @@ class Matching {
     match_one_by_one(pile, table);
   }
 
-  // Pairs records of the same hash in a table with open addressing, of which at most half is used
-  // if all facets have two simplices.
+  // Pairs records of the same hash in a table with open addressing; at most half of it is used if
+  // all facets have two simplices.
   void match_one_by_one(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& table) {
     constexpr std::uint64_t kFree = ~std::uint64_t{0};
     const int bits = bits_of(pile.size());

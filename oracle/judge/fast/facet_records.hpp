@@ -163,8 +163,8 @@ template <>
 inline constexpr std::array<std::array<std::size_t, 3>, 4> kFacetPlaces<4> = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-// All ones if they are equal, else 0. Masks instead of conditions, of which compilers make
-// branches.
+// All ones if they are equal, else 0. These are masks instead of conditions, because compilers turn
+// conditions into branches.
 template <typename Index>
 [[gnu::always_inline]] inline Index mask_if_equal(Index a, Index b) {
   return static_cast<Index>(-static_cast<Index>(a == b));
