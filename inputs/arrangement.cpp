@@ -141,7 +141,7 @@ PiecewiseLinearInput arranged(const PiecewiseLinearInput& input) {
     const Point& b = input.points[static_cast<std::size_t>(segment[1])];
     if (a != b) segments.insert(std::minmax(a, b));
   }
-  // Where segments of one line overlap, each is cut at the ends of the other, which are vertices.
+  // Collinear segments that overlap are each cut at the ends of the other, which are vertices.
   for (auto s = segments.begin(); s != segments.end(); ++s) {
     for (auto t = std::next(s); t != segments.end(); ++t) {
       if (const auto point = common_point(*s, *t)) vertices.add(*point);

@@ -52,7 +52,7 @@ PointsCase one_ulp_away(Dice& dice, const PointsCase& set, bool may_repeat_point
 
 PointsCase scaled_by_power_of_two(Dice& dice, const PointsCase& set, bool /*may_repeat_points*/) {
   const int wanted = dice.within(-300, 300);
-  // Neither beyond 2^±kLargestExponent, nor any farther if already beyond.
+  // Not beyond 2^±kLargestExponent, and no farther if already beyond.
   const auto [least, largest] = exponents(set);
   const int shift = std::clamp(wanted, std::min(0, -kLargestExponent - least + 53),
                                std::max(0, kLargestExponent - largest));

@@ -271,7 +271,7 @@ class Campaign {
     return fresh;
   }
 
-  // Is it the first with its signature? Then its input is on the disk before the journal says so.
+  // Is it the first with its signature? If so, its input is on the disk before the journal says so.
   bool register_next(const Ended& ended) {
     const Outcome& outcome = ended.outcome;
     const std::size_t number = registered_;

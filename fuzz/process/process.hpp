@@ -14,7 +14,7 @@ namespace circumspect::campaign {
 
 // What a program may use. It is killed when it uses more.
 struct Limits {
-  double seconds = 10;                             // without those in which no processor was free
+  double seconds = 10;                             // without time in which no processor was free
   std::uint64_t memory = std::uint64_t{4} << 30;   // bytes of address space a process; 0: any
   std::uint64_t output = std::uint64_t{64} << 20;  // bytes on disk: each file, and all together
   std::size_t processes = 256;                     // at a time

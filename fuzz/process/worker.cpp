@@ -23,7 +23,7 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
 }
 
-// The first word of a line, which is taken from it; empty at its end.
+// Removes and returns the first word of a line; empty at its end.
 std::string_view next_word(std::string_view& line) {
   const std::size_t begin = std::min(line.find_first_not_of(" \t\r\v\f"), line.size());
   const std::size_t end = std::min(line.find_first_of(" \t\r\v\f", begin), line.size());

@@ -1,7 +1,7 @@
 // Where a vertex lies with respect to a simplex, and how segments and triangles lie with respect to
 // one another, by signs of integer determinants alone. If two of them meet, `intersection` computes
 // where. Book: Definition 4.3 (cells that meet only in shared cells), Section 5.5 (the simplex that
-// contains a point). All of them require distinct points.
+// contains a point). All functions require distinct points.
 //
 // Laws (held by place_test.cpp under these numbers):
 //  P1 v lies in a closed simplex iff it is a convex combination of its vertices, and inside iff all

@@ -21,7 +21,8 @@ namespace circumspect::formats {
 
 namespace {
 
-// The line without corners that repeat the one before them; the last counts as before the first.
+// The line without corners that repeat the previous one; the last corner counts as previous to the
+// first.
 std::vector<Vertex> without_repetitions(const std::vector<Vertex>& line) {
   std::vector<Vertex> corners;
   std::unique_copy(line.begin(), line.end(), std::back_inserter(corners));

@@ -1,4 +1,4 @@
-// Which meshes are read as plain ones, and that the result is the same as line by line.
+// Which meshes are read as plain ones, and that the result is the same as reading line by line.
 #include <chrono>
 #include <stdexcept>
 #include <thread>

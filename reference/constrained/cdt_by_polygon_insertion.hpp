@@ -20,10 +20,10 @@ namespace circumspect::constrained {
 // Inserting a polygon into a CDT by bistellar flips. Book: Section 5.8, FlipInsertPolygon and
 // Certify.
 
-// When a facet of a triangulation with rising vertices ceases to be locally Delaunay: a time κ with
-// its infinitesimal part (Section 2.9, and Exercise 2 of Chapter 3, for the perturbation): under
-// the canonical perturbation, which gives the vertices weights ω_1 ≫ ω_2 ≫ … > 0 in lexicographic
-// order of the vertices, every time is linear in them.
+// The time κ, with its infinitesimal part, when a facet of a triangulation with rising vertices
+// ceases to be locally Delaunay (Section 2.9, and Exercise 2 of Chapter 3, for the perturbation):
+// under the canonical perturbation, which gives the vertices weights ω_1 ≫ ω_2 ≫ … > 0 in
+// lexicographic order of the vertices, every time is linear in them.
 struct EventTime {
   Rational standard;
   // The rank of a vertex and the coefficient of its ω, which is not zero; ascending ranks.

@@ -176,8 +176,7 @@ class SegmentInsertion {
   const StarIndex& triangles_;
 };
 
-// The canonical Delaunay triangulation of some vertices of one plane. No triangle if they lie on
-// one line.
+// The canonical Delaunay triangulation of some coplanar vertices; empty if they lie on one line.
 StarIndex planar_delaunay(const PointSet& points, const std::vector<std::size_t>& axes,
                           const std::vector<Vertex>& vertices) {
   const std::vector<Simplex> hull = hull_edges(points, axes, vertices);

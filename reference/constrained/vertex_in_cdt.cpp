@@ -129,7 +129,8 @@ class VertexInsertion {
     return std::nullopt;
   }
 
-  // The walls through v: from v to each edge that bounds, within their plane, the previous ones.
+  // The walls through v: triangles from v to each edge on the boundary, within their plane, of the
+  // walls that they replace.
   void join_walls_to_vertex() {
     std::map<Simplex, int> uses;
     for (const Simplex& wall : change_.walls_removed) {

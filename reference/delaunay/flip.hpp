@@ -141,10 +141,10 @@ FlippedTriangulation flip_algorithm(const PointSet& points, const Triangulation&
 // No run of the flip algorithm over n points in d dimensions takes more flips than this, whether it
 // gets stuck or not: 2 Σ C(n, i) over i from 1 to 1 + ⌊d/2⌋, which is O(n^(1+⌊d/2⌋)).
 // Book: Section 4.4 ("a flip can be modeled as the act of gluing a (d+1)-simplex to the underside
-// of the lifted triangulation"). So what a flip covers is never seen from below again: each simplex
-// of any dimension appears at most once and disappears at most once. And in each flip, of the two
-// parts of its affine dependence, one appears and the other disappears; the smaller one has at most
-// 1 + ⌊d/2⌋ vertices.
+// of the lifted triangulation"). So what a flip covers is never visible from below again: each
+// simplex of any dimension appears at most once and disappears at most once. And in each flip, of
+// the two parts of its affine dependence, one appears and the other disappears; the smaller one has
+// at most 1 + ⌊d/2⌋ vertices.
 Integer most_flips(std::size_t n, std::size_t d);
 
 // ---- Flip insertion ----

@@ -51,7 +51,8 @@ std::string split(const PointSet& points, const Simplices& start, const Simplex&
   return extended->name();
 }
 
-// What blocks the flip that removes a facet, and that what blocks the book's is part of it.
+// The simplices that block the flip that removes a facet; those that block the book's procedure
+// must be among them.
 Simplices missing(const PointSet& points, const Simplices& start, const Simplex& facet) {
   StarIndex triangulation(start);
   const auto extended = extended_flip(triangulation, flip_of_facet(points, triangulation, facet));

@@ -15,7 +15,8 @@ namespace circumspect::optimality {
 
 namespace {
 
-// The last point in barycentric coordinates of the others, if it has such and none is zero.
+// The barycentric coordinates of the last point with respect to the others, if they exist and none
+// is zero.
 std::optional<Circuit> circuit_of(const PointSet& points, const Simplex& subset) {
   const Simplex others(subset.begin(), subset.end() - 1);
   const auto coefficients = barycentric_coordinates(points, others, points[subset.back()]);

@@ -72,8 +72,8 @@ struct OwnedLinks {
 enum class Proposal {
   // Finds facets of three simplices only if they meet by chance; the fastest.
   kLikely,
-  // A facet without a link that is not overused is in no other simplex, and one with a link that is
-  // right is in no third.
+  // A facet without a link that is not overused is not in another simplex, and one with a correct
+  // link is not in a third.
   kComplete,
 };
 
