@@ -101,7 +101,7 @@ def test_nothing_is_rounded():
     on_circle = [[0, 0], [third, 0], [0, third], [third, third]]
     verdict = circumspect.check(on_circle, [[0, 1, 2], [1, 3, 2]])
     assert verdict and verdict.unique is False
-    # 2^53 + 1 is no double, and lies between the two others.
+    # 2^53 + 1 is not a double, and lies between the two others.
     middle = [[2**53, 0], [2**53 + 2, 0], [2**53 + 1, 0]]
     for points in (middle, np.array(middle), np.array(middle, dtype=np.uint64)):
         assert circumspect.check(points, [[0, 2], [2, 1]])

@@ -11,7 +11,7 @@ import pytest
 import circumspect
 from circumspect import meshes
 
-# A square of two triangles that share no vertex, as of a mesher that forgets to.
+# A square of two triangles that share no vertex, as made by a mesher that forgets to share them.
 TORN = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0], [1, 1]]
 SEAM = [[0, 1, 2], [4, 5, 3]]
 SQUARE = circumspect.Domain(TORN[:4], [[0, 1], [1, 2], [2, 3], [3, 0]])

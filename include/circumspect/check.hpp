@@ -1,4 +1,4 @@
-// Judges a mesh in arrays, at its full size: exactly, and faster than programs make one.
+// Judges a mesh in arrays, at its full size: exactly, and faster than programs make meshes.
 //
 //   std::vector<double> points = …;            // x y z, x y z, …
 //   std::vector<std::int32_t> tetrahedra = …;  // four indices from 0 each

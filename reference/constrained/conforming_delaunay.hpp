@@ -46,8 +46,8 @@ struct ConformingDelaunay {
   std::vector<PointInPolygon> in_polygons;
 };
 
-// Adds vertices until every segment is a union of edges, and every polygon of triangles, of the
-// canonical Delaunay triangulation of all vertices. (Under the perturbation these are strongly
+// Adds vertices until every segment is a union of edges, and every polygon a union of triangles, of
+// the canonical Delaunay triangulation of all vertices. (Under the perturbation these are strongly
 // Delaunay.) Then the part of that triangulation in the domain is a Steiner Delaunay triangulation
 // of the complex.
 //

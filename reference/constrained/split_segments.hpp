@@ -150,7 +150,7 @@ class SplitSegments {
     Rational high;
   };
   // The part of its middle half in which a split keeps the nearest of the points out of the
-  // diametral balls of both parts; nothing if none has its like there.
+  // diametral balls of both parts; nothing if no point leaves such a part.
   std::optional<Interval> beside_nearest(const Subsegment& subsegment,
                                          const std::vector<Point>& in_the_way) const;
 

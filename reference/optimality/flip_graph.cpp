@@ -63,7 +63,7 @@ std::vector<Simplex> link(const Triangulation& triangulation, const Simplex& fac
   return joined;
 }
 
-// Each of the simplices on all points but one, that one taken from `left_out`.
+// The simplices on all points except one, for each point of `left_out` as the exception.
 std::vector<Simplex> leaving_out_one(const Simplex& all, const Simplex& left_out) {
   std::vector<Simplex> simplices;
   for (const Vertex v : left_out) {

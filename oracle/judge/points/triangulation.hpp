@@ -32,8 +32,8 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 
 // ---- Triangulation ----
 
-// All require that judge_simplices found nothing wrong, and say whether every facet lies in one
-// or two simplices, two being on opposite sides of it.
+// All three require that judge_simplices found nothing wrong, and return whether every facet lies
+// in one simplex or in two on opposite sides of it.
 
 // Each of the three looks only at the facets, ridges and simplices that it is given. If all faulty
 // ones are already known, it needs no others.
