@@ -174,6 +174,10 @@ TEST_CASE("counts and words that are none: what was expected, and what was found
   const auto said = [](std::vector<std::string> arguments, const std::string& option,
                        const std::string& value) {
     arguments.insert(arguments.end(), {option, value});
+    // Versions of CLI11 differ in what they look at first, a value or an argument that is missing.
+    if (arguments.front() == "campaign") {
+      arguments.insert(arguments.end(), {"--", "true", "{points}", "{mesh}"});
+    }
     const Run result = run(arguments);
     CHECK(result.exit_code == 2);
     CHECK(result.out.empty());
