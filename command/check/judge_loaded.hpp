@@ -26,13 +26,4 @@ inline tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& 
   return tl::unexpected(equal_points_fault(loaded, verdict.error().repeated));
 }
 
-// How long that takes by definition, about, on a machine of 2023: every pair of simplices is looked at, and every
-// simplex with every point. By lemma nobody need wait long.
-inline std::optional<double> seconds_of_judging(const Mesh& mesh, const check::Options& options) {
-  if (options.by != check::By::kDefinition) return std::nullopt;
-  const auto simplices = static_cast<double>(mesh.simplices.size());
-  const auto points = static_cast<double>(mesh.points());
-  return simplices * simplices / 2 * 2e-5 + simplices * points * 2e-6;
-}
-
 }  // namespace circumspect::cli
