@@ -40,6 +40,10 @@ class Pages(unittest.TestCase):
         self.assertRegex(self.faults(RULE, "../images/rules/complex.overlap.svg", "none.svg")[0], "expected the image")
         self.assertRegex(self.faults(RULE, "$ circumspect", "$ other")[0], "expected an example")
 
+    def test_a_file_and_an_option_that_are_not_there(self):
+        self.assertRegex(self.faults(RULE, "t-junction-2d.ele`", "t-junction.ele`")[0], "a file of the corpus, found corpus/reject/")
+        self.assertRegex(self.faults(RULE, "`-q`", "`--quick`")[0], "an option of the command, found --quick")
+
     def test_too_long_and_too_short(self):
         self.assertRegex(self.faults(RULE, "## How to mend it\n", "## How to mend it\n" + "\nMore.\n" * 20)[0], "expected 20 to 45 lines")
 
