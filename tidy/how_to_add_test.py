@@ -86,9 +86,14 @@ class Followed(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.root = cls.place or pathlib.Path(cls.folder.name)
         copied(cls.root)
+        cls.golden = cls.golden_rows()
         for title in MOST_PLACES:
             for path, lines in changes(section(title)):
                 change(cls.root, path, lines)
+
+    @classmethod
+    def golden_rows(cls):
+        return (cls.root / "corpus/golden.tsv").read_text(encoding="utf-8").splitlines()
 
     @classmethod
     def tearDownClass(cls):
@@ -144,7 +149,7 @@ class Built(Followed):
         command = str(root / "build/release/bin/circumspect")
         run(root, "python3", "tidy/rule_pages.py", command)
         self.assertTrue(run(root, command, "generate", FAMILY, "--seed", "1"))
-        was, now = ((where / "corpus/golden.tsv").read_text(encoding="utf-8").splitlines() for where in (ROOT, root))
+        was, now = self.golden, self.golden_rows()
         self.assertEqual([row for row in was if row not in now], [], "golden rows of before are to stay")
         self.assertEqual({row.split("\t")[0].removesuffix(" --format json") for row in now if row not in was},
                          {f"check reject/{RULE}.ele --claim delaunay"})
