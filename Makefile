@@ -77,10 +77,11 @@ web web-soak: deps-web
 deb: deps-deb
 	@JOBS=$(JOBS) cmake/deb.sh build/deb
 
-# The command as one file for any Linux, in an archive with its man pages and all licences, in build/dist.
+# The command as one file for any Linux, in an archive with its man pages and all licences, in build/dist. Where the
+# sources lie is not in it.
 dist: deps-build
 	@$(CONFIGURE) -S . -B build/static -G Ninja -DCMAKE_BUILD_TYPE=Release -DCIRCUMSPECT_BUILD_TESTS=OFF \
-	  -DCIRCUMSPECT_STATIC=ON
+	  -DCIRCUMSPECT_STATIC=ON -DCMAKE_CXX_FLAGS=-ffile-prefix-map=$(CURDIR)=.
 	@cmake --build build/static -j $(JOBS) --target circumspect_cli
 	@cmake/dist.sh build/static build/dist
 
@@ -192,11 +193,11 @@ soak-fuzz: build-fuzz-fuzz build-fuzz-sanitize
 	@$(SOAK_FUZZ) build/fuzz/fuzz 0 $$(( $(MINUTES) * 50 / $(words $(FUZZ_TARGETS)) ))
 	@$(SOAK_FUZZ) build/sanitize/fuzz 0 $$(( $(MINUTES) * 10 / $(words $(FUZZ_TARGETS)) ))
 
-# Hunts every library of fuzz/hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
-# (5m). A signature that fuzz/hunt/runs.tsv does not have of a library is a failure.
+# Hunts every library of hunt/targets.tsv that Debian and npm have, and those that were built in BUILDS, for TIME each
+# (5m). A signature that hunt/runs.tsv does not have of a library is a failure.
 soak-hunt: build
 	@cmake/packages.sh hunt
-	@fuzz/hunt/hunt.py --install --builds $(or $(BUILDS),build/hunt) --output build/hunts --time $(or $(TIME),5m) --seed $$RANDOM
+	@hunt/hunt.py --install --builds $(or $(BUILDS),build/hunt) --output build/hunts --time $(or $(TIME),5m) --seed $$RANDOM
 
 # What runs on several threads, under ThreadSanitizer.
 tsan: deps-test

@@ -2,6 +2,7 @@
 
 CIRCUMSPECT_BUILD names a build that has been configured with -DCIRCUMSPECT_BUILD_PYTHON=ON, which is then used.
 """
+import importlib.util
 import os
 import pathlib
 import re
@@ -14,6 +15,15 @@ from setuptools.command.build_ext import build_ext
 
 ROOT = pathlib.Path(__file__).resolve().parent
 VERSION = re.search(r"VERSION (\S+) LANGUAGES", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+
+
+def require_what_makes_wheels():
+    """setuptools does so by itself since 70.1; before, the package wheel does, and pip's own message does not say so."""
+    if any(importlib.util.find_spec(name) for name in ("setuptools.command.bdist_wheel", "wheel")):
+        return
+    raise SystemExit(f"expected setuptools of 70.1 or later, or the package wheel, beside {sys.executable}; found "
+                     "neither. Debian's Python has it (/usr/bin/python3, python3-wheel); any other Python gets it from "
+                     "pip, without --no-build-isolation")
 
 
 class BuildByCMake(build_ext):
@@ -35,4 +45,6 @@ class BuildByCMake(build_ext):
         subprocess.run(["strip", "--strip-unneeded", target], check=True)
 
 
+if "sdist" not in sys.argv:
+    require_what_makes_wheels()
 setup(version=VERSION, ext_modules=[Extension("circumspect._core", [])], cmdclass={"build_ext": BuildByCMake})

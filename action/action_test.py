@@ -106,6 +106,15 @@ class Action(unittest.TestCase):
         stopped = next(i for i, line in enumerate(lines) if line.startswith("::stop-commands::"))
         self.assertIn(f"::{lines[stopped].rsplit(':', 1)[1]}::", lines[stopped:])
 
+    def test_actions_of_others_are_named_by_their_commits(self):
+        """A tag is whatever its owner makes of it tomorrow. The comment says which one it was."""
+        files = [HERE.parent / "action.yml", *(HERE.parent / "docs").glob("*.yml"), *(HERE.parent / ".ci").rglob("*.yml")]
+        used = [(file.name, line.strip()) for file in files for line in file.read_text().splitlines()
+                if re.search(r"^[^#]*\buses:", line)]
+        self.assertGreaterEqual(len(used), 4)
+        for file, line in used:
+            self.assertRegex(line, r"uses: [\w./-]+@[0-9a-f]{40} +# v\d+\.\d+\.\d+$", file)
+
     def test_the_action_passes_on_what_it_declares(self):
         action = (HERE.parent / "action.yml").read_text()
         declared = set(re.findall(r"^  ([a-z-]+):$", action[action.index("inputs:"):action.index("outputs:")], re.M))

@@ -177,6 +177,7 @@ int time_campaigns(const std::string& wanted, const Program& program) {
   plan.subject.command.front() = campaign::find_program(program.command.front());
   plan.subject.mesh_name = program.mesh;
   plan.seed = kSeed;
+  plan.goes_on = true;  // what is timed need not be right
   fmt::print("\n");
   if (plan.subject.command.front().empty()) {
     fmt::print("campaign: there is no program {} here\n", program.command.front());

@@ -36,12 +36,12 @@
 namespace circumspect::c {
 namespace {
 
-void require_distinct(const Mesh& mesh) {
-  const std::vector<Duplicate> repeated = equal_points(mesh);
-  if (repeated.empty()) return;
-  refuse_input(fmt::format(
-      "expected points that differ, found {} equal to an earlier one: {} and {}",
-      report::counted(repeated.size(), "point"), repeated.front().kept, repeated.front().again));
+// A mesh that is compared or certified as it is.
+Mesh sound_mesh(const circumspect_mesh* mesh, bool weighted) {
+  Mesh sound = mesh_of(*required(mesh, "a mesh"), weighted);
+  refuse_empty(sound);
+  refuse_equal_points(equal_points(sound));
+  return sound;
 }
 
 // The points of a mesh without its simplices.
@@ -268,7 +268,7 @@ circumspect_status circumspect_delaunay(const circumspect_mesh* points,
   return c::guarded([&] {
     c::required(triangulation, "a place for the triangulation");
     const Mesh mesh = c::points_of(points);
-    c::require_distinct(mesh);
+    c::refuse_equal_points(equal_points(mesh));
     const PointSet set = exact(mesh).points;
     const Triangulation built = c::canonical(set);
     auto made = std::make_unique<circumspect_triangulation>();
@@ -350,10 +350,8 @@ circumspect_status circumspect_compare(const circumspect_mesh* a, const circumsp
   return c::guarded([&] {
     c::required(same, "a place for the answer");
     c::required(document, "a place for the document");
-    const Mesh mesh_a = c::mesh_of(*c::required(a, "a mesh"), true);
-    const Mesh mesh_b = c::mesh_of(*c::required(b, "a mesh"), true);
-    c::require_distinct(mesh_a);
-    c::require_distinct(mesh_b);
+    const Mesh mesh_a = c::sound_mesh(a, true);
+    const Mesh mesh_b = c::sound_mesh(b, true);
     const check::Difference found = check::difference(mesh_a, mesh_b).value();
     c::require_memory_for_json();
     const report::Json json = {{"same", found.empty()},
@@ -375,9 +373,8 @@ circumspect_status circumspect_certify(const char* claim, const circumspect_mesh
     c::required(holds, "a place for the answer");
     c::required(document, "a place for the document");
     const Claim known = c::claim_of(claim, false);
-    Mesh certified = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
-    c::require_distinct(certified);
-    const Verdict verdict = check::judge_merged(known, certified);
+    const Mesh certified = c::sound_mesh(mesh, known == Claim::kWeightedDelaunay);
+    const Verdict verdict = check::judge(known, certified).value();
     const ExactMesh exact_mesh = exact(certified);
     const auto proof = certificate::document_of(exact_mesh, verdict);
     if (!proof) throw c::Refusal{CIRCUMSPECT_NONE, proof.error()};

@@ -37,7 +37,7 @@ TEST_CASE("references are built, and domains of space taken") {
   const std::vector<double> equal = {0, 0, 1, 0, 0, 1, 1, 0};
   const circumspect_mesh repeated = mesh_of(equal, {});
   CHECK(circumspect_delaunay(&repeated, &built) == CIRCUMSPECT_INPUT_FAULT);
-  CHECK(has(circumspect_last_error(), "1 point equal to an earlier one: 1 and 3"));
+  CHECK(has(circumspect_last_error(), "expected distinct points, found points 1 and 3 equal"));
 }
 
 TEST_CASE("Schoenhardt's polyhedron has none, and that is said") {

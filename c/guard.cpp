@@ -7,18 +7,39 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "oracle/model/printable.hpp"
+
 namespace circumspect::c {
 namespace {
+
+// What circumspect_end_calls_after() has said.
+thread_local std::chrono::duration<double> most_seconds{0};
+thread_local const std::int32_t* stop_of_calls = nullptr;
 
 // Of a fixed size, so that there is one where no memory is left.
 constexpr std::size_t kLongestMessage = 2000;
 thread_local char last_error[kLongestMessage + 1] = "";
 
-circumspect_status failed(circumspect_status status, std::string_view message) noexcept {
-  const std::size_t length = std::min(message.size(), kLongestMessage);
+void keep(std::string_view message) noexcept {
+  std::size_t length = std::min(message.size(), kLongestMessage);
+  if (length < message.size()) {  // no character of several bytes is cut in two
+    while (length > 0 && (static_cast<unsigned char>(message[length]) & 0xC0U) == 0x80U) --length;
+  }
   std::memcpy(last_error, message.data(), length);
   last_error[length] = '\0';
-  return status;
+}
+
+constexpr std::string_view kNoMemory = "expected more memory than there is";
+
+// What is said may quote a text of the caller's, which holds any bytes.
+circumspect_status failed(circumspect_status status, std::string_view message) noexcept {
+  try {
+    keep(on_one_line(message));
+    return status;
+  } catch (const std::bad_alloc&) {
+    keep(kNoMemory);
+    return CIRCUMSPECT_OUT_OF_MEMORY;
+  }
 }
 
 }  // namespace
@@ -36,15 +57,33 @@ void require_memory_for_json() {
 
 void forget_last_error() noexcept { last_error[0] = '\0'; }
 
+Interruption interruption_of_call() noexcept {
+  using Clock = std::chrono::steady_clock;
+  Interruption interruption{stop_of_calls};
+  // Beyond a year the sum with the clock's time need not fit it.
+  constexpr std::chrono::duration<double> kYear = std::chrono::hours(24 * 365);
+  if (most_seconds.count() > 0) {
+    interruption.deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::min(most_seconds, kYear));
+  }
+  return interruption;
+}
+
 circumspect_status status_of_exception() noexcept {
   try {
     throw;
   } catch (const Refusal& refusal) {
     return failed(refusal.status, refusal.message);
+  } catch (const Interrupted& interrupted) {
+    return failed(CIRCUMSPECT_UNDECIDED,
+                  interrupted.is_late ? "expected an answer within the time limit, found none"
+                                      : "expected an answer, found that the call was stopped");
   } catch (const std::bad_alloc&) {
-    return failed(CIRCUMSPECT_OUT_OF_MEMORY, "expected more memory than there is");
+    keep(kNoMemory);
+    return CIRCUMSPECT_OUT_OF_MEMORY;
   } catch (const std::length_error&) {  // of a container that is to hold more than can be
-    return failed(CIRCUMSPECT_OUT_OF_MEMORY, "expected more memory than can be");
+    keep("expected more memory than can be");
+    return CIRCUMSPECT_OUT_OF_MEMORY;
   } catch (const std::invalid_argument& error) {
     return failed(CIRCUMSPECT_INVALID_ARGUMENT, error.what());
   } catch (const std::exception& error) {
@@ -57,3 +96,9 @@ circumspect_status status_of_exception() noexcept {
 }  // namespace circumspect::c
 
 const char* circumspect_last_error(void) { return circumspect::c::last_error; }
+
+void circumspect_end_calls_after(double seconds, const int32_t* stop) {
+  // NaN is no limit either.
+  circumspect::c::most_seconds = std::chrono::duration<double>(seconds > 0 ? seconds : 0);
+  circumspect::c::stop_of_calls = stop;
+}

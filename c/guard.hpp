@@ -9,6 +9,8 @@
 
 #include <circumspect/circumspect.h>
 
+#include "kernel/exact/interruption.hpp"
+
 // Behind the handle.
 struct circumspect_document {
   std::string text;
@@ -33,10 +35,14 @@ void require_memory_for_json();
 circumspect_status status_of_exception() noexcept;
 // Nothing has failed yet.
 void forget_last_error() noexcept;
+// What ends a call of this thread that begins now.
+Interruption interruption_of_call() noexcept;
 
 template <class Action>
 circumspect_status guarded(const Action& action) noexcept {
   forget_last_error();
+  const Interruption interruption = interruption_of_call();
+  const Interruptible interruptible(&interruption);
   try {
     action();
     return CIRCUMSPECT_OK;

@@ -2,46 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "c/guard.hpp"
 #include "kernel/exact/number.hpp"
-#include "kernel/piecewise_linear/regions.hpp"
-#include "kernel/piecewise_linear/validity.hpp"
-#include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/model/printable.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::c {
 namespace {
-
-// a·b, if arrays of so many entries can exist. Requires: neither is negative.
-std::size_t product(std::int64_t a, std::int64_t b, const char* what) {
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 16;
-  if (b != 0 && a > kMost / b) refuse_call(fmt::format("expected fewer {}, found {}", what, a));
-  return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
-}
-
-void require_count(std::int64_t count, const char* what) {
-  if (count < 0) refuse_call(fmt::format("expected a number of {}, found {}", what, count));
-}
-
-void require_dimension(std::int64_t dimension, std::int64_t least, std::int64_t most) {
-  if (dimension >= least && dimension <= most) return;
-  refuse_call(fmt::format("expected a dimension from {} to {}, found {}", least, most, dimension));
-}
-
-// An array of that many entries: empty where there are none, whatever the pointer.
-template <class Value>
-std::span<const Value> array(const Value* values, std::size_t size, const char* what) {
-  if (size == 0) return {};
-  return {required(values, what), size};
-}
 
 void require_finite(std::span<const double> values, const char* what) {
   const auto wrong =
@@ -96,6 +68,28 @@ void take_simplices(const circumspect_mesh& mesh, std::size_t size, Mesh& taken)
   if (mesh.neighbors != nullptr) taken.neighbors.emplace(rows(mesh.neighbors, "neighbors"), 0);
 }
 
+constexpr Claim kClaims[] = {Claim::kTriangulation,        Claim::kDelaunay,
+                             Claim::kWeightedDelaunay,     Claim::kPlcTriangulation,
+                             Claim::kSteinerTriangulation, Claim::kCdt,
+                             Claim::kSteinerCdt,           Claim::kConformingDelaunay};
+
+}  // namespace
+
+std::size_t product(std::int64_t a, std::int64_t b, const char* what) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 54;
+  if (b != 0 && a > kMost / b) refuse_call(fmt::format("expected fewer {}, found {}", what, a));
+  return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
+}
+
+void require_count(std::int64_t count, const char* what) {
+  if (count < 0) refuse_call(fmt::format("expected a number of {}, found {}", what, count));
+}
+
+void require_dimension(std::int64_t dimension, std::int64_t least, std::int64_t most) {
+  if (dimension >= least && dimension <= most) return;
+  refuse_call(fmt::format("expected a dimension from {} to {}, found {}", least, most, dimension));
+}
+
 void take_faces(const std::int64_t* indices, std::int64_t count, std::int64_t vertices,
                 const char* what, std::vector<Simplex>& faces) {
   require_count(count, what);
@@ -105,91 +99,6 @@ void take_faces(const std::int64_t* indices, std::int64_t count, std::int64_t ve
     faces.emplace_back(row.begin(), row.end());
   }
 }
-
-// The entries [starts[i], starts[i + 1]) of a list that has `count` parts.
-std::span<const std::int64_t> starts_of(const std::int64_t* starts, std::int64_t count,
-                                        const char* what) {
-  const auto all = array(starts, static_cast<std::size_t>(count) + 1, what);
-  if (all.front() != 0 || !std::is_sorted(all.begin(), all.end())) {
-    refuse_call(fmt::format("expected {} that ascend from 0, found others", what));
-  }
-  return all;
-}
-
-std::vector<PolygonLines> polygons_of(const circumspect_domain& domain) {
-  require_count(domain.polygon_count, "polygons");
-  std::vector<PolygonLines> polygons;
-  if (domain.polygon_count == 0) return polygons;
-  if (domain.dimension == 2) refuse_call("expected no polygons in the plane, found some");
-  const auto lines = starts_of(domain.polygon_starts, domain.polygon_count, "polygon_starts");
-  const auto corners = starts_of(domain.line_starts, lines.back(), "line_starts");
-  const auto all = array(domain.corners, static_cast<std::size_t>(corners.back()), "corners");
-  for (std::size_t p = 0; p + 1 < lines.size(); ++p) {
-    PolygonLines& polygon = polygons.emplace_back();
-    for (auto l = static_cast<std::size_t>(lines[p]); l < static_cast<std::size_t>(lines[p + 1]);
-         ++l) {
-      const auto first = static_cast<std::size_t>(corners[l]);
-      const auto line = all.subspan(first, static_cast<std::size_t>(corners[l + 1]) - first);
-      if (line.empty()) refuse_call("expected lines with corners, found one without");
-      polygon.lines.emplace_back(line.begin(), line.end());
-    }
-  }
-  return polygons;
-}
-
-void take_polygon_holes(const circumspect_domain& domain, std::vector<PolygonLines>& polygons) {
-  require_count(domain.polygon_hole_count, "holes of polygons");
-  const auto size = static_cast<std::size_t>(domain.polygon_hole_count);
-  const auto owners = array(domain.polygons_of_holes, size, "polygons_of_holes");
-  const std::vector<Point> seeds =
-      exact_points(domain.polygon_hole_count, domain.dimension, domain.polygon_hole_seeds,
-                   domain.exact_polygon_hole_seeds);
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    if (owners[i] < 0 || owners[i] >= domain.polygon_count) {
-      refuse_call(fmt::format("expected hole {} in one of {} polygons, found it in polygon {}", i,
-                              domain.polygon_count, owners[i]));
-    }
-    polygons[static_cast<std::size_t>(owners[i])].hole_seeds.push_back(seeds[i]);
-  }
-}
-
-std::string breach_text(const std::vector<Breach>& breaches) {
-  const Breach& first = breaches.front();
-  std::string text = fmt::format("expected a piecewise linear complex, found {}: {}",
-                                 identifier(first.kind), meaning(first.kind));
-  for (const std::size_t polygon : first.polygons) text += fmt::format(", polygon {}", polygon);
-  for (const Simplex& segment : first.segments) {
-    text += fmt::format(", segment {}", fmt::join(segment, " "));
-  }
-  if (!first.vertices.empty()) text += fmt::format(", vertices {}", fmt::join(first.vertices, " "));
-  if (first.point) {
-    std::string separator = ", point (";
-    for (const Rational& x : *first.point) {
-      text += separator + to_text_of_double_or_fraction(x);
-      separator = ", ";
-    }
-    text += ")";
-  }
-  if (breaches.size() > 1) text += fmt::format(" (and {} more)", breaches.size() - 1);
-  return text;
-}
-
-DomainKind kind_of(const PiecewiseLinearComplex& complex, std::int32_t asked) {
-  if (asked == CIRCUMSPECT_ENCLOSED) return DomainKind::kEnclosed;
-  const bool is_flat = complex.points.dimension() < static_cast<int>(complex.ambient_dimension());
-  if (asked == CIRCUMSPECT_HULL) {
-    if (is_flat) refuse_input("expected points that do not all lie in one hyperplane for a hull");
-    return DomainKind::kHull;
-  }
-  if (Regions(complex).size() > 1 || is_flat) return DomainKind::kEnclosed;
-  if (walls(complex).empty()) return DomainKind::kHull;
-  refuse_input(
-      "expected walls that enclose something, found some that enclose nothing: close the gap, or "
-      "say "
-      "of which kind the domain is, enclosed or hull");
-}
-
-}  // namespace
 
 Mesh mesh_of(const circumspect_mesh& mesh, bool weighted) {
   if (mesh.struct_size != sizeof(circumspect_mesh)) {
@@ -224,6 +133,20 @@ Mesh mesh_of(const circumspect_mesh& mesh, bool weighted) {
   return taken;
 }
 
+void refuse_empty(const Mesh& mesh, const char* what_to_do) {
+  if (mesh.points() > 0 || !mesh.simplices.empty() || !mesh.faces.empty()) return;
+  refuse_input(fmt::format(
+      "expected a mesh, found neither points nor simplices, as where a program made nothing{}",
+      what_to_do));
+}
+
+void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* what_to_do) {
+  if (repeated.empty()) return;
+  const Duplicate& first = repeated.front();
+  refuse_input(report::fault_of_equal_points(first.kept, first.again, repeated.size()) +
+               what_to_do);
+}
+
 std::vector<Point> exact_points(std::int64_t count, std::int64_t dimension, const double* doubles,
                                 const char* const* texts) {
   const std::size_t size = product(count, dimension, "points");
@@ -254,32 +177,6 @@ Claim claim_of(const char* text, bool has_domain) {
   }
   refuse_call(fmt::format("expected a claim about a mesh {} domain, one of{}; found '{}'",
                           has_domain ? "and its" : "without a", known, on_one_line(word)));
-}
-
-Domain domain_of(const circumspect_domain& given) {
-  const circumspect_domain domain = of_any_version<circumspect_domain>(
-      given, CIRCUMSPECT_DOMAIN, {offsetof(circumspect_domain, polygon_hole_count)},
-      "CIRCUMSPECT_DOMAIN");
-  require_dimension(domain.dimension, 2, 3);
-  require_count(domain.point_count, "points");
-  require_count(domain.segment_count, "segments");
-  require_count(domain.hole_count, "hole seeds");
-  if (domain.kind < CIRCUMSPECT_KIND_BY_WALLS || domain.kind > CIRCUMSPECT_HULL) {
-    refuse_call(fmt::format("expected the kind of a domain, found {}", domain.kind));
-  }
-  PiecewiseLinearInput input;
-  input.points = exact_points(domain.point_count, domain.dimension, domain.coordinates,
-                              domain.exact_coordinates);
-  if (input.points.empty()) refuse_input("expected a domain with points, found none");
-  take_faces(domain.segments, domain.segment_count, 2, "segments", input.segments);
-  input.polygons = polygons_of(domain);
-  take_polygon_holes(domain, input.polygons);
-  input.hole_seeds =
-      exact_points(domain.hole_count, domain.dimension, domain.hole_seeds, domain.exact_hole_seeds);
-  auto complex = check::validated_domain(input);
-  if (!complex) refuse_input(breach_text(complex.error()));
-  complex->kind = kind_of(*complex, domain.kind);
-  return {std::move(*complex)};
 }
 
 }  // namespace circumspect::c

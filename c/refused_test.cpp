@@ -141,7 +141,8 @@ TEST_CASE("whatever the members hold, the answer is a status") {
     domain.coordinates = numbers.data();
     domain.segment_count = count();
     domain.segments = indices.data();
-    const std::vector<std::int64_t> starts = {0, one_of(std::int64_t{1}, 1, 1, -1), 2, 3, 4};
+    const std::vector<std::int64_t> starts = {0, one_of(std::int64_t{1}, 1, 1, -1), 2, 3,
+                                              one_of(std::int64_t{4}, 4, 4, most)};
     const std::vector<std::int64_t> lines = {0, 3, one_of(std::int64_t{6}, 6, 6, most), 9, 12};
     domain.polygon_count = domain.dimension == 3 ? one_of(std::int64_t{4}, 1, 0, -1) : 0;
     domain.polygon_starts = starts.data();

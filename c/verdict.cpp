@@ -120,8 +120,10 @@ std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const 
 circumspect_options asked_of(const circumspect_options* options) {
   const circumspect_options defaults = CIRCUMSPECT_OPTIONS;
   if (options == nullptr) return defaults;
-  return of_any_version<circumspect_options>(
-      *options, defaults, {offsetof(circumspect_options, with_pictures)}, "CIRCUMSPECT_OPTIONS");
+  return of_any_version<circumspect_options>(*options, defaults,
+                                             {offsetof(circumspect_options, with_pictures),
+                                              offsetof(circumspect_options, merge_equal_points)},
+                                             "CIRCUMSPECT_OPTIONS");
 }
 
 check::Options options_of(const circumspect_options& asked) {
@@ -137,14 +139,13 @@ check::Options options_of(const circumspect_options& asked) {
           .threads = static_cast<unsigned>(asked.threads)};
 }
 
-Verdict judged_within(const char* within, Claim claim, Mesh& mesh, const Domain& domain,
+Verdict judged_within(const char* within, Claim claim, const Mesh& mesh, const Domain& domain,
                       const check::Options& options) {
   const auto distance = read_number(within, NumberReading::kDecimal);
   if (!distance || sign(*distance) < 0) {
     refuse_call(fmt::format("expected a distance of at least 0 for `within`, found '{}'",
                             on_one_line(within)));
   }
-  merge_equal_points(mesh);
   const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
   auto verdict = check::judge_within(claim, exact(mesh), domain, *distance * *distance, options,
                                      known ? &*known : nullptr);
@@ -153,11 +154,29 @@ Verdict judged_within(const char* within, Claim claim, Mesh& mesh, const Domain&
   throw Refusal{is_input_fault ? CIRCUMSPECT_INPUT_FAULT : CIRCUMSPECT_UNDECIDED, reason};
 }
 
-Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const char* within,
-               const check::Options& options) {
-  if (within == nullptr) return check::judge_merged(claim, mesh, domain, options);
-  if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
-  return judged_within(within, claim, mesh, *domain, options);
+// Equal points are refused, or merged with a note.
+void settle_equal_points(const std::vector<Duplicate>& repeated, bool are_merged, Mesh& mesh,
+                         std::vector<std::string>& notes) {
+  if (repeated.empty()) return;
+  if (!are_merged) {
+    refuse_equal_points(repeated, "; to take equal points for one, set merge_equal_points");
+  }
+  merge_equal_points(mesh);
+  notes.push_back(report::note_of_merged_points(repeated));
+}
+
+Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_options& asked,
+               const check::Options& options, std::vector<std::string>& notes) {
+  const bool are_merged = asked.merge_equal_points != 0;
+  if (asked.within != nullptr) {
+    if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
+    settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
+    return judged_within(asked.within, claim, mesh, *domain, options);
+  }
+  auto verdict = check::judge(claim, mesh, domain, options);
+  if (verdict) return std::move(*verdict);
+  settle_equal_points(verdict.error().repeated, are_merged, mesh, notes);
+  return check::judge(claim, mesh, domain, options).value();
 }
 
 int said(const std::optional<bool>& fact) { return fact ? (*fact ? 1 : 0) : -1; }
@@ -176,6 +195,7 @@ struct circumspect_verdict {
   std::vector<std::pair<const char*, std::int64_t>> rules = {};
   std::vector<std::unique_ptr<c::KeptViolation>> violations = {};
   std::optional<picture::Page> page = {};
+  std::vector<std::string> notes = {};
 };
 
 circumspect_status circumspect_check(const char* claim, const circumspect_mesh* mesh,
@@ -189,6 +209,9 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     const circumspect_options asked = c::asked_of(options);
     const check::Options own = c::options_of(asked);
     Mesh judged = c::mesh_of(*c::required(mesh, "a mesh"), known == Claim::kWeightedDelaunay);
+    if (asked.allow_empty == 0) {
+      c::refuse_empty(judged, "; to judge an empty mesh, set allow_empty");
+    }
     std::optional<Domain> about;
     if (domain != nullptr) {
       about.emplace(c::domain_of(*domain));
@@ -199,9 +222,9 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
       }
     }
     const Domain* const filled = about ? &*about : nullptr;
-    const Verdict found = c::judged(known, judged, filled, asked.within, own);
-    const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
     auto made = std::make_unique<circumspect_verdict>();
+    const Verdict found = c::judged(known, judged, filled, asked, own, made->notes);
+    const std::string name = asked.mesh_name != nullptr ? on_one_line(asked.mesh_name) : "mesh";
     made->holds = found.holds();
     made->unique = c::said(found.unique);
     made->canonical = c::said(found.canonical);
@@ -210,11 +233,12 @@ circumspect_status circumspect_check(const char* claim, const circumspect_mesh* 
     if (asked.without_json == 0 || asked.with_pictures != 0) {
       c::require_memory_for_json();
       report::Json result = report::verdict(found, judged, name, own.by, filled);
+      if (!made->notes.empty()) result["notes"] = made->notes;
       if (asked.without_json == 0) {
         made->json = report::document_text({{"circumspect", 1}, {"results", {result}}});
       }
       if (asked.with_pictures != 0) {
-        made->page.emplace().add(found, judged, name, std::move(result), filled);
+        made->page.emplace().add(found, judged, name, std::move(result), filled, made->notes);
       }
     }
     for (const auto& [rule, tally] : found.tallies()) {
@@ -247,6 +271,15 @@ const char* circumspect_verdict_text(const circumspect_verdict* verdict) {
 
 const char* circumspect_verdict_json(const circumspect_verdict* verdict) {
   return verdict == nullptr ? "" : verdict->json.c_str();
+}
+
+int64_t circumspect_verdict_note_count(const circumspect_verdict* verdict) {
+  return verdict == nullptr ? 0 : static_cast<int64_t>(verdict->notes.size());
+}
+
+const char* circumspect_verdict_note(const circumspect_verdict* verdict, int64_t index) {
+  if (index < 0 || index >= circumspect_verdict_note_count(verdict)) return nullptr;
+  return verdict->notes[static_cast<std::size_t>(index)].c_str();
 }
 
 circumspect_status circumspect_verdict_page(const circumspect_verdict* verdict,

@@ -47,5 +47,9 @@ Circumspect's own licence is in LICENSE, those of the libraries that are linked 
 GMP, MPFR, CGAL and the C library are under the (L)GPL: "make dist" in Circumspect's sources links the command anew,
 with other versions of them if you like.
 END
-tar -C "$work" --owner=0 --group=0 --sort=name -czf "$folder/$name.tar.gz" "$name"
+# The same sources make the same bytes: of times there is only that of the last commit (or SOURCE_DATE_EPOCH, as everywhere),
+# of owners none, of modes those that do not depend on a umask, and gzip is not told the name and the time.
+epoch=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || stat -c %Y "$root/CHANGELOG.md")}
+tar -C "$work" --format=gnu --owner=0 --group=0 --numeric-owner --mode=u+rwX,go=rX --sort=name --mtime="@$epoch" \
+  -cf - "$name" | gzip -9n >"$folder/$name.tar.gz"
 ls -l "$folder/$name.tar.gz" | awk '{ printf "%s: %.1f MB\n", $NF, $5 / 1e6 }'

@@ -120,7 +120,7 @@ python3               checks the links of all pages
 END
       ;;
     hunt) cat <<'END'
-libboost-dev          Boost.Polygon: this and all below are hunted (fuzz/hunt)
+libboost-dev          Boost.Polygon: this and all below are hunted (hunt)
 libgts-dev            GTS
 libjts-java           JTS
 octave                its delaunay

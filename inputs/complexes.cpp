@@ -10,6 +10,7 @@
 #include "kernel/complex/point_set.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect::generators {
 namespace {
@@ -76,15 +77,6 @@ int side(const PointSet& points, Simplex facet, Vertex v) {
   return orientation(points.configuration(), std::vector<std::size_t>{0, 1, 2}, facet);
 }
 
-// Does the closed tetrahedron contain the vertex? Requires: it is not degenerate.
-bool lies_in(const PointSet& points, const Simplex& tetrahedron, Vertex v) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Simplex facet = facet_opposite(tetrahedron, i);
-    if (side(points, facet, v) == -side(points, facet, tetrahedron[i])) return false;
-  }
-  return true;
-}
-
 // Tetrahedra glued facet to facet: the vertices opposite to each facet, one or two.
 using Glued = std::map<Simplex, std::vector<Vertex>>;
 
@@ -101,7 +93,7 @@ bool fits(const PointSet& points, const Glued& glued, const Simplex& tetrahedron
   }
   const std::vector<Vertex> all = all_vertices(points);
   return std::none_of(all.begin(), all.end(), [&](Vertex v) {
-    return !contains(tetrahedron, v) && lies_in(points, tetrahedron, v);
+    return !contains(tetrahedron, v) && lies_in(points.configuration(), kSpace, tetrahedron, v);
   });
 }
 

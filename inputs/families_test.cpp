@@ -11,12 +11,12 @@
 
 #include <doctest/doctest.h>
 
+#include "inputs/arrangement.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/complex_families.hpp"
 #include "inputs/dice.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/untidy.hpp"
-#include "kernel/piecewise_linear/arrangement.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "properties/arguments/generated.hpp"
 

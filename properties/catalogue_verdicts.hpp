@@ -111,7 +111,8 @@ inline std::string fault_of(const Mutation& mutation, const MeshJudgement& judge
 inline MeshJudgement judge(Claim claim, const ArrayMesh& mesh, unsigned threads) {
   const MeshArrays<std::int64_t> view{mesh.dimension, mesh.coordinates, mesh.weights,
                                       mesh.simplices, mesh.neighbors};
-  return circumspect::judge(std::string(name(claim)), view, {.threads = threads});
+  return circumspect::judge(std::string(name(claim)), view,
+                            {.threads = threads, .merge_equal_points = true});
 }
 
 }  // namespace circumspect::properties

@@ -16,6 +16,7 @@
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/point_sets.hpp"
@@ -145,7 +146,7 @@ Rational twice_hull_area(const PointSet& points, const std::vector<std::size_t>&
             if (v == a || v == b) return true;
             const int side = orientation(points.configuration(), axes, Simplex{a, b, v});
             return side > 0 ||
-                   (side == 0 && !lies_inside_segment(points.configuration(), v, {a, b}));
+                   (side == 0 && !lies_inside_segment(points.configuration(), std::array{a, b}, v));
           });
       // Around vertex 0, which may be on the hull; of a row of vertices only neighbours count.
       if (is_edge && a != 0 && b != 0) area += twice_area(points, axes, 0, a, b);
@@ -176,7 +177,7 @@ std::set<Simplex> some_segments(const PointSet& points, long count) {
     const Simplex segment = sorted({*below(size), *below(size)});
     bool fits = segment[0] != segment[1];
     for (const Vertex v : all_vertices(points)) {
-      fits = fits && (contains(segment, v) || !lies_inside_segment(configuration, v, segment));
+      fits = fits && (contains(segment, v) || !lies_inside_segment(configuration, segment, v));
     }
     for (const Simplex& other : segments) {
       const bool touch = contains(other, segment[0]) || contains(other, segment[1]);
@@ -222,7 +223,7 @@ TEST_CASE("triangulate_by_sweep: fills the hull, keeps the segments, face to fac
       for (const Simplex& edge : edges) {
         for (const Vertex v : corners) {
           const bool is_end = contains(edge, v);
-          RC_ASSERT(is_end || !lies_inside_segment(points.configuration(), v, edge));
+          RC_ASSERT(is_end || !lies_inside_segment(points.configuration(), edge, v));
         }
       }
     }));

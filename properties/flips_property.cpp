@@ -8,6 +8,7 @@
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/random_flips.hpp"
@@ -23,19 +24,6 @@ using Simplices = std::vector<Simplex>;
 
 // ---- The two triangulations of d+2 points ----
 
-bool holds_point(const PointSet& points, const Simplex& simplex, Vertex v) {
-  if (contains(simplex, v)) return true;
-  for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const Simplex replaced = with_vertex_replaced(simplex, place, v);
-    if (orientation(points.configuration(), replaced) *
-            orientation(points.configuration(), simplex) <
-        0) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // Do the simplices triangulate some of the points, and is every other point inside them?
 bool is_triangulation_of_some(const PointSet& points, const Simplices& simplices) {
   std::vector<Point> used;
@@ -45,8 +33,9 @@ bool is_triangulation_of_some(const PointSet& points, const Simplices& simplices
     new_index.push_back(static_cast<Vertex>(used.size()));
     if (std::any_of(simplices.begin(), simplices.end(), has_v)) {
       used.push_back(points[v]);
-    } else if (std::none_of(simplices.begin(), simplices.end(),
-                            [&](const Simplex& s) { return holds_point(points, s, v); })) {
+    } else if (std::none_of(simplices.begin(), simplices.end(), [&](const Simplex& s) {
+                 return lies_in(points.configuration(), s, v);
+               })) {
       return false;
     }
   }

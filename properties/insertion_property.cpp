@@ -6,6 +6,7 @@
 
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/point_sets.hpp"
 #include "properties/arguments/run.hpp"
@@ -52,16 +53,6 @@ TEST_CASE("D2 every order and every point location give one triangulation") {
       }
     }));
   }
-}
-
-// Is q in the closed solid simplex?
-bool solid_contains(const PointSet& points, const Simplex& simplex, Vertex q) {
-  for (std::size_t place = 0; place < simplex.size(); ++place) {
-    if (orientation(points.configuration(), with_vertex_replaced(simplex, place, q)) < 0) {
-      return false;
-    }
-  }
-  return true;
 }
 
 std::set<Simplex> ascending(const std::vector<Simplex>& simplices) {
@@ -150,7 +141,7 @@ void assert_filed(const PointSet& points, const BowyerWatson& algorithm, const C
   RC_ASSERT(delaunay::is_in_conflict(points, *filed, w));
   if (points.is_weighted()) return;
   if (!is_ghost(*filed)) {
-    RC_ASSERT(solid_contains(points, *filed, w));
+    RC_ASSERT(lies_in(points.configuration(), points.configuration().axes(), *filed, w));
     return;
   }
   // In the closed outer halfspace of a hull facet, hence in the interior of no solid simplex.

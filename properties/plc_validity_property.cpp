@@ -1,5 +1,5 @@
-// Which inputs are piecewise linear complexes (Definition 4.3): `validated`, which has an index and
-// signs of determinants, against holding all cells against each other by exact intersections.
+// Which inputs are piecewise linear complexes: `validated`, which has an index and signs of
+// determinants, against Definition 4.3 (oracle/judge/definition/linear_cells.hpp).
 #include <algorithm>
 #include <map>
 
@@ -10,6 +10,7 @@
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/definition/linear_cells.hpp"
 #include "properties/arguments/generated.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -19,82 +20,31 @@ namespace {
 using generators::below;
 using Corners = std::vector<Point>;
 
-// A stretch of a segment, by the parameters of its ends.
-using Stretch = std::pair<Rational, Rational>;
-
-// The parameter of a point on the line from a to b.
-Rational parameter(const Point& a, const Point& b, const Point& p) {
-  return inner_product(p - a, b - a) / squared_length(b - a);
-}
-
-// Do the stretches cover [0, 1]?
-bool cover(std::vector<Stretch> stretches) {
-  std::sort(stretches.begin(), stretches.end());
-  Rational reached = 0;
-  for (const Stretch& stretch : stretches) {
-    if (stretch.first > reached) return false;
-    if (stretch.second > reached) reached = stretch.second;
-  }
-  return reached >= 1;
-}
-
-// The definition, cell by cell.
+// The cells that an input describes, and the definition asked of them.
 class ByDefinition {
  public:
   explicit ByDefinition(const PiecewiseLinearInput& input)
       : input_(input), points_(input.points), segments_(segments_of(input)) {}
 
   bool is_complex() {
-    if (!vertices_and_segments_are() || !polygons_are()) return false;
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-      for (const Simplex& segment : segments_) {
-        if (!lies_in_or_meets_in_ends(segment, tiles_[i])) return false;
-      }
-      for (std::size_t j = i + 1; j < tiles_.size(); ++j) {
-        if (!meet_in_cells(tiles_[i], tiles_[j])) return false;
-      }
+    PiecewiseLinearComplex complex{points_, segments_, {}, {}};
+    for (const PolygonLines& lines : input_.polygons) {
+      const std::vector<Vertex> vertices = vertices_of(lines);
+      if (flat_through(points_, vertices).dimension() != 2) return false;
+      complex.polygons.push_back({{}, {}, {}, {}, inside(vertices, edges_of(lines))});
     }
-    return seeds_are_off_walls();
+    return definition::is_piecewise_linear_complex(complex) && seeds_are_off_walls(complex);
   }
 
  private:
   Corners at(const Simplex& simplex) const { return coordinates(points_, simplex); }
-  bool is_vertex(const Point& p) const {
-    return std::count(input_.points.begin(), input_.points.end(), p) > 0;
-  }
   bool is_end(const Simplex& segment, const Point& p) const {
     return p == points_[segment[0]] || p == points_[segment[1]];
   }
 
-  bool vertices_and_segments_are() const {
-    for (const Simplex& a : segments_) {
-      for (const Point& p : input_.points) {
-        if (!is_end(a, p) && !intersection(at(a), {p}).empty()) return false;
-      }
-      for (const Simplex& b : segments_) {
-        if (a == b) continue;
-        for (const Point& p : intersection(at(a), at(b))) {
-          if (!is_end(a, p) || !is_end(b, p)) return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  // Every triple of a polygon's vertices that no other vertex and no edge cuts is a triangle of some
-  // triangulation of its hull; the cells between its edges are what such triangles cover. A small
-  // polygon is cut greedily: every edge that crosses none drawn before.
-  bool polygons_are() {
-    for (const PolygonLines& lines : input_.polygons) {
-      const std::vector<Vertex> vertices = vertices_of(lines);
-      if (flat_through(points_, vertices).dimension() != 2) return false;
-      std::vector<Simplex> triangles = inside(vertices, edges_of(lines));
-      if (triangles.empty()) return false;
-      tiles_.push_back(std::move(triangles));
-    }
-    return true;
-  }
-
+  // Every triple of a polygon's vertices that no other vertex and no edge cuts is a triangle of
+  // some triangulation of its hull; the cells between its edges are what such triangles cover. A
+  // small polygon is cut greedily: every edge that crosses none drawn before.
   std::vector<Simplex> inside(const std::vector<Vertex>& vertices,
                               const std::set<Simplex>& walls) const {
     std::set<Simplex> drawn = walls;
@@ -147,59 +97,9 @@ class ByDefinition {
     });
   }
 
-  // "If two distinct linear cells intersect, their intersection is a union of linear cells": the
-  // segment itself or ends of it.
-  bool lies_in_or_meets_in_ends(const Simplex& segment, const std::vector<Simplex>& tiles) const {
-    const Point& a = points_[segment[0]];
-    const Point& b = points_[segment[1]];
-    std::vector<Stretch> stretches;
-    bool has_inner_point = false;
-    for (const Simplex& tile : tiles) {
-      std::vector<Rational> parameters;
-      for (const Point& p : intersection(at(segment), at(tile))) {
-        parameters.push_back(parameter(a, b, p));
-        has_inner_point = has_inner_point || !is_end(segment, p);
-      }
-      if (parameters.empty()) continue;
-      const auto [low, high] = std::minmax_element(parameters.begin(), parameters.end());
-      stretches.emplace_back(*low, *high);
-      has_inner_point = has_inner_point || *low < *high;
-    }
-    return !has_inner_point || cover(stretches);
-  }
-
-  bool meet_in_cells(const std::vector<Simplex>& a, const std::vector<Simplex>& b) const {
-    for (const Simplex& s : a) {
-      for (const Simplex& t : b) {
-        const Corners common = intersection(at(s), at(t));
-        if (common.size() > 2) return false;
-        if (common.size() == 1 && !is_vertex(common[0]) && !is_on_segment(common[0])) return false;
-        if (common.size() == 2 && !is_covered(common[0], common[1])) return false;
-      }
-    }
-    return true;
-  }
-  // A single common point of two tiles may be an end of a stretch that other tiles continue.
-  bool is_on_segment(const Point& p) const {
-    return std::any_of(segments_.begin(), segments_.end(),
-                       [&](const Simplex& s) { return !intersection(at(s), {p}).empty(); });
-  }
-  bool is_covered(const Point& p, const Point& q) const {
-    std::vector<Stretch> stretches;
-    for (const Simplex& segment : segments_) {
-      const Corners common = intersection({p, q}, at(segment));
-      if (common.size() != 2) continue;
-      const Rational s = parameter(p, q, common[0]), t = parameter(p, q, common[1]);
-      stretches.push_back(std::minmax(s, t));
-    }
-    return cover(stretches);
-  }
-
-  bool seeds_are_off_walls() const {
-    std::vector<Simplex> walls = input_.polygons.empty() ? segments_ : std::vector<Simplex>();
-    for (const auto& tiles : tiles_) walls.insert(walls.end(), tiles.begin(), tiles.end());
+  bool seeds_are_off_walls(const PiecewiseLinearComplex& complex) const {
     for (const Point& seed : input_.hole_seeds) {
-      for (const Simplex& wall : walls) {
+      for (const Simplex& wall : walls(complex)) {
         const bool is_wall = wall.size() == points_.ambient_dimension();
         if (is_wall && !intersection(at(wall), {seed}).empty()) return false;
       }
@@ -210,7 +110,6 @@ class ByDefinition {
   const PiecewiseLinearInput& input_;
   PointSet points_;
   std::vector<Simplex> segments_;
-  std::vector<std::vector<Simplex>> tiles_;  // the triangles of every polygon
 };
 
 // Different points of a small grid, in random order.
@@ -315,8 +214,8 @@ TEST_CASE("PLC validity in space agrees with pairwise intersections (Definition 
   }
 }
 
-// A square at z = 1 and an upright one through it, from vertex to vertex, with more cells about them:
-// tiles have edges that are no segments, and only the segment 4 5 may make such a pair legal.
+// A square at z = 1 and an upright one through it, from vertex to vertex, with more cells about
+// them: tiles have edges that are no segments, and only the segment 4 5 may make such a pair legal.
 TEST_CASE("PLC validity about two squares agrees with pairwise intersections") {
   int valid = 0, crossing = 0;
   CHECK(holds("two squares, and polygons in them, on them and through them", 1000, [&] {

@@ -1,7 +1,9 @@
 // Meshes and every mutation of the catalogue, dealt to the ranks of an MPI program in all ways: they find the very
 // verdict that one process finds, word for word. `mpirun -n 3 ranks_property`; RANKS_CASES says how many meshes.
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -36,6 +38,33 @@ distributed::Ranks& world() {
   }();
   return *ranks;
 }
+
+// A rank that leaves a test early never meets the others again, which would wait for it until the test's time is over. So
+// a test that fails at one rank ends all of them; what failed has been printed by then.
+class EndsAllRanks : public doctest::IReporter {
+ public:
+  explicit EndsAllRanks(const doctest::ContextOptions&) {}
+  void test_case_end(const doctest::CurrentTestCaseStats& ended) override {
+    if (ended.testCaseSuccess) return;
+    std::fflush(nullptr);
+    std::cout.flush();
+    int is_running = 0;
+    MPI_Initialized(&is_running);
+    if (is_running != 0) MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+  }
+  void report_query(const doctest::QueryData&) override {}
+  void test_run_start() override {}
+  void test_run_end(const doctest::TestRunStats&) override {}
+  void test_case_start(const doctest::TestCaseData&) override {}
+  void test_case_exception(const doctest::TestCaseException&) override {}
+  void test_case_reenter(const doctest::TestCaseData&) override {}
+  void subcase_start(const doctest::SubcaseSignature&) override {}
+  void subcase_end() override {}
+  void log_assert(const doctest::AssertData&) override {}
+  void log_message(const doctest::MessageData&) override {}
+  void test_case_skipped(const doctest::TestCaseData&) override {}
+};
+REGISTER_LISTENER("ends-all-ranks", 1, EndsAllRanks);
 
 std::size_t cases() {
   const char* const said = std::getenv("RANKS_CASES");
@@ -285,6 +314,14 @@ TEST_CASE("ranks agree with one process on a large grid, whole and broken") {
     if (i > 0 && !mutation.apply(mutant, dice)) continue;
     check_agreement(Claim::kDelaunay, mutant, static_cast<Way>(i), dice, {});
   }
+}
+
+// The test that expects this failure says at which rank it is wanted.
+TEST_CASE("a test that fails at one rank ends all of them") {
+  const char* const at = std::getenv("RANKS_FAIL_AT");
+  if (at == nullptr) return;
+  REQUIRE(world().rank() != std::strtoul(at, nullptr, 10));
+  CHECK(!world().any(false));  // waits for the rank that has failed
 }
 
 }  // namespace

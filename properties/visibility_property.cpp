@@ -1,5 +1,6 @@
-// Respecting a complex and visibility in it, against the definitions applied to single points.
-// Book: Definitions 2.11 and 2.13, quoted in Section 4.5.2.
+// Respecting a complex and visibility in it, against the definitions applied to single points; and
+// the visibility that constructions use against the one that judges by definition. Book:
+// Definitions 2.11 and 2.13, quoted in Section 4.5.2.
 #include <algorithm>
 
 #include <doctest/doctest.h>
@@ -8,6 +9,7 @@
 #include "kernel/exact/point.hpp"
 #include "kernel/piecewise_linear/visibility.hpp"
 #include "kernel/predicates/intersection.hpp"
+#include "oracle/judge/definition/visibility.hpp"
 #include "properties/arguments/complexes.hpp"
 #include "properties/arguments/run.hpp"
 
@@ -220,12 +222,22 @@ Simplex random_simplex(const PiecewiseLinearComplex& complex) {
 
 // ---- Laws ----
 
+// How often both ways to decide visibility said so.
+int seen = 0, unseen = 0;
+
 void assert_visible_iff_seen(const PiecewiseLinearComplex& complex, const Regions& regions,
                              Vertex v, const Simplex& simplex) {
   const Points corners = coordinates(complex.points, simplex);
   const bool visible = is_visible(complex, regions, v, simplex);
   const auto from = visible_point(complex, regions, v, simplex);
   RC_ASSERT(from.has_value() == visible);
+  Points all = corners;
+  all.push_back(complex.points[v]);
+  const bool is_in_hull = affine_hull(all).dimension + 1 == static_cast<int>(simplex.size());
+  if (simplex.size() > 2 && is_in_hull) {
+    RC_ASSERT(definition::is_visible(complex, v, simplex) == visible);
+    (visible ? seen : unseen) += 1;
+  }
   if (from) {
     RC_ASSERT(lies_inside(corners, *from));
     RC_ASSERT(see_each_other(complex, regions, *from, complex.points[v]));
@@ -257,6 +269,9 @@ TEST_CASE("visible iff a point is seen (Definitions 2.11, 2.13)") {
               [] { assert_laws((*generators::planar_complexes(9)).complex(), 12); }));
   CHECK(holds("visibility in space", 60,
               [] { assert_laws((*generators::any_complex(9)).complex(), 12); }));
+  MESSAGE("visible by both: " << seen << ", by neither: " << unseen);
+  CHECK(occurs(seen, 20));
+  CHECK(occurs(unseen, 20));
 }
 
 }  // namespace

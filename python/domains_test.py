@@ -27,6 +27,10 @@ def test_domains():
     assert not circumspect.check(rounded, halves, domain=SQUARE)
     for within in (1e-9, "1e-9", Fraction(1, 10**9)):
         assert circumspect.check(rounded, halves, domain=SQUARE, within=within)
+    # As many points as the domain, but others, as the command says it.
+    moved = circumspect.check([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0.5]], fan,
+                              domain={**SQUARE, "vertices": [*SQUARE["vertices"], [0.5, 0.25]]})
+    assert moved.claim == "steiner-cdt" and "domain.vertex-missing" in moved.rules
     with pytest.raises(ValueError, match="enclose nothing"):
         circumspect.check(SQUARE["vertices"], halves, domain={**SQUARE, "segments": [[0, 1]]})
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -90,7 +94,7 @@ def test_generated_domains_are_those_of_the_command():
                                        text=True, check=True).stdout
                 assert drawn.startswith(_core.poly_text(domain.lists())), (family.name, seed)
             try:
-                circumspect.check(np.zeros((0, family.dimensions[0])), [], domain=domain)
+                circumspect.check(np.zeros((0, family.dimensions[0])), [], domain=domain, allow_empty=True)
             except circumspect.InputError as error:
                 raise AssertionError((family.name, seed)) from error
     assert holes > 5

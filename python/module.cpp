@@ -1,9 +1,11 @@
 // circumspect._core: the C interface, for the package around it; inputs.cpp has the families of inputs. Arrays come
 // in as the package has made them: doubles and indices in C order, or exact numbers as texts.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+
+#include "python/long_calls.hpp"
 
 namespace py = pybind11;
 
@@ -31,9 +35,19 @@ struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void require_ok(circumspect_status status) {
-  const std::string message = circumspect_last_error();
-  switch (status) {
+// The C interface names its own options; the package's are called otherwise.
+std::string in_words_of_python(std::string message) {
+  for (const auto& [own, word] : {std::pair{"set merge_equal_points", "give duplicates=\"merge\""},
+                                  std::pair{"set allow_empty", "give allow_empty=True"}}) {
+    const std::size_t place = message.find(own);
+    if (place != std::string::npos) message.replace(place, std::string_view(own).size(), word);
+  }
+  return message;
+}
+
+void require_ok(const Outcome& outcome) {
+  const std::string message = in_words_of_python(outcome.message);
+  switch (outcome.status) {
     case CIRCUMSPECT_OK:
       return;
     case CIRCUMSPECT_INVALID_ARGUMENT:
@@ -124,7 +138,7 @@ class MeshArgument {
 };
 
 // (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind, polygons_of_holes,
-// polygon_hole_seeds)
+// polygon_hole_seeds, region_seeds, merge_coplanar)
 class DomainArgument {
  public:
   explicit DomainArgument(const py::tuple& parts)
@@ -135,7 +149,8 @@ class DomainArgument {
         corners_(parts[5].cast<Indices>()),
         holes_(parts[6]),
         polygons_of_holes_(parts[8].cast<Indices>()),
-        polygon_holes_(parts[9]) {
+        polygon_holes_(parts[9]),
+        regions_(parts[10]) {
     domain_.dimension = parts[0].cast<std::int64_t>();
     domain_.point_count = domain_.dimension > 0 ? coordinates_.size() / domain_.dimension : 0;
     domain_.coordinates = coordinates_.doubles();
@@ -154,6 +169,10 @@ class DomainArgument {
     domain_.polygons_of_holes = polygons_of_holes_.data();
     domain_.polygon_hole_seeds = polygon_holes_.doubles();
     domain_.exact_polygon_hole_seeds = polygon_holes_.texts();
+    domain_.region_count = domain_.dimension > 0 ? regions_.size() / domain_.dimension : 0;
+    domain_.region_seeds = regions_.doubles();
+    domain_.exact_region_seeds = regions_.texts();
+    domain_.merge_coplanar = parts[11].cast<bool>() ? 1 : 0;
   }
   const circumspect_domain* get() const { return &domain_; }
 
@@ -164,21 +183,24 @@ class DomainArgument {
   NumberList holes_;
   Indices polygons_of_holes_;
   NumberList polygon_holes_;
+  NumberList regions_;
 };
 
 std::string page_of(const circumspect_verdict* verdict) {
   circumspect_document* page = nullptr;
-  require_ok(circumspect_verdict_page(verdict, &page));
+  const circumspect_status status = circumspect_verdict_page(verdict, &page);
+  require_ok({status, circumspect_last_error()});
   const OwnDocument own(page, circumspect_document_free);
   return circumspect_document_text(page);
 }
 
-// (holds, unique, canonical, text, json, rules, page), facts −1 where they are not said; `page` is a function
-// without arguments that returns HTML, or None. `brief`: neither JSON nor page.
+// (holds, unique, canonical, text, json, rules, notes, page), facts −1 where they are not said; `page` is a function
+// without arguments that returns HTML, or None. `brief`: neither JSON nor page, and a mesh that is soon judged.
 py::tuple check(const std::string& claim, const py::tuple& mesh,
                 const std::optional<py::tuple>& domain, std::int64_t threads,
-                std::int64_t max_violations, bool by_definition, bool oriented,
-                const std::optional<std::string>& within, const std::string& name, bool brief) {
+                std::int64_t max_violations, bool by_definition, bool oriented, bool merge,
+                bool allow_empty, const std::optional<std::string>& within, const std::string& name,
+                double limit, bool brief) {
   const MeshArgument argument(mesh);
   std::optional<DomainArgument> about;
   if (domain) about.emplace(*domain);
@@ -187,31 +209,38 @@ py::tuple check(const std::string& claim, const py::tuple& mesh,
   options.max_violations = max_violations;
   options.by_definition = by_definition ? 1 : 0;
   options.oriented = oriented ? 1 : 0;
+  options.merge_equal_points = merge ? 1 : 0;
+  options.allow_empty = allow_empty ? 1 : 0;
   options.within = within ? within->c_str() : nullptr;
   options.mesh_name = name.c_str();
   options.without_json = brief ? 1 : 0;
   options.with_pictures = brief ? 0 : 1;
-  circumspect_verdict* verdict = nullptr;
-  circumspect_status status = CIRCUMSPECT_OK;
-  {
-    const py::gil_scoped_release others_go_on;
-    status = circumspect_check(claim.c_str(), argument.get(), about ? about->get() : nullptr,
-                               &options, &verdict);
-  }
-  require_ok(status);
-  const std::shared_ptr<circumspect_verdict> own(verdict, circumspect_verdict_free);
+  std::shared_ptr<circumspect_verdict> own;
+  const auto call = [&] {
+    circumspect_verdict* made = nullptr;
+    const circumspect_status status = circumspect_check(
+        claim.c_str(), argument.get(), about ? about->get() : nullptr, &options, &made);
+    own.reset(made, circumspect_verdict_free);
+    return status;
+  };
+  require_ok(brief ? made_here(call) : made(call, limit));
+  const circumspect_verdict* const verdict = own.get();
   py::dict rules;
   for (std::int64_t i = 0; i < circumspect_verdict_rule_count(verdict); ++i) {
     std::int64_t count = 0;
     const char* const rule = circumspect_verdict_rule(verdict, i, &count);
     rules[rule] = count;
   }
+  py::list notes;
+  for (std::int64_t i = 0; i < circumspect_verdict_note_count(verdict); ++i) {
+    notes.append(circumspect_verdict_note(verdict, i));
+  }
   py::object page = py::none();
   if (!brief) page = py::cpp_function([own] { return page_of(own.get()); });
   return py::make_tuple(circumspect_verdict_holds(verdict) == 1,
                         circumspect_verdict_unique(verdict), circumspect_verdict_canonical(verdict),
                         circumspect_verdict_text(verdict), circumspect_verdict_json(verdict), rules,
-                        page);
+                        notes, page);
 }
 
 // Rows of `vertices` indices.
@@ -224,30 +253,34 @@ Indices rows_of(const circumspect_triangulation* built, std::int64_t vertices) {
 using OwnTriangulation =
     std::unique_ptr<circumspect_triangulation, decltype(&circumspect_triangulation_free)>;
 
+OwnTriangulation built_by(
+    const std::function<circumspect_status(circumspect_triangulation**)>& call) {
+  OwnTriangulation own(nullptr, circumspect_triangulation_free);
+  require_ok(made([&] {
+    circumspect_triangulation* built = nullptr;
+    const circumspect_status status = call(&built);
+    own.reset(built);
+    return status;
+  }));
+  return own;
+}
+
 Indices delaunay(const py::tuple& points) {
   const MeshArgument argument(points);
-  circumspect_triangulation* built = nullptr;
-  circumspect_status status = CIRCUMSPECT_OK;
-  {
-    const py::gil_scoped_release others_go_on;
-    status = circumspect_delaunay(argument.get(), &built);
-  }
-  require_ok(status);
-  const OwnTriangulation own(built, circumspect_triangulation_free);
+  const OwnTriangulation own = built_by([&](circumspect_triangulation** built) {
+    return circumspect_delaunay(argument.get(), built);
+  });
+  const circumspect_triangulation* const built = own.get();
   return rows_of(built, std::max<std::int64_t>(circumspect_triangulation_dimension(built), 0) + 1);
 }
 
 // Simplices, and those that dangle: with three, two and one vertices.
 py::tuple constrained_delaunay(const py::tuple& domain) {
   const DomainArgument argument(domain);
-  circumspect_triangulation* built = nullptr;
-  circumspect_status status = CIRCUMSPECT_OK;
-  {
-    const py::gil_scoped_release others_go_on;
-    status = circumspect_constrained_delaunay(argument.get(), &built);
-  }
-  require_ok(status);
-  const OwnTriangulation own(built, circumspect_triangulation_free);
+  const OwnTriangulation own = built_by([&](circumspect_triangulation** built) {
+    return circumspect_constrained_delaunay(argument.get(), built);
+  });
+  const circumspect_triangulation* const built = own.get();
   const std::int64_t vertices = circumspect_triangulation_dimension(built) + 1;
   return py::make_tuple(rows_of(built, vertices),
                         vertices == 4 ? rows_of(built, 3) : rows_of(nullptr, 3), rows_of(built, 2),
@@ -260,13 +293,13 @@ int predicate(bool in_ball, std::int64_t dimension, const py::object& numbers) {
     throw py::value_error("expected as many coordinates as the points have, found others");
   }
   int sign = 0;
-  if (coordinates.doubles() != nullptr) {
-    require_ok((in_ball ? circumspect_in_ball : circumspect_orientation)(
-        dimension, coordinates.doubles(), &sign));
-  } else {
-    require_ok((in_ball ? circumspect_in_ball_exact : circumspect_orientation_exact)(
-        dimension, coordinates.texts(), &sign));
-  }
+  const circumspect_status status =
+      coordinates.doubles() != nullptr
+          ? (in_ball ? circumspect_in_ball : circumspect_orientation)(dimension,
+                                                                      coordinates.doubles(), &sign)
+          : (in_ball ? circumspect_in_ball_exact : circumspect_orientation_exact)(
+                dimension, coordinates.texts(), &sign);
+  require_ok({status, circumspect_last_error()});
   return sign;
 }
 
@@ -274,15 +307,14 @@ int predicate(bool in_ball, std::int64_t dimension, const py::object& numbers) {
 py::tuple with_document(
     const std::function<circumspect_status(int*, circumspect_document**)>& call) {
   int answer = 0;
-  circumspect_document* document = nullptr;
-  circumspect_status status = CIRCUMSPECT_OK;
-  {
-    const py::gil_scoped_release others_go_on;
-    status = call(&answer, &document);
-  }
-  require_ok(status);
-  const OwnDocument own(document, circumspect_document_free);
-  return py::make_tuple(answer == 1, circumspect_document_text(document));
+  OwnDocument own(nullptr, circumspect_document_free);
+  require_ok(made([&] {
+    circumspect_document* document = nullptr;
+    const circumspect_status status = call(&answer, &document);
+    own.reset(document);
+    return status;
+  }));
+  return py::make_tuple(answer == 1, circumspect_document_text(own.get()));
 }
 
 py::tuple compare(const py::tuple& a, const py::tuple& b) {
@@ -323,5 +355,6 @@ PYBIND11_MODULE(_core, module) {
   module.def("compare", &compare);
   module.def("certify", &certify);
   module.def("inspect", &inspect);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&stop_all_calls));
   circumspect::bind_inputs(module);
 }

@@ -169,7 +169,7 @@ def test_indices_of_no_point_are_the_meshs_fault():
         assert circumspect.check(POINTS, [[0, 1, wrong]]).rules["triangulation.unknown-vertex"] == 1
     assert not circumspect.check(POINTS, [])
     assert not circumspect.check(POINTS, np.zeros((0, 3), int))
-    assert circumspect.check(np.zeros((0, 2)), [])
+    assert circumspect.check(np.zeros((0, 2)), [], allow_empty=True)
 
 
 def test_objects_of_other_libraries():
@@ -192,7 +192,7 @@ def test_objects_of_other_libraries():
     faces = np.column_stack([np.full(len(plane.simplices), 3), plane.simplices]).ravel()
     assert circumspect.check(types.SimpleNamespace(points=flat, faces=faces))
     assert circumspect.check(types.SimpleNamespace(vertices=flat, faces=plane.simplices))
-    assert circumspect.check(types.SimpleNamespace(points=np.zeros((0, 3)), cells_dict=None))
+    assert circumspect.check(types.SimpleNamespace(points=np.zeros((0, 3)), cells_dict=None), allow_empty=True)
     with pytest.raises(ValueError, match="found cells of type 'hexahedron'"):
         circumspect.check(types.SimpleNamespace(points=flat, cells_dict={"hexahedron": [[0] * 8]}))
     with pytest.raises(ValueError, match="a surface of triangles"):
@@ -227,7 +227,7 @@ def test_data_sets_of_vtk():
     surface = filled(vtk.vtkPolyData(), corners, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]], [vtk.VTK_TRIANGLE] * 4)
     assert circumspect.check(corners, [[0, 1, 2, 3]], domain=surface)
     for empty in (vtk.vtkUnstructuredGrid(), vtk.vtkPolyData(), vtk.vtkImageData()):
-        assert circumspect.check(empty).to_dict()["points"] == 0
+        assert circumspect.check(empty, allow_empty=True).to_dict()["points"] == 0
     image = vtk.vtkImageData()
     image.SetDimensions(2, 2, 1)
     for other, found in ((image, "8 of VTK"), (filled(vtk.vtkPolyData(), corners, [[0, 1, 2, 3], [0, 1, 2]], [6, 6]), "6 of VTK"),
@@ -247,7 +247,7 @@ def test_references_and_comparisons():
     difference = circumspect.compare((points, built), (points, built[1:]))
     assert not difference and len(difference.only_in_a["simplices"]) == 1 and "1 simplices only in a" in repr(difference)
     assert circumspect.compare(types.SimpleNamespace(points=points, simplices=built), (points, built))
-    with pytest.raises(circumspect.InputError, match="1 point equal to an earlier one: 0 and 2"):
+    with pytest.raises(circumspect.InputError, match="distinct points, found points 0 and 2 equal"):
         circumspect.delaunay([[0, 0], [1, 0], [0, 0]])
     light = circumspect.delaunay([[0, 0], [4, 0], [0, 4], [1, 1]], weights=[0, 0, 0, -100])
     assert light.tolist() == [[0, 1, 2]]
@@ -271,49 +271,6 @@ def test_families():
         circumspect.generate("spheer")
     with pytest.raises(ValueError, match="found 'sphere'"):
         circumspect.generate_domain("sphere")
-
-
-def test_other_threads_change_the_array():
-    mesh = scipy_mesh(2000, 3)
-    points, simplices = mesh.points.copy(), mesh.simplices.copy()
-    ended = threading.Event()
-
-    def disturb():
-        generator = np.random.default_rng(1)
-        while not ended.is_set():
-            simplices[generator.integers(len(simplices))] = generator.integers(-2**31, 2**31 - 1, 4)
-            points[generator.integers(len(points))] = np.nan
-
-    thread = threading.Thread(target=disturb)
-    thread.start()
-    try:
-        for _ in range(30):
-            try:
-                circumspect.check(points, simplices, copy=True)
-            except ValueError as error:
-                assert "finite" in str(error)
-    finally:
-        ended.set()
-        thread.join()
-
-
-def test_large_arrays_are_read_only_while_they_are_judged():
-    from circumspect import meshes
-
-    points = np.zeros((meshes.COPIED_BYTES // 16 + 1, 2))
-    view = points[:]
-    with meshes.Held(meshes.mesh_of(view, [[0, 1, 2]])) as held:
-        assert np.shares_memory(held.points.values, points)
-        for array in (view, points):
-            with pytest.raises(ValueError, match="read-only"):
-                array[0] = 1
-        with meshes.Held(meshes.mesh_of(points, [[0, 1, 2]])):
-            pass
-        assert not points.flags.writeable
-    with meshes.Held(meshes.mesh_of(view, [[0, 1, 2]]), copy=True) as held:
-        assert not np.shares_memory(held.points.values, points) and points.flags.writeable
-    points[0] = 1
-    assert view.flags.writeable and not meshes.Held._counts
 
 
 def test_judging_lets_other_threads_go_on():

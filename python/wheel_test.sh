@@ -24,6 +24,15 @@ cd "$work/sources"
 quietly "$python" -m build --wheel --no-isolation --outdir "$work/wheels" .
 quietly "$python" -m venv --system-site-packages --without-pip "$work/clean"
 quietly "$python" -m pip --python "$work/clean/bin/python" install --no-index --no-deps "$work"/wheels/*.whl
+
+# As the first page of the documentation says, where another python3 comes first on the path, as pyenv and conda put theirs.
+line=$(grep -o '`[^`]*pip install --no-build-isolation \.`' "$root/README.md" | tr -d '`')
+mkdir "$work/other"
+printf '#!/bin/sh\necho "this python3 has no packages" >&2\nexit 1\n' >"$work/other/python3"
+chmod +x "$work/other/python3"
+PATH=$work/other:$PATH quietly bash -c "$line"
+env/bin/python -c 'import circumspect; circumspect.assert_delaunay([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])'
+
 cd "$work"
 "$work/clean/bin/python" - <<'PYTHON'
 import importlib.metadata

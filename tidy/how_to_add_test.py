@@ -63,7 +63,7 @@ def copied(root):
         if old.is_dir() and old.name != "build":
             shutil.rmtree(old)
     for path in tidy.files(str(ROOT)):
-        if path.startswith(("docs/findings/", "docs/images/")) and not path.endswith(".md"):
+        if path.startswith("docs/images/"):
             continue
         target = root / path
         target.parent.mkdir(parents=True, exist_ok=True)

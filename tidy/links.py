@@ -48,8 +48,8 @@ def faults(root):
                 found.append(f"{path}:{number}: there is no '{name}'")
             elif anchor and anchor not in anchors(file.read_text(encoding="utf-8")):
                 found.append(f"{path}:{number}: '{name or path}' has no heading '#{anchor}'")
-            elif path.startswith("docs/") and not file.resolve().is_relative_to(
-                    pathlib.Path(root, "docs").resolve()):
+            elif path.startswith("docs/") and not any(file.resolve().is_relative_to(pathlib.Path(root, part).resolve())
+                                                      for part in ("docs", "hunt/pages")):
                 found.append(f"{path}:{number}: '{name}' is no part of the site; write its path as code")
     return found
 

@@ -39,9 +39,9 @@ FILE = re.compile(r"<!-- file: (\S+) -->")
 
 
 def pages():
-    """The pages, by their paths. Those of findings/ are records of long campaigns, which findings_test judges."""
+    """The pages, by their paths. Those of the hunt are records of long campaigns, which findings_test judges."""
     docs = ROOT / "docs"
-    return [ROOT / "README.md", *sorted(set(docs.rglob("*.md")) - set((docs / "findings").iterdir()))]
+    return [ROOT / "README.md", *sorted(docs.rglob("*.md"))]
 
 
 class Page:

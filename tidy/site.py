@@ -1,6 +1,7 @@
-"""What `make docs` adds to the pages of docs/: pictures to turn, made by the command from the corpus.
+"""What `make docs` adds to the pages of docs/: the pages of the hunt, and pictures to turn, made by the command from the corpus.
 
-mkdocs calls it (`hooks` in mkdocs.yml). The menu gets the pages of docs/rules. Each page of docs/rules gets the picture of its example, a mesh that breaks the rule or
+The pages of hunt/pages stand in the site as pages/, outside of its menu but for the first, and the menu gets the pages of docs/rules.
+mkdocs calls it (`hooks` in mkdocs.yml). Each page of docs/rules gets the picture of its example, a mesh that breaks the rule or
 a domain at fault, and each finding that of its mesh, or of its input where the program wrote none. They are what `--html` writes, but for
 the program of the page, which stands once in pictures/page.js: the site would have 120 MB otherwise.
 """
@@ -17,6 +18,21 @@ CORPUS = ROOT / "corpus"
 PROGRAM = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 PLACED = set()  # the pictures that have a place in some page
 POLICY = re.compile(r'<meta http-equiv="?Content-Security-Policy"?[^>]*>')
+
+
+def on_files(files, config, **_):
+    """The pages of the hunt: mkdocs takes pages from docs/ alone."""
+    from mkdocs.structure.files import File  # the tests of the other functions do without mkdocs
+    for page in sorted((ROOT / "hunt" / "pages").glob("*.md")):
+        files.append(File(f"pages/{page.name}", str(ROOT / "hunt"), config["site_dir"], config["use_directory_urls"]))
+    return files
+
+
+def on_page_markdown(markdown, page, **_):
+    """Links between docs/ and hunt/pages as they stand in the site."""
+    if page.file.src_path.startswith("pages/"):
+        return markdown.replace("](../../docs/", "](../")
+    return markdown.replace("../hunt/pages/", "pages/")
 
 
 def rows(path):
@@ -81,7 +97,7 @@ def on_page_content(content, page, **_):
         if name not in of_rules():
             return content
         return re.sub(r"(<p><img [^>]*></p>)", lambda match: match[1] + frame(name, "Turn it", "../"), content, count=1)
-    if page.file.src_path.startswith("findings/"):
+    if page.file.src_path.startswith("pages/"):
         known = of_findings()
         return re.sub(r'(<h[23] id="([\w.-]+)">.*?</h[23]>)',
                       lambda match: match[1] + (frame(match[2], "See it", "../") if match[2] in known else ""), content)
@@ -94,7 +110,7 @@ def on_post_build(config, **_):
     known = {**of_rules(), **of_findings()}
     missing = [name for name in of_findings() if name not in PLACED]
     if missing:
-        raise SystemExit(f"tidy/site.py: no page of docs/findings has a heading for {', '.join(missing)}")
+        raise SystemExit(f"tidy/site.py: no page of hunt/pages has a heading for {', '.join(missing)}")
     for name, words in ((name, known[name]) for name in sorted(PLACED)):
         path = folder / f"{name}.html"
         path.unlink(missing_ok=True)

@@ -19,9 +19,10 @@ COMMAND = ["reference/optimality", "reference/constrained", "reference/existence
            "oracle/distributed", "oracle/picture", "inputs/triangulated", "fuzz/campaign", *COMMAND_FOLDERS]
 ARROWS = {
     "kernel/exact": [],
+    "kernel/boxes": ["kernel/exact"],
     "kernel/predicates": ["kernel/exact"],
     "kernel/complex": ["kernel/predicates"],
-    "kernel/piecewise_linear": ["kernel/complex"],
+    "kernel/piecewise_linear": ["kernel/complex", "kernel/boxes"],
     "reference/delaunay": ["kernel/complex"],
     "reference/optimality": ["reference/delaunay"],
     "reference/constrained": ["reference/delaunay", "kernel/piecewise_linear"],
@@ -29,14 +30,16 @@ ARROWS = {
     "include/circumspect": [],
     "inputs": ["kernel/piecewise_linear", "include/circumspect"],
     "inputs/triangulated": ["reference/delaunay", "inputs"],
+    "oracle/domain": ["kernel/piecewise_linear"],
     "oracle/model": ["kernel/piecewise_linear"],
     "oracle/formats/bytes": ["oracle/model"],
     "oracle/formats": ["oracle/formats/bytes"],
-    "oracle/judge/points": ["oracle/model"],
+    "oracle/judge/definition": ["oracle/model"],
+    "oracle/judge/points": ["oracle/judge/definition"],
     "oracle/judge/domain": ["oracle/judge/points", "oracle/judge/fast"],
-    "oracle/judge/within": ["oracle/judge/domain"],
+    "oracle/judge/within": ["oracle/judge/domain", "oracle/domain"],
     "oracle/judge/fast/predicates": ["kernel/exact"],
-    "oracle/judge/fast": ["oracle/judge/fast/predicates"],
+    "oracle/judge/fast": ["oracle/judge/fast/predicates", "kernel/boxes"],
     "oracle/judge": ["oracle/judge/domain"],
     "oracle/distributed": ["oracle/judge", "oracle/report"],
     "oracle/judge/arrays": ["oracle/judge", "oracle/report", "include/circumspect"],
@@ -44,7 +47,7 @@ ARROWS = {
     "oracle/picture": ["oracle/report"],
     "oracle/report": ["oracle/judge/points", "oracle/formats"],
     "fuzz/process": [],
-    "fuzz/campaign": ["oracle/judge", "fuzz/process", "oracle/report", "inputs"],
+    "fuzz/campaign": ["oracle/judge", "oracle/domain", "fuzz/process", "oracle/report", "inputs"],
     "fuzz/harness": ["fuzz/campaign", "oracle/judge/arrays"],
     "c": ["reference/constrained", "oracle/certificate", "oracle/judge/within", "oracle/judge", "oracle/picture",
           "inputs/triangulated"],
@@ -71,7 +74,7 @@ ARROWS = {
 TESTS_ALSO = ["inputs", "properties/arguments"]
 
 # Programs apart, which call other libraries and nothing of ours: only the style rules hold there.
-APART = ["corpus/make", "examples", "fuzz/adapters", "fuzz/hunt"]
+APART = ["corpus/make", "examples", "fuzz/adapters", "hunt"]
 
 # Where CGAL may be included, apart from files named *_cgal_test.cpp.
 # CGAL knows our Rational by the name that GMP gives it.
@@ -214,7 +217,7 @@ class Tidy:
                 self.fault(path, number, "ranges",
                            "`make web` has no algorithms of ranges; give begin() and end()")
             if FLOATING.search(line) and path.startswith(("kernel/", "reference/")) \
-                    and not inside(path, ["kernel/exact"]) and not is_test(path) \
+                    and not inside(path, ["kernel/exact", "kernel/boxes"]) and not is_test(path) \
                     and path not in FLOATING_FILES:
                 self.fault(path, number, "floating-point",
                            "kernel and reference compute exactly; take a Rational")

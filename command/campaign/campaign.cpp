@@ -35,6 +35,7 @@ struct CampaignOptions {
   std::vector<std::string> excluded;
   Sizes sizes;
   std::string known;
+  bool goes_on = false;
   std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string folder = "campaign";
   std::string corpus;
@@ -263,6 +264,7 @@ tl::expected<campaign::Plan, ExitCode> plan_of(const CampaignOptions& options) {
   plan.seconds = options.seconds;
   if (!plan.cases && !plan.seconds) plan.seconds = 60;
   plan.jobs = options.jobs;
+  plan.goes_on = options.goes_on;
   plan.output = std::filesystem::absolute(options.folder).lexically_normal().string();
   plan.minimise = options.subject.minimise();
   plan.settings = settings_of(options, plan);
@@ -307,10 +309,11 @@ constexpr const char* kFooter =
     "or kill -9.\n"
     "It also minimizes the findings for which it had no time.\n"
     "\n"
-    "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run "
-    "or\n"
-    "another campaign began in the folder, 4 interrupted or nothing judged, 5 internal "
-    "error.";
+    "Exit codes: 0 nothing found, 1 something found, 2 usage, 3 the program cannot be run, "
+    "fails\n"
+    "on the first ten inputs, or another campaign began in the folder, 4 interrupted or "
+    "nothing\n"
+    "judged, 5 internal error.";
 
 }  // namespace
 
@@ -388,6 +391,10 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
   command
       ->add_option("--corpus", options->corpus, "First try all inputs in the files of this folder")
       ->option_text("FOLDER");
+  command->add_flag("--go-on", options->goes_on,
+                    "Go on where the program fails on each of the first ten inputs. Without it, "
+                    "the campaign then "
+                    "asks whether the command is right, keeps nothing and ends with exit code 3");
   command
       ->add_option("--jobs", options->jobs,
                    "Run N programs at a time (default: one for each processor)")

@@ -298,7 +298,7 @@ TEST_CASE("campaign and minimize: no place for the files of programs, or for wha
   const Run nowhere = run({"campaign", "--cases", "1", "--output", program.path, "--", program.path,
                            "{points}", "{mesh}"});
   CHECK(nowhere.exit_code == 3);
-  CHECK(has(nowhere.err, "/journal.tsv: expected a file that can be written to"));
+  CHECK(has(nowhere.err, "/program: expected a folder, or a place for one: Not a directory"));
 }
 
 TEST_CASE("campaign: stdin and stdout, other formats, JSON") {

@@ -7,6 +7,7 @@
 #include "command/check/judge_loaded.hpp"
 #include "command/input/domain_input.hpp"
 #include "command/output/output.hpp"
+#include "fuzz/campaign/finding_folder.hpp"
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/model/printable.hpp"
@@ -67,11 +68,13 @@ picture::Page campaign_page(const campaign::Result& result, const campaign::Plan
   const std::string own = plan.subject.is_about_domains() ? "/minimal.poly" : "/minimal.node";
   for (const report::Json& details : findings) {
     const std::string folder = details["folder"].get<std::string>();
-    const bool has_rule = details.contains("verdict");
+    // The folder is as whoever has it left it.
+    const bool is_readable = campaign::holds_files_alone(folder);
+    const bool has_rule = is_readable && details.contains("verdict");
     report::Json finding = {{"signature", details["signature"]},
                             {"count", details["count"]},
                             {"text", details.value("text", "not made small yet")},
-                            {"minimal", small_input(folder + own)},
+                            {"minimal", is_readable ? small_input(folder + own) : ""},
                             {"reproduce", on_one_line(folder + "/reproduce.sh")}};
     const bool is_of_image =
         details["signature"].get<std::string>().find("-after-") != std::string::npos;

@@ -188,8 +188,9 @@ std::string reasons_text(const Result& result) {
 std::string campaign_text(const Result& result) {
   std::size_t width = 6;
   for (const auto& [family, counts] : result.statistics) width = std::max(width, family.size());
-  std::string text = fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "family", width, "cases",
-                                 "hold", "fail", "refused", "skipped");
+  std::string text = result.doubt.empty() ? "" : "note: " + on_one_line(result.doubt) + "\n";
+  text += fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "family", width, "cases", "hold",
+                      "fail", "refused", "skipped");
   for (const auto& [family, counts] : result.statistics) {
     text += fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8}\n", family, width, total(counts),
                         count_of(counts, "holds"), found_in(counts), count_of(counts, "refused"),
@@ -263,6 +264,7 @@ report::Json campaign_json(const Result& result, const campaign::Plan& plan,
       {"containment", name(result.containment)},
       {"holds", result.findings.empty() && !result.interrupted && judged_cases(result) > 0},
       {"seconds", result.seconds}};
+  if (!result.doubt.empty()) document["note"] = on_one_line(result.doubt);
   report::Json families = report::Json::object();
   for (const auto& [family, counts] : result.statistics) families[family] = counts;
   document["families"] = std::move(families);

@@ -114,6 +114,15 @@ tl::expected<std::unique_ptr<campaign::Runner>, std::string> new_runner(
   }
 }
 
+// Then it fails on all inputs, as a program does that cannot start. Domains without points are not given to programs.
+bool fails_without_points(const campaign::Input& input, const campaign::Outcome& outcome,
+                          campaign::Runner& runner) {
+  if (!std::holds_alternative<campaign::PointsCase>(input)) return false;
+  const campaign::Outcome without = runner.run_anew(campaign::PointsCase{});
+  return without.kind == outcome.kind && (without.signature == outcome.signature ||
+                                          without.signature == outcome.signature + "-flat");
+}
+
 ExitCode run(const MinimizeOptions& options) {
   Output output(options.output);
   const auto fault = [&](ExitCode code, const std::string& message) {
@@ -143,6 +152,10 @@ ExitCode run(const MinimizeOptions& options) {
                  fmt::format("{}: expected an input on which the program fails, found: {}{}{}",
                              options.input, campaign::word(outcome.kind),
                              outcome.text.empty() ? "" : ": ", outcome.text));
+  }
+  if (fails_without_points(*input, outcome, **runner)) {
+    output.note(
+        "the program fails in the same way where there are no points: is the command right?");
   }
   minimize(options, *subject, *input, outcome.signature, **runner, output);
   return output.finish();

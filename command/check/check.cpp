@@ -75,10 +75,23 @@ struct HeldAgainst {
   }
 };
 
+// What is said of how a mesh was read, at once, and what its verdict may be due to, beside the verdict: before the
+// witnesses, of which there may be many, nobody would see that.
+struct Notes {
+  std::vector<std::string> of_reading;
+  std::vector<std::string> of_verdict;
+
+  std::vector<std::string> all() const {
+    std::vector<std::string> notes = of_reading;
+    notes.insert(notes.end(), of_verdict.begin(), of_verdict.end());
+    return notes;
+  }
+};
+
 // Says what a mesh was found to be.
 void report_verdict(const std::string& path, const Verdict& verdict, const Mesh& mesh,
-                    const std::vector<std::string>& notes, const CheckOptions& options,
-                    const HeldAgainst* against, Output& output) {
+                    const Notes& notes, const CheckOptions& options, const HeldAgainst* against,
+                    Output& output) {
   output.exit_with(verdict.holds() ? ExitCode::kHolds : ExitCode::kFails);
   const LoadedDomain* const domain = against == nullptr ? nullptr : &against->loaded;
   const Domain* about = against == nullptr ? nullptr : &against->judged();
@@ -87,11 +100,14 @@ void report_verdict(const std::string& path, const Verdict& verdict, const Mesh&
       output.text(fmt::format("domain: {} {}\n", on_one_line(domain->name), domain->filled));
     }
     output.text(report::explanation(verdict, mesh, about));
+    output.notes(notes.of_verdict);
     output.text(report::verdict_line(verdict, mesh, path, about) + "\n");
   }
   if (!output.wants_json() && !options.pictures->are_wanted()) return;
-  std::vector<std::string> all_notes = domain == nullptr ? notes : domain->file.notes;
-  if (domain != nullptr) all_notes.insert(all_notes.end(), notes.begin(), notes.end());
+  std::vector<std::string> all_notes;
+  if (domain != nullptr) all_notes = domain->file.notes;
+  const std::vector<std::string> of_mesh = notes.all();
+  all_notes.insert(all_notes.end(), of_mesh.begin(), of_mesh.end());
   report::Json result = report::verdict(verdict, mesh, path, options.check.by, about);
   if (domain != nullptr) {
     result["domain"] = domain->name;
@@ -119,16 +135,13 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
+  output.notes(loaded->notes);
   if (!verdict) {
-    output.notes(loaded->notes);
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
-  for (std::string& note : notes_without_domain(*verdict, loaded->mesh, path)) {
-    loaded->notes.push_back(std::move(note));
-  }
-  output.notes(loaded->notes);
-  report_verdict(path, *verdict, loaded->mesh, loaded->notes, options, nullptr, output);
+  const Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
+  report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
     output.end_watch();
     write_certificate(*options.certificate, path, exact(loaded->mesh), *verdict, output);
@@ -143,9 +156,8 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
     output.error(judged.error().code, "mesh", path, judged.error().message);
     return;
   }
-  const auto notes = notes_without_domain(judged->verdict, judged->named, path);
-  output.notes(notes);
-  report_verdict(path, judged->verdict, judged->named, {}, options, nullptr, output);
+  const Notes notes{{}, notes_without_domain(judged->verdict, judged->named, path)};
+  report_verdict(path, judged->verdict, judged->named, notes, options, nullptr, output);
 }
 
 void check_with_domain(const std::string& path, const CheckOptions& options,
@@ -179,7 +191,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
       output.error(ExitCode::kInputFault, "mesh", path, equal);
       return;
     }
-    auto judged = judged_within(*options.within, claim, mesh, domain.domain, options.check,
+    const KnownMesh known(claim, mesh, domain.domain.complex.kind, options.check);
+    auto judged = judged_within(*options.within, claim, known, domain.domain, options.check,
                                 against.bent ? &*against.bent : nullptr,
                                 {loaded->face_markers, against.polygon_markers()});
     if (!judged) {
@@ -198,7 +211,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     }
     verdict = std::move(*judged);
   }
-  std::vector<std::string> notes = loaded->notes;
+  Notes notes{loaded->notes, {}};
   std::optional<std::string> weaker;
   if (!options.claim) weaker = note_of_weaker_claim(*verdict);
   std::optional<std::string> lone;  // polygons of a bent domain are others
@@ -206,9 +219,7 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
   const bool has_merged = options.said.merged_slope.has_value();
   const Judged judged{claim, mesh, domain, options.within, has_merged, loaded->face_markers};
   for (const auto& note : {remedy(*verdict, judged, options.check), lone, weaker}) {
-    if (!note) continue;
-    notes.push_back(*note);
-    output.note(*note);
+    if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);
 }

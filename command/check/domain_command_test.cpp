@@ -96,7 +96,7 @@ TEST_CASE("check --domain: dangling triangles and edges are in the .face and .ed
   CHECK_MESSAGE(with.exit_code == 0, with.out);
 }
 
-TEST_CASE("a domain at fault: exit code 3, with the line and the exact offset") {
+TEST_CASE("a domain at fault: exit code 3, with the line and the distance") {
   const Tetrahedron files;
   const std::string domain = files.folder.write("bad.poly", lifted_cube("1.125"));
   const Run result = run({"check", files.mesh, "--domain", domain});
@@ -107,8 +107,8 @@ TEST_CASE("a domain at fault: exit code 3, with the line and the exact offset") 
                                     ":13: expected a piecewise linear complex, found "
                                     "plc.polygon-not-planar: "));
   CHECK(has(result.err, "polygon 2 (line 13)"));
-  CHECK(has(result.err,
-            "vertex 7, point (0, 1, 1), -1/8 ~ -0.125 off the plane of vertices 4 5 6 along z"));
+  CHECK(has(result.err, "vertices 4 5 6 7, ~ 0.031128640318234518"));
+  CHECK(has(result.err, " off the plane that is nearest to all its vertices"));
   const Run inspected = run({"inspect", domain});
   CHECK(inspected.exit_code == 3);
   CHECK(inspected.err.empty());
@@ -117,6 +117,7 @@ TEST_CASE("a domain at fault: exit code 3, with the line and the exact offset") 
   CHECK(json["results"][0]["valid"] == false);
   CHECK(json["results"][0]["breaches"][0]["rule"] == "plc.polygon-not-planar");
   CHECK(json["results"][0]["breaches"][0]["polygons"][0]["line"] == 13);
+  CHECK(json["results"][0]["breaches"][0]["squared_distance"] == "1/1032");
 }
 
 TEST_CASE("a domain at fault: when breaches are left out, it is said") {

@@ -7,6 +7,7 @@
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
+#include "oracle/judge/within/work.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
@@ -54,19 +55,22 @@ std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& m
 
 }  // namespace
 
+KnownMesh::KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options)
+    : exact(circumspect::exact(mesh)),
+      facts(check::facts_of_simplices(claim, mesh, kind, options)) {}
+
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const Mesh& mesh, const Domain& domain,
+                                                      const KnownMesh& mesh, const Domain& domain,
                                                       const check::Options& options,
                                                       const BentDomain* bent,
-                                                      const check::Markers& markers) {
-  const auto known = check::facts_of_simplices(claim, mesh, domain.complex.kind, options);
+                                                      const check::Markers& markers,
+                                                      check::Work* work) {
   Rational squared = distance.squared(domain.complex);
   if (bent != nullptr && bent->squared_limit) squared = std::min(squared, *bent->squared_limit);
-  const ExactMesh exact_mesh = exact(mesh);
   const auto judged = [&] {
-    return check::judge_within(claim, exact_mesh, bent != nullptr ? bent->domain : domain, squared,
-                               options, known ? &*known : nullptr,
-                               bent != nullptr ? &domain : nullptr, markers);
+    return check::judge_within(claim, mesh.exact, bent != nullptr ? bent->domain : domain, squared,
+                               options, mesh.known(), bent != nullptr ? &domain : nullptr, markers,
+                               work);
   };
   auto verdict = judged();
   // The distance also says how flat joined polygons are. It may be larger than what tells cells apart: then a
@@ -131,55 +135,120 @@ std::optional<std::string> note_of_weaker_claim(const Verdict& verdict) {
       name(has_steiner_points ? Claim::kSteinerTriangulation : Claim::kPlcTriangulation));
 }
 
+namespace {
+
+// What may be all that is wrong, each with options that allow for it, is tried in turn, until the claim holds.
+class Remedies {
+ public:
+  Remedies(const Verdict& verdict, const Judged& judged, const check::Options& options)
+      : verdict_(verdict),
+        judged_(judged),
+        options_(options),
+        mesh_(judged.claim, judged.mesh, judged.domain.domain.complex.kind, options) {}
+
+  std::optional<std::string> note() {
+    if (may_be_joined()) {
+      joined_ = with_coplanar_joined(judged_.domain);
+      if (segments(*joined_) == segments(judged_.domain)) joined_.reset();
+    }
+    const bool holds = merged() || moved() || merged_and_moved() || bent();
+    if (!holds && is_unsettled_ && !judged_.within) {
+      return "the coordinates may have been rounded: --within 1e-9x tells whether that is all "
+             "that is wrong";
+    }
+    return std::move(note_);
+  }
+
+ private:
+  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes much more, the note proposes
+  // to find out.
+  static constexpr std::size_t kLeastWork = 500'000;
+  static constexpr std::size_t kWorkOfSimplex = 4;
+
+  std::size_t most_work() const {
+    return kLeastWork + kWorkOfSimplex * mesh_.exact.simplices.size();
+  }
+
+  static std::size_t segments(const LoadedDomain& one) {
+    return one.domain.complex.segments.size();
+  }
+
+  bool may_be_joined() const {
+    return !judged_.has_merged && breaks(verdict_, Rule::kSegmentMissing) &&
+           judged_.domain.domain.complex.ambient_dimension() == 3;
+  }
+
+  // Keeps the first note, or one about options with which the claim holds. Does it hold?
+  bool keep(const Verdict& other, std::string note) {
+    if (other.holds() || !note_) note_ = std::move(note);
+    return other.holds();
+  }
+  static bool mends_segments(const Verdict& other) { return !breaks(other, Rule::kSegmentMissing); }
+
+  bool merged() {
+    if (!joined_ || judged_.within) return false;
+    const Verdict merged =
+        check::judge_domain(judged_.claim, mesh_.exact, joined_->domain, options_, mesh_.known());
+    return mends_segments(merged) && keep(merged, merging_note(verdict_, merged));
+  }
+
+  bool moved() {
+    if (judged_.within) return false;
+    const auto moved = judged_at(distance(kRoundedParts), judged_.domain);
+    const bool has_moved = moved && moved->within && moved->within->squared_reach > 0;
+    if (!has_moved || (joined_ && !moved->holds())) return false;
+    return keep(*moved, rounding_note(verdict_, *moved));
+  }
+
+  bool merged_and_moved() {
+    if (!joined_) return false;
+    const auto both = judged_at(distance(kRoundedParts), *joined_);
+    return both && mends_segments(*both) && keep(*both, merging_note(verdict_, *both));
+  }
+
+  // Rounded, hardly any triangles of a face are in one plane.
+  bool bent() {
+    if (!may_be_joined()) return false;
+    const LoadedDomain& flat = joined_ ? *joined_ : judged_.domain;
+    const Distance most = distance(kBentParts);
+    const BentDomain bent =
+        with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
+    if (bent.squared_height == 0) return false;
+    check::Work work(most_work());
+    const auto moved =
+        judged_within(most, judged_.claim, mesh_, flat.domain, options_, &bent, {}, &work);
+    is_unsettled_ |= work.is_too_much();
+    return moved && mends_segments(*moved) &&
+           keep(*moved, bending_note(verdict_, *moved, bent.squared_height));
+  }
+
+  Distance distance(long parts) const {
+    return judged_.within.value_or(Distance{Rational(1, parts), true});
+  }
+  tl::expected<Verdict, check::NotJudged> judged_at(const Distance& most,
+                                                    const LoadedDomain& domain) {
+    check::Work work(most_work());
+    auto verdict = judged_within(most, judged_.claim, mesh_, domain.domain, options_, nullptr,
+                                 {judged_.face_markers, domain.file.polygon_markers}, &work);
+    is_unsettled_ |= work.is_too_much();
+    return verdict;
+  }
+
+  const Verdict& verdict_;
+  const Judged& judged_;
+  const check::Options& options_;
+  KnownMesh mesh_;
+  bool is_unsettled_ = false;           // was a search given up?
+  std::optional<LoadedDomain> joined_;  // if that is not the domain itself
+  std::optional<std::string> note_;
+};
+
+}  // namespace
+
 std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
                                   const check::Options& options) {
-  const auto& [claim, mesh, domain, within, has_merged, face_markers] = judged;
-  if (!may_be_rounded(verdict)) return std::nullopt;
-  const bool may_be_joined = !has_merged && breaks(verdict, Rule::kSegmentMissing) &&
-                             domain.domain.complex.ambient_dimension() == 3;
-  std::optional<LoadedDomain> joined;
-  if (may_be_joined) joined = with_coplanar_joined(domain);
-  const auto segments = [](const LoadedDomain& one) { return one.domain.complex.segments.size(); };
-  if (joined && segments(*joined) == segments(domain)) joined.reset();
-  const bool is_large = mesh.simplices.size() > kMostSimplicesTriedMoved;
-  if (is_large && joined) {
-    return fmt::format(
-        "the domain has {} between polygons of one plane, which the program that made the mesh may "
-        "have joined: --merge-coplanar tells whether that is all that is wrong",
-        report::counted(segments(domain) - segments(*joined), "segment"));
-  }
-  if (is_large && !within) {
-    return "the coordinates may have been rounded: --within 1e-9x tells whether that is all that "
-           "is wrong";
-  }
-  if (is_large) return std::nullopt;
-  const Distance distance = within.value_or(Distance{Rational(1, kRoundedParts), true});
-  const auto is_mended = [](const Verdict& other) { return !breaks(other, Rule::kSegmentMissing); };
-  if (joined && !within) {
-    const auto merged = check::judge(claim, mesh, &joined->domain, options);
-    if (merged && is_mended(*merged)) return merging_note(verdict, *merged);
-  }
-  if (!within) {
-    const auto moved = judged_within(distance, claim, mesh, domain.domain, options, nullptr,
-                                     {face_markers, domain.file.polygon_markers});
-    const bool has_moved = moved && moved->within && moved->within->squared_reach > 0;
-    if (has_moved && (moved->holds() || !joined)) return rounding_note(verdict, *moved);
-  }
-  if (joined) {
-    const auto both = judged_within(distance, claim, mesh, joined->domain, options, nullptr,
-                                    {face_markers, joined->file.polygon_markers});
-    if (both && is_mended(*both)) return merging_note(verdict, *both);
-  }
-  if (!may_be_joined) return std::nullopt;
-  // Rounded, hardly any triangles of a face are in one plane.
-  const Distance most = within.value_or(Distance{Rational(1, kBentParts), true});
-  const LoadedDomain& flat = joined ? *joined : domain;
-  const BentDomain bent =
-      with_nearly_coplanar_joined(flat, kUsualSlope, most.squared(flat.domain.complex));
-  if (bent.squared_height == 0) return std::nullopt;
-  const auto moved = judged_within(most, claim, mesh, flat.domain, options, &bent);
-  if (!moved || !is_mended(*moved)) return std::nullopt;
-  return bending_note(verdict, *moved, bent.squared_height);
+  if (!may_be_rounded(verdict, judged.domain.domain.complex.kind)) return std::nullopt;
+  return Remedies(verdict, judged, options).note();
 }
 
 }  // namespace circumspect::cli

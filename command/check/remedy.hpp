@@ -9,18 +9,31 @@
 
 #include "command/check/within_option.hpp"
 #include "command/input/domain_input.hpp"
+#include "oracle/judge/judge.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 #include "oracle/model/mesh.hpp"
 
 namespace circumspect::cli {
 
+// A mesh in exact numbers, and what the fast engine finds out of it: the same for every domain of one kind.
+struct KnownMesh {
+  KnownMesh(Claim claim, const Mesh& mesh, DomainKind kind, const check::Options& options);
+
+  ExactMesh exact;
+  std::optional<fast::SimplexFacts> facts;
+
+  const fast::SimplexFacts* known() const { return facts ? &*facts : nullptr; }
+};
+
 // The verdict for the domain with its cells moved by no more than `distance`. `bent`: the domain with polygons joined
-// that are not flat, if it is that one. `markers`: of the mesh and of the domain that is judged. Requires: no equal points.
+// that are not flat, if it is that one. `markers`: of the mesh and of the domain that is judged. `work`: see judge_within. Requires: no
+// equal points.
 tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, Claim claim,
-                                                      const Mesh& mesh, const Domain& domain,
+                                                      const KnownMesh& mesh, const Domain& domain,
                                                       const check::Options& options,
                                                       const BentDomain* bent = nullptr,
-                                                      const check::Markers& markers = {});
+                                                      const check::Markers& markers = {},
+                                                      check::Work* work = nullptr);
 
 // What may have been meant where no domain was given: that triangles in space are a surface, which is a domain, and that
 // what is not convex is a mesh of one.
@@ -46,7 +59,7 @@ struct Judged {
 };
 
 // What may be all that keeps the claim from holding: that polygons of one plane are one to the program, that
-// coordinates were rounded, or both.
+// coordinates were rounded, or both. With the options that are named the claim holds, if it does with any of these.
 std::optional<std::string> remedy(const Verdict& verdict, const Judged& judged,
                                   const check::Options& options);
 

@@ -74,7 +74,7 @@ TEST_CASE("check: without --within a note says what is left of a mesh of rounded
             .exit_code == 1);
   const Run more = check_near("reject/domain.outside--within-2d", {});
   CHECK(more.exit_code == 1);
-  CHECK(has(more.out + more.err, "the mesh still breaks domain.outside 4"));
+  CHECK(has(more.out + more.err, "the mesh still breaks domain.outside 2"));
 }
 
 TEST_CASE(

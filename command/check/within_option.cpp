@@ -62,10 +62,13 @@ void add_within_option(CLI::App& command, std::optional<Distance>& distance) {
       ->option_text("DISTANCE");
 }
 
-bool may_be_rounded(const Verdict& verdict) {
-  const auto is_missing = [](const auto& tally) {
-    return tally.first == Rule::kDomainVertexMissing || tally.first == Rule::kSegmentMissing ||
-           tally.first == Rule::kPolygonNotTiled;
+bool may_be_rounded(const Verdict& verdict, DomainKind kind) {
+  const auto is_missing = [&](const auto& tally) {
+    // Nobody lists the faces of a convex hull. Where a point of one was rounded, the mesh has a dent or a bump there.
+    const bool is_off_hull = kind == DomainKind::kHull &&
+                             (tally.first == Rule::kHullNotConvex || tally.first == Rule::kOutside);
+    return is_off_hull || tally.first == Rule::kDomainVertexMissing ||
+           tally.first == Rule::kSegmentMissing || tally.first == Rule::kPolygonNotTiled;
   };
   const auto& tallies = verdict.tallies();
   return std::any_of(tallies.begin(), tallies.end(), is_missing) &&

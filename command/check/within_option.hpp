@@ -23,13 +23,11 @@ struct Distance {
 // Adds --within; nothing if it is not given.
 void add_within_option(CLI::App& command, std::optional<Distance>& distance);
 
-// Is all that is wrong that vertices, segments and polygons of the domain are not in the mesh? Then they may
-// have been rounded.
-bool may_be_rounded(const Verdict& verdict);
+// Is all that is wrong that vertices, segments and polygons of the domain are not in the mesh, or that it is not its
+// convex hull, if it is to be? Then they may have been rounded.
+bool may_be_rounded(const Verdict& verdict, DomainKind kind);
 // What to say of such a mesh, if its cells were moved by no more than this: the number of breaches, and what is
 // left of them. `moved` is the verdict under --within.
-// Judging the moved domain takes longer than the verdict itself; of a larger mesh the note proposes it.
-inline constexpr std::size_t kMostSimplicesTriedMoved = 20'000;
 inline constexpr long kRoundedParts = 1'000'000'000;  // of the longest side of the bounding box
 std::string rounding_note(const Verdict& exact, const Verdict& moved);
 // The same if polygons of one plane are joined, and cells moved as far as `merged` says, if it does.

@@ -121,6 +121,10 @@ std::string breach_words(const Breach& breach, const formats::DomainFile& file) 
   }
   if (breach.point) parts.push_back("point " + point_text(*breach.point));
   if (is_off_plane) parts.push_back(off_plane_text(breach, file));
+  if (breach.squared_distance) {
+    parts.push_back("~ " + square_root_to_decimal(*breach.squared_distance) +
+                    " off the plane that is nearest to all its vertices");
+  }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -147,6 +151,10 @@ report::Json breach_json(const Breach& breach, const formats::DomainFile& file) 
   }
   if (breach.point) object["point"] = report::point(*breach.point);
   if (breach.offset) object["offset"] = to_string(*breach.offset);
+  if (breach.squared_distance) {
+    object["squared_distance"] = to_string(*breach.squared_distance);
+    object["distance_decimal"] = square_root_to_decimal(*breach.squared_distance);
+  }
   return object;
 }
 
@@ -211,6 +219,9 @@ std::pair<report::Json, Witness> breach_card(const Breach& breach,
   }
   witness.point = breach.point;
   if (breach.offset) witness.values.push_back({"offset", *breach.offset});
+  if (breach.squared_distance) {
+    witness.values.push_back({"squared distance", *breach.squared_distance});
+  }
   std::string caption = breach_words(breach, file);
   if (!caption.empty()) caption.front() = static_cast<char>(std::toupper(caption.front()));
   return {{{"rule", identifier(breach.kind)},

@@ -19,7 +19,7 @@ std::string polygon_name(std::size_t polygon, const formats::DomainFile& file);
 // "x.poly:17": the file, and the line of what is named first.
 std::string breach_place(const Breach& breach, const formats::DomainFile& file);
 
-// "plc.polygon-not-planar: vertex 4 at (0, 1, 0.125) is 0.125 off the plane of 1 2 3 along z, …"
+// "plc.polygon-not-planar: …: polygon 2 (line 13), vertices 4 5 6 7, ~ 0.03 off the plane that is nearest …"
 std::string breach_line(const Breach& breach, const formats::DomainFile& file);
 
 // {"rule", "meaning", …}: what the breach has, vertices by the user's indices, exact values.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "command/input/breach_text.hpp"
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "command/input/breach_text.hpp"
-#include "kernel/piecewise_linear/filling.hpp"
+#include "oracle/domain/filling.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -178,22 +178,12 @@ tl::expected<std::vector<Point>, std::string> seeds_by_rule(Fill fill, const Reg
 // Seeds in what is enclosed but for the regions that somebody names by points in them.
 tl::expected<std::vector<Point>, std::string> seeds_beside(const std::vector<Point>& named,
                                                            const Regions& regions) {
-  std::vector<bool> is_named(regions.size(), false);
-  for (const Point& point : named) {
-    const auto region = regions.region_at(point);
-    if (!region || *region == Regions::kUnbounded) {
-      return tl::unexpected(
-          fmt::format("expected a point of --region in something enclosed, found {} {}",
-                      point_text(point), region ? "in nothing enclosed" : "on a wall"));
-    }
-    is_named[*region] = true;
-  }
-  const std::vector<Point> points = points_of_regions(regions);
-  std::vector<Point> seeds;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (r != Regions::kUnbounded && !is_named[r]) seeds.push_back(points[r]);
-  }
-  return seeds;
+  auto seeds = seeds_of_unnamed(named, regions);
+  if (seeds) return *std::move(seeds);
+  const Point& point = named[seeds.error()];
+  return tl::unexpected(fmt::format(
+      "expected a point of --region in something enclosed, found {} {}", point_text(point),
+      regions.region_at(point) ? "in nothing enclosed" : "on a wall"));
 }
 
 // ---- What bounds nothing ----

@@ -7,6 +7,7 @@
 
 #include "command/options/one_of.hpp"
 #include "oracle/model/mesh.hpp"
+#include "oracle/report/text.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -90,11 +91,8 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
 
 std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
                                std::uint64_t count) {
-  return fmt::format(
-      "{}: expected distinct points, found points {} and {} equal{}; to take equal points for one, "
-      "add --duplicates merge to the command",
-      points_name, kept, again,
-      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "");
+  return fmt::format("{}: {}; to take equal points for one, add --duplicates merge to the command",
+                     points_name, report::fault_of_equal_points(kept, again, count));
 }
 
 std::string equal_points_fault(const LoadedMesh& loaded, const std::vector<Duplicate>& repeated) {

@@ -100,9 +100,8 @@ TEST_CASE("inspect: a page has a card for each breach of a domain, with a pictur
   CHECK(off["groups"][0] ==
         nlohmann::json(
             {{"role", "first"}, {"words", "polygon 1 (line 7)"}, {"count", 4}, {"closed", true}}));
-  CHECK(off["groups"][1]["words"] == "the plane of vertices 9 10 11");
-  CHECK(off["vertices"] == nlohmann::json({12}));
-  CHECK(off["values"]["offset"]["exact"] == "1/3");
+  CHECK(off["vertices"] == nlohmann::json({9, 10, 11, 12}));
+  CHECK(off["values"]["squared distance"]["exact"] == "1/152");
   CHECK(off["coordinates"]["12"] == nlohmann::json({"9", "1", "1/3"}));
   // Two squares that cross.
   const std::string two =

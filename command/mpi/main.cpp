@@ -136,8 +136,8 @@ std::string said(const Judged& judged, const MpiOptions& options) {
   const auto note =
       report::note_of_domain_not_given(*judged.verdict, judged.named, options.files.mesh);
   return circumspect::on_lines(
-      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
       report::explanation(*judged.verdict, judged.named) +
+      (note ? "note: " + circumspect::on_one_line(*note) + "\n" : "") +
       report::verdict_line(*judged.verdict, judged.named, options.files.mesh) + "\n");
 }
 
@@ -173,9 +173,32 @@ ExitCode judge(Ranks& ranks, MpiOptions& options) {
   return ranks.of_rank(0, code);
 }
 
+// What mpirun gave a rank, and which program took it.
+std::string own_words(int argc, char** argv) {
+  std::string words = "circumspect-mpi " CIRCUMSPECT_VERSION ":";
+  for (int i = 1; i < argc; ++i) words += fmt::format(" '{}'", argv[i]);
+  return words;
+}
+
+// mpirun can start each rank with other words. A rank that judges another claim, or none at all, would meet the others
+// with answers to questions that they did not ask. So nothing begins before all are known to be asked the same.
+bool are_told_the_same(Ranks& ranks, const std::string& own) {
+  const std::string expected = ranks.of_rank(0, own);
+  const std::size_t other = ranks.first_with(own != expected);
+  if (other == ranks.size()) return true;
+  const std::string found = ranks.of_rank(other, own);
+  if (ranks.is_first()) {
+    say(ExitCode::kUsage, fmt::format("expected the same program and arguments on all ranks; rank "
+                                      "0 has {}, but rank {} has {}",
+                                      expected, other, found));
+  }
+  return false;
+}
+
 ExitCode run(int argc, char** argv) {
   circumspect::distributed::MpiCommunicator communicator(MPI_COMM_WORLD);
   Ranks ranks(communicator);
+  if (!are_told_the_same(ranks, own_words(argc, argv))) return ExitCode::kUsage;
   CLI::App app{
       "Judges a mesh of points of which each rank reads and keeps a part, as circumspect check "
       "does: exactly, with the same witnesses."};

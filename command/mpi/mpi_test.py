@@ -8,7 +8,8 @@ With --all every .ele file of the corpus is judged, on one, two, three and five 
 Open MPI 4 sometimes takes a rank that has ended well for one that ended without MPI_Finalize, and ends with 1 (issue 7833 of open-mpi/ompi, which is
 not to be mended before Open MPI 5). So each rank says with what code it ended; where all said 0, and mpirun complains of just that, it is run again.
 It also kills all ranks as soon as one ends with 1, and once in some thousand runs what they printed is lost: nothing of a verdict is there.
-Then it is run again, too.
+Then it is run again, too. And where a rank is killed before it has come to MPI_Init, mpirun sometimes waits for ever, if the machine is busy:
+what has not ended by then is run again, and has to end one of three times.
 """
 import concurrent.futures
 import os
@@ -51,8 +52,30 @@ class Commands:
 
     def on_ranks(self, ranks, *words, program=None):
         command = [*MPIRUN, str(ranks), *(program or [*SAYING_ITS_CODE, self.mpi]), *map(str, words)]
-        for _ in range(ALL_AGAIN):
-            ended = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+        return self.run_again_where_mpirun_alone_failed(command, ranks)
+
+    def with_other_words(self, *words_of_ranks, seconds=60):
+        """One rank for each list of words, which mpirun starts with those; `folder` may come first, as a path."""
+        command = [*MPIRUN[:-1]]
+        for words in words_of_ranks:
+            folder = ["-wdir", str(words[0])] if isinstance(words[0], pathlib.Path) else []
+            command += [*([":"] if words is not words_of_ranks[0] else []), "-n", "1", *folder, *SAYING_ITS_CODE, self.mpi,
+                        *map(str, words[len(folder) // 2:])]
+        return self.run_again_where_mpirun_alone_failed(command, len(words_of_ranks), seconds)
+
+    @staticmethod
+    def run_again_where_mpirun_alone_failed(command, ranks, seconds=100):
+        for tries_left in reversed(range(ALL_AGAIN)):
+            # Every mpirun of a user has its sessions in one folder of this one, and removes it at its end, with those of others.
+            with tempfile.TemporaryDirectory(prefix="mpi", ignore_cleanup_errors=True) as own:
+                try:
+                    ended = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False,
+                                           env={**os.environ, "TMPDIR": own})
+                except subprocess.TimeoutExpired:
+                    if not tries_left:
+                        raise
+                    print(f"{' '.join(command)}: no end within {seconds} s")
+                    continue
             if not mpirun_alone_failed(ended, ranks) and not mpirun_lost_what_was_printed(ended):
                 break
             print(f"{' '.join(command)}: mpirun alone ended with {ended.returncode}, and said {ended.stderr!r}")
@@ -164,6 +187,33 @@ def parts(commands, corpus, folder):
         expect(f"parts, {wrong}", (ended.returncode, said in ended.stderr), (3, True))
 
 
+def ranks_that_are_told_otherwise(commands, corpus, folder):
+    """Nothing is judged where ranks are asked other questions, or see other files; and no rank waits for one that has ended."""
+    mesh = str(corpus / SOME[0])
+    for other in (["--claim", "triangulation"], ["--help"], ["--version"], ["--nonsense"], ["--max-errors", "1"]):
+        for words in ([[mesh], [mesh, *other]], [[mesh, *other], [mesh]]):
+            ended = commands.with_other_words(*words)
+            expect(f"one rank with {other}", (ended.returncode, ended.stdout, "the same program and arguments" in ended.stderr),
+                   (2, "", True))
+    whole = corpus / "peers/tetgen/random-3d-500.1.ele"
+    points, simplices = rows_of(whole.with_suffix(".node"), float), [tuple(v - 1 for v in row) for row in rows_of(whole, int)]
+    here, there = folder / "here", folder / "there"
+    moved = [(points[0][0] + 2 ** -20, *points[0][1:]), *points[1:]]
+    for what, others in [("fewer points", points[:-9]), ("more points", points + points[:7]), ("a moved point", moved)]:
+        for place, some in ((here, points), (there, others)):
+            place.mkdir(exist_ok=True)
+            npy(place / "p.npy", "<f8", 3, some)
+            npy(place / "s.npy", "<i4", 4, simplices)
+        for folders in ((here, there), (there, here)):
+            ended = commands.with_other_words(*([place, "s.npy", "--points", "p.npy"] for place in folders))
+            expect(what, (ended.returncode, ended.stdout, "p.npy: expected the same file at all ranks" in ended.stderr), (3, "", True))
+    npy(there / "s.npy", "<i4", 4, simplices[1:])
+    ended = commands.with_other_words(*([place, "s.npy", "--points", "p.npy"] for place in (here, there)))
+    expect("fewer simplices", (ended.returncode, ended.stdout, "s.npy: expected the same file at all ranks" in ended.stderr), (3, "", True))
+    (there / "s.npy").unlink()
+    expect("no file at one rank", commands.with_other_words(*([place, "s.npy", "--points", "p.npy"] for place in (here, there))).returncode, 3)
+
+
 def one_dies(commands, mesh):
     """If a rank is killed, the others end."""
     script = 'if [ "$OMPI_COMM_WORLD_RANK" = 1 ]; then kill -9 $$; fi; exec "$@"'
@@ -208,7 +258,7 @@ def main(words):
     # mpirun takes a third of a second to start, and most of that it sleeps.
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor() as pool:
         running = [pool.submit(commands.same, 3, corpus / mesh) for mesh in SOME]
-        for test in (arrays, parts):
+        for test in (arrays, parts, ranks_that_are_told_otherwise):
             (pathlib.Path(folder) / test.__name__).mkdir()
             running.append(pool.submit(test, commands, corpus, pathlib.Path(folder) / test.__name__))
         running += [pool.submit(test, commands, corpus / SOME[1]) for test in (one_dies, statistics)]

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "kernel/piecewise_linear/filling.hpp"
+#include "oracle/domain/filling.hpp"
 
 namespace circumspect::cli {
 

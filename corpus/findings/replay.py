@@ -17,7 +17,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 PACKAGES = {"tetgen": ("tetgen", "1.5.0-5"), "qdelaunay": ("qhull-bin", "2020.2-5"), "gmsh": ("gmsh", "4.8.4+ds2-3"),
             "checked_by": ("libcgal-dev", "5.5.1-2")}
-# What it does depends on what lay in the memory before: docs/findings/gmsh.md.
+# What it does depends on what lay in the memory before: hunt/pages/gmsh.md.
 NOT_EVERY_TIME = {"gmsh-hxt-vertex-zero"}
 HANG_SECONDS = 2  # of processor time; a clock on the wall would call a loaded machine a hang
 

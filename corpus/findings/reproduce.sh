@@ -5,7 +5,7 @@
 #     corpus/findings/reproduce.sh NAME
 #
 # Needs `circumspect` (or CIRCUMSPECT=…) and the program; `peer` and `checked_by` are made by the
-# tests and found in build/release/tests; libraries that fuzz/hunt calls are looked for in the folder BUILDS. Exit code 0 would
+# tests and found in build/release/tests; libraries that hunt calls are looked for in the folder BUILDS. Exit code 0 would
 # mean that the fault is gone.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -32,8 +32,8 @@ command=$(field 6)
 echo "$command"
 case $command in
   hunt.py*)
-    : "${BUILDS:?expected BUILDS to be the folder with the libraries, as fuzz/hunt/README.md tells}"
-    command="python3 $here/../../fuzz/hunt/$command --builds $BUILDS"
+    : "${BUILDS:?expected BUILDS to be the folder with the libraries, as hunt/README.md tells}"
+    command="python3 $here/../../hunt/$command --builds $BUILDS"
     memory=unlimited seconds=120
     ;;
   *) memory=4194304 seconds=10 ;;

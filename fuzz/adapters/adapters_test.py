@@ -3,7 +3,7 @@
 
     fuzz/adapters/adapters_test.py COMMAND [--all]
 
-The languages are Python and JavaScript, or with --all each whose programs are installed. What the adapters of fuzz/hunt read is tried as well:
+The languages are Python and JavaScript, or with --all each whose programs are installed. What the adapters of hunt read is tried as well:
 they once took the seed of a hole for the next case. Exit code 1: what differed.
 """
 
@@ -206,7 +206,7 @@ def trial(command, language, make, forgets):
 # A square with segments around it and the seed of a hole, which the adapters of the hunt read and leave alone.
 HOLED = "4 2 0 4 0 1\n0 0\n4 0\n4 4\n0 4\n0 1\n1 2\n2 3\n3 0\n0.5 1.5\n"
 ANSWER = "nOFF 2\n4 2 0\n0 0\n4 0\n4 4\n0 4\n3 0 1 2\n3 0 2 3\n"
-HUNT = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "hunt")
+HUNT = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "hunt")
 
 
 def hunt_javascript(folder):
@@ -227,7 +227,7 @@ def hunt_cpp(folder):
 
 
 def hunt_trial(make):
-    """What the adapters of fuzz/hunt of one language make of two domains with a hole."""
+    """What the adapters of hunt of one language make of two domains with a hole."""
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(make(folder), input=2 * HOLED, capture_output=True, text=True, env={**os.environ, "BUILDS": folder}, timeout=60)
         found = run.stdout.replace("0 \n", "0\n").replace("2 \n", "2\n").replace("3 \n", "3\n")
@@ -256,7 +256,7 @@ def main():
         if (options.all or is_quick) and shutil.which(program):
             fault = hunt_trial(make)
             faults += bool(fault)
-            print(f"fuzz/hunt, {language}: {fault or 'as expected'}")
+            print(f"hunt, {language}: {fault or 'as expected'}")
     return 1 if faults else 0
 
 

@@ -14,12 +14,16 @@
 
 #include "fuzz/campaign/finding_folder.hpp"
 #include "fuzz/campaign/runner.hpp"
+#include "fuzz/campaign/trial.hpp"
 #include "inputs/dice.hpp"
 
 namespace circumspect::campaign {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// How often threads look whether there is something for them to do.
+constexpr std::chrono::milliseconds kTick{20};
 
 // What the threads share. Cases are handed out, and registered, in order.
 class Campaign {
@@ -33,19 +37,22 @@ class Campaign {
     }
     minimising_ = unfinished_.size();
     for (const CaseRecord& record : journal_.cases()) count(record);
-    given_ = registered_ = result_.cases_before = result_.cases;
+    given_ = registered_ = tried_ = result_.cases_before = result_.cases;
+    is_tried_ = registered_ == 0;
+    is_held_back_ = is_tried_ && !plan_.goes_on;
   }
 
   // What became of a case, and how many points it had.
   struct Ended {
     Outcome outcome;
     std::size_t points = 0;
+    std::optional<TriedCase> tried = {};  // for the trial, if that is open
   };
 
   // The life of a thread.
   void work(Runner& runner) {
     try {
-      while (std::optional<FindingRecord> record = take_unfinished()) {
+      while (std::optional<FindingRecord> record = take_unfinished(true)) {
         finish(*record, runner);
       }
       while (const std::optional<std::size_t> number = take_case()) {
@@ -54,25 +61,31 @@ class Campaign {
         if (is_new(outcome)) outcome = runner.confirmed(input, outcome);
         if (is_known(outcome)) outcome.kind = OutcomeKind::kKnown;
         note(outcome);
-        add(*number, {std::move(outcome), point_count(input)}, runner);
+        auto tried = for_trial(*number, input, outcome, runner);
+        add(*number, {std::move(outcome), point_count(input), std::move(tried)}, runner);
+      }
+      end_trial();
+      while (std::optional<FindingRecord> record = take_unfinished(false)) {
+        finish(*record, runner);
       }
     } catch (const std::system_error& error) {
       // The disk takes no more, or the like: what is on it is good, and the campaign can go on later.
       const std::lock_guard lock(mutex_);
-      if (not_run_.empty()) not_run_ = error.what();
+      end_for(error.what());
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
     }
     const std::lock_guard lock(mutex_);
     --working_;
-    one_ended_.notify_one();
+    one_ended_.notify_all();
   }
 
   // One thread more is about to work, or was not to be had.
   void expect_one(bool more) {
     const std::lock_guard lock(mutex_);
     working_ += more ? 1 : static_cast<std::size_t>(-1);
+    drawing_ += more ? 1 : static_cast<std::size_t>(-1);
   }
   // Waits for the end, but not longer than this.
   bool is_over_within(std::chrono::milliseconds time) {
@@ -81,7 +94,7 @@ class Campaign {
   }
   bool must_stop() {
     const std::lock_guard lock(mutex_);
-    return stop_ || failure_ || !not_run_.empty();
+    return must_end();
   }
 
   Progress progress() {
@@ -93,6 +106,7 @@ class Campaign {
     if (failure_) std::rethrow_exception(failure_);
     if (!not_run_.empty()) return tl::unexpected(not_run_);
     result_.interrupted = stop_;
+    if (is_tried_) result_.doubt = trial_.doubt();
     result_.seconds = seconds();
     for (const auto& [signature, number] : first_) {
       Finding finding{signature,
@@ -121,6 +135,9 @@ class Campaign {
  private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
+  // Requires: the mutex is locked.
+  bool must_end() const { return stop_ || failure_ || !not_run_.empty(); }
+
   bool time_is_over() const { return plan_.seconds && seconds() >= *plan_.seconds; }
   // Requires: the mutex is locked.
   bool time_for_cases_is_over() const {
@@ -128,10 +145,10 @@ class Campaign {
     return plan_.seconds && seconds() >= (1 - share) * *plan_.seconds;
   }
 
-  std::optional<FindingRecord> take_unfinished() {
+  // What a thread found itself it makes a little smaller even when the time is over.
+  std::optional<FindingRecord> take_unfinished(bool in_time) {
     const std::lock_guard lock(mutex_);
-    const bool must_end = stop_ || failure_ || !not_run_.empty() || time_is_over();
-    if (must_end || unfinished_.empty()) return std::nullopt;
+    if (must_end() || unfinished_.empty() || (in_time && time_is_over())) return std::nullopt;
     FindingRecord record = unfinished_.back();
     unfinished_.pop_back();
     return record;
@@ -144,7 +161,7 @@ class Campaign {
         given_ >= replayed &&
         (plan_.sources.empty() || (plan_.cases && given_ - replayed >= *plan_.cases));
     drawing_is_over_ = drawing_is_over_ || all_done || time_for_cases_is_over();
-    if (stop_ || failure_ || !not_run_.empty() || drawing_is_over_) return std::nullopt;
+    if (must_end() || drawing_is_over_) return std::nullopt;
     return given_++;
   }
 
@@ -163,12 +180,53 @@ class Campaign {
   // Only a finding that repeats is one: the first of each signature is run again.
   bool is_new(const Outcome& outcome) {
     const std::lock_guard lock(mutex_);
-    return is_finding(outcome.kind) && first_.count(outcome.signature) == 0;
+    const auto is_same = [&](const auto& held_back) {
+      return held_back.second.outcome.signature == outcome.signature;
+    };
+    return is_finding(outcome.kind) && first_.count(outcome.signature) == 0 &&
+           std::none_of(waiting_.begin(), waiting_.end(), is_same);
   }
 
   bool is_known(const Outcome& outcome) const {
     return is_finding(outcome.kind) && std::find(plan_.known.begin(), plan_.known.end(),
                                                  outcome.signature) != plan_.known.end();
+  }
+
+  // What went wrong first is the reason: what goes wrong after that may come of it. Requires: the mutex is locked.
+  void end_for(const std::string& reason) {
+    if (not_run_.empty()) not_run_ = reason;
+  }
+
+  // What the trial, if it is open, looks at of a case that the runner has just run.
+  std::optional<TriedCase> for_trial(std::size_t number, const Input& input, const Outcome& outcome,
+                                     const Runner& runner) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!is_tried_ || trial_.standing() != Trial::Standing::kOpen) return std::nullopt;
+    }
+    return tried_case(plan_.subject, input, outcome, runner, number < plan_.replayed.size());
+  }
+
+  // In the order of cases, so that nothing depends on the number of jobs. Requires: the mutex is locked.
+  void go_on_with_trial() {
+    for (auto next = waiting_.find(tried_); next != waiting_.end() && next->first == tried_;
+         ++next, ++tried_) {
+      if (next->second.tried) trial_.look(*next->second.tried);
+    }
+    if (!is_held_back_ || trial_.standing() == Trial::Standing::kOpen) return;
+    is_held_back_ = false;
+    if (trial_.standing() == Trial::Standing::kFailed) end_for(trial_.doubt() + kGoOn);
+  }
+
+  // The cases may be over before the trial is. When no thread has any more of them, those that were held back are
+  // registered after all; but what came before an interruption is tried again the next time.
+  void end_trial() {
+    std::unique_lock lock(mutex_);
+    --drawing_;
+    while (is_held_back_ && drawing_ > 0 && !must_end()) one_ended_.wait_for(lock, kTick);
+    if (!is_held_back_ || must_end()) return;
+    is_held_back_ = false;
+    for (FindingRecord& record : register_waiting()) unfinished_.push_back(std::move(record));
   }
 
   // Why cases were skipped or refused.
@@ -190,20 +248,26 @@ class Campaign {
     {
       const std::lock_guard lock(mutex_);
       if (ended.outcome.kind == OutcomeKind::kInterrupted) return;
-      if (ended.outcome.kind == OutcomeKind::kNotRun) {
-        not_run_ = ended.outcome.text;
-        return;
-      }
+      if (ended.outcome.kind == OutcomeKind::kNotRun) return end_for(ended.outcome.text);
       waiting_.emplace(number, std::move(ended));
-      for (auto next = waiting_.begin(); next != waiting_.end() && next->first == registered_;
-           next = waiting_.erase(next)) {
-        if (register_next(next->second)) {
-          fresh.push_back({next->second.outcome.signature, next->first});
-        }
-      }
-      minimising_ += fresh.size();
+      go_on_with_trial();
+      if (is_held_back_ || !not_run_.empty()) return;
+      fresh = register_waiting();
     }
     for (const FindingRecord& record : fresh) finish(record, runner);
+  }
+
+  // The findings among them that are new. Requires: the mutex is locked.
+  std::vector<FindingRecord> register_waiting() {
+    std::vector<FindingRecord> fresh;
+    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == registered_;
+         next = waiting_.erase(next)) {
+      if (register_next(next->second)) {
+        fresh.push_back({next->second.outcome.signature, next->first});
+      }
+    }
+    minimising_ += fresh.size();
+    return fresh;
   }
 
   // Is it the first with its signature? Then its input is on the disk before the journal says so.
@@ -271,8 +335,7 @@ class Campaign {
     if (stop_ || outcome.kind == OutcomeKind::kInterrupted) return;
     if (outcome.kind == OutcomeKind::kNotRun) {
       const std::lock_guard lock(mutex_);
-      not_run_ = outcome.text;
-      return;
+      return end_for(outcome.text);
     }
     const std::string other = runner.said_of_other(outcome.image ? *outcome.image : minimal);
     if (!other.empty()) outcome.explanation += "The other program, " + other + "\n";
@@ -300,13 +363,18 @@ class Campaign {
   const std::atomic<bool>& stop_;
   const Clock::time_point start_ = Clock::now();
 
-  std::mutex mutex_;  // for all below
-  std::condition_variable one_ended_;
+  std::mutex mutex_;                   // for all below
+  std::condition_variable one_ended_;  // a thread
   Journal journal_;
-  std::size_t working_ = 0;
+  std::size_t working_ = 0;  // threads, of which
+  std::size_t drawing_ = 0;  // these may still have cases to run
   std::size_t given_ = 0;
   std::size_t registered_ = 0;
   std::map<std::size_t, Ended> waiting_;
+  Trial trial_;
+  std::size_t tried_ = 0;      // the trial has looked at the cases before this one
+  bool is_tried_ = false;      // the campaign begins in this call
+  bool is_held_back_ = false;  // nothing is registered until the trial is over
   std::map<std::string, std::size_t> first_;
   std::vector<FindingRecord> unfinished_;
   std::size_t minimising_ = 0;  // those, and what is being made small
@@ -321,27 +389,6 @@ class Campaign {
 
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) {
   return generators::mixed(generators::mixed(seed) ^ number);
-}
-
-Input minimised(const Input& input, const std::string& signature, Runner& runner,
-                const MinimiseLimits& limits, const std::atomic<bool>& stop) {
-  MinimiseLimits until_stopped = limits;
-  until_stopped.stop = &stop;
-  const auto made_small = [&](bool anew) -> Input {
-    const auto fails = [&](const Input& candidate) {
-      return !stop &&
-             (anew ? runner.run_anew(candidate) : runner.run(candidate)).signature == signature;
-    };
-    return std::visit(
-        [&]<class Case>(const Case& one) -> Input {
-          return minimised(one, generators::StillFails<Case>(fails), until_stopped);
-        },
-        input);
-  };
-  // A worker that has had cases before is fast, but may answer wrongly on account of those.
-  Input small = made_small(false);
-  if (stop || runner.run_anew(small).signature == signature) return small;
-  return made_small(true);
 }
 
 tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,
@@ -375,7 +422,7 @@ tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>&
       campaign.work(*runners.front());
     }
   }
-  while (!campaign.is_over_within(std::chrono::milliseconds(20))) {
+  while (!campaign.is_over_within(kTick)) {
     if (campaign.must_stop()) {
       for (const auto& runner : runners) runner->interrupt();
     }

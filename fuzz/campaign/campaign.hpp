@@ -46,6 +46,7 @@ struct Plan {
   std::vector<std::string> known = {};  // signatures that are no findings
   std::string magnitudes = {};          // what numbers the drawn inputs have, for the verdict
   MinimiseLimits minimise = {};
+  bool goes_on = false;  // where the program fails on all inputs of the trial (trial.hpp)
 };
 
 // Once something is found, cases are drawn until this share of the time is left: it is for making that small.
@@ -74,6 +75,9 @@ struct Result {
   // what was skipped or refused, or done otherwise by another program; of the first reasons.
   std::optional<std::pair<std::size_t, std::size_t>> points = {};
   std::map<std::string, std::map<std::string, std::size_t>> reasons = {};
+  // Of a campaign that began in this call, and whose program has failed on all inputs until now: why the command may be
+  // wrong. Else empty.
+  std::string doubt = {};
   bool interrupted = false;
   double seconds = 0;  // of this call
   Containment containment = Containment::kSupervisor;
@@ -94,7 +98,9 @@ struct Progress {
 // the number of cases. When a plan with the same settings finds a journal in `output`, it goes on there.
 // When the time is over, what then runs is finished, and what was found but not made small yet is made so by
 // the next call, which goes on where this one was. When `stop` becomes true it ends within a second; what runs then is forgotten, and run the next time.
-// Errors: the journal belongs to another campaign; the program cannot be started.
+// Unless the plan goes on, a campaign that begins is on trial: nothing is written before the program has made something of
+// an input, or there are no more cases.
+// Errors: the journal belongs to another campaign; the program cannot be started, or has failed its trial.
 // Requires: sources or replayed inputs; cases or seconds; jobs ≥ 1; called while there is one thread.
 tl::expected<Result, std::string> run(const Plan& plan, const std::atomic<bool>& stop,
                                       const std::function<void(const Progress&)>& progress);

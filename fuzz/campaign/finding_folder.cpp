@@ -294,7 +294,21 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
   fs::permissions(folder + "/reproduce.sh", fs::perms::owner_exec, fs::perm_options::add);
 }
 
+bool holds_files_alone(const std::string& folder) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::file_status status = entry->symlink_status(error);
+    const std::string path = entry->path().string();
+    const bool is_plain =
+        fs::is_directory(status) ? holds_files_alone(path) : fs::is_regular_file(status);
+    if (error || !is_plain) return false;
+  }
+  return !error;
+}
+
 std::optional<Input> read_minimal(const std::string& folder, const Subject& subject) {
+  if (!holds_files_alone(folder)) return std::nullopt;
   if (subject.is_about_domains()) {
     auto domain = formats::read_domain(folder + "/minimal.poly", NumberReading::kDouble);
     if (!domain) return std::nullopt;

@@ -33,7 +33,12 @@ void write_minimal(const std::string& folder, const Subject& subject, const Orig
                    const Input& found, const Input& minimal, const Outcome& outcome,
                    const Runner& runner);
 
-// The input that write_minimal wrote there, to go on from; nothing if it cannot be read.
+// Are there plain files alone in the folder and in those within it? Anybody may have put a pipe there, for which a reader
+// would wait for ever, or a link that leads elsewhere.
+bool holds_files_alone(const std::string& folder);
+
+// The input that write_minimal wrote there, to go on from; nothing if it cannot be read, or if the folder holds other
+// things than files.
 std::optional<Input> read_minimal(const std::string& folder, const Subject& subject);
 
 // A shell script that runs the program on minimal.* beside it, or on image.*, the same changed, and judges what it writes.

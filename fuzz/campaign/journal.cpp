@@ -90,6 +90,9 @@ tl::expected<Journal, std::string> Journal::open(const std::string& folder,
                                                  const Settings& settings) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
+  if (error) {
+    return tl::unexpected(folder + ": expected a folder, or a place for one: " + error.message());
+  }
   const std::string path = folder + "/journal.tsv";
   Journal journal;
   journal.path_ = path;
@@ -147,8 +150,9 @@ std::string Journal::parse(const std::string& text, const Settings& settings,
                ? ""
                : "expected a journal of a campaign, found something else";
   }
-  // The settings are written at once, before any case. Where not all of them are there, it never began.
-  if (cases_.empty() && findings_.empty() && settings_.size() < settings.size()) {
+  // The settings are written before any case. Where there is none, this is the beginning, whatever they say: a campaign
+  // whose command was wrong leaves them.
+  if (cases_.empty() && findings_.empty()) {
     complete = 0;
     return "";
   }

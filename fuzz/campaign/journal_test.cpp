@@ -71,7 +71,11 @@ TEST_CASE("whatever byte a journal is cut off at, it goes on from the last whole
 
 TEST_CASE("a journal of another campaign is refused, and says why") {
   const formats::ScratchFolder folder;
-  { CHECK(Journal::open(folder.path("out"), kSettings)); }
+  {
+    auto journal = Journal::open(folder.path("out"), kSettings);
+    REQUIRE(journal);
+    journal->add_case(0, {"grid", "holds", false, 7});
+  }
   const auto other = Journal::open(folder.path("out"), {{"command", "tetgen -Q"}, {"--seed", "8"}});
   REQUIRE(!other);
   CHECK(other.error().find("expected --seed '7' as when it began, found '8'") != std::string::npos);
@@ -83,6 +87,26 @@ TEST_CASE("a journal of another campaign is refused, and says why") {
   folder.write("journal.tsv", "something else\n");
   CHECK(!Journal::open(folder.path(""), kSettings));
   CHECK(text_of(folder.path("journal.tsv")) == "something else\n");
+}
+
+TEST_CASE("a journal without a case is begun anew by any campaign") {
+  const formats::ScratchFolder folder;
+  { CHECK(Journal::open(folder.path("out"), kSettings)); }
+  { CHECK(Journal::open(folder.path("out"), {{"command", "another"}})); }
+  CHECK(text_of(folder.path("out/journal.tsv")) ==
+        "circumspect-campaign 1\nsetting\tcommand\tanother\n");
+}
+
+TEST_CASE("a journal says why its folder cannot be") {
+  const formats::ScratchFolder folder;
+  folder.write("file", "");
+  const auto in_file = Journal::open(folder.path("file/out"), kSettings);
+  REQUIRE(!in_file);
+  CHECK(in_file.error().find("file/out: expected a folder, or a place for one: Not a directory") !=
+        std::string::npos);
+  const auto in_proc = Journal::open("/proc/nowhere/out", kSettings);
+  REQUIRE(!in_proc);
+  CHECK(in_proc.error().find("/proc/nowhere/out: expected a folder, or a place for one: ") == 0);
 }
 
 TEST_CASE("what is no file, or a line that no campaign wrote, is no journal") {

@@ -5,11 +5,11 @@
 #include <map>
 #include <optional>
 
+#include "inputs/arrangement.hpp"
 #include "kernel/exact/point.hpp"
-#include "kernel/piecewise_linear/arrangement.hpp"
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/judge/judge.hpp"
 #include "oracle/model/mesh.hpp"
@@ -117,6 +117,13 @@ Outcome judged_set(const Subject& subject, const PointsCase& set, const std::str
   return outcome_of(verdict, *mesh, subject, nullptr);
 }
 
+formats::Result<formats::MeshFile> mesh_with_own_points(const std::string& path) {
+  formats::MeshRequest request;
+  request.mesh = path;
+  request.with_faces = true;
+  return formats::read_mesh(request, 1);
+}
+
 // What of the domain is filled, and which of its polygons are one, is as the subject says. Nothing if its walls
 // are not turned one way. Requires: a valid domain.
 std::optional<PiecewiseLinearComplex> held_against(const Subject& subject,
@@ -134,10 +141,7 @@ std::optional<PiecewiseLinearComplex> held_against(const Subject& subject,
 }
 
 Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const std::string& path) {
-  formats::MeshRequest request;
-  request.mesh = path;
-  request.with_faces = true;
-  const auto file = formats::read_mesh(request, 1);
+  const auto file = mesh_with_own_points(path);
   if (!file) return unreadable(file.error().to_string());
   const Mesh& mesh = file->mesh;
   auto complex = held_against(subject, whole);
@@ -155,6 +159,70 @@ Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const st
   return other_points(subject.mesh_name + ": expected distinct vertices, found vertices " +
                       std::to_string(first.kept + mesh.first_index) + " and " +
                       std::to_string(first.again + mesh.first_index) + " equal");
+}
+
+// The mesh for somebody who looks at its indices alone. Simplices that have a vertex too many for the
+// points are read as of points in a space of one dimension more.
+formats::Result<Mesh> mesh_of_any_dimension(const Subject& subject, const Input& input,
+                                            const std::string& path) {
+  const auto set = judged_points(input);
+  if (!set) {
+    return mesh_with_own_points(path).map(
+        [](formats::MeshFile&& file) { return std::move(file.mesh); });
+  }
+  auto mesh = mesh_of(subject, *set, path);
+  if (mesh || lists_points(path)) return mesh;
+  PointsCase lifted = *set;
+  for (Point& point : lifted.points) point.emplace_back(0);
+  return mesh_of(subject, lifted, path);
+}
+
+std::string space_of(std::size_t dimension) {
+  if (dimension == 2) return "in the plane";
+  if (dimension == 3) return "in space";
+  return "in dimension " + std::to_string(dimension);
+}
+
+// In which dimension all simplices of the mesh are full, if that is not the dimension of the inputs.
+// Of flat points, meshes have simplices of fewer vertices.
+std::string misunderstood_dimension(const Subject& subject, const Input& input, const Mesh& mesh) {
+  const std::size_t vertices = mesh.simplices.columns();
+  if (vertices < 2 || vertices == subject.dimension + 1 || is_flat(subject, input)) return "";
+  return "the inputs are " + space_of(subject.dimension) + ", the program answers " +
+         space_of(vertices - 1) + ", with simplices of " + std::to_string(vertices) +
+         " vertices; should it be --dimension " + std::to_string(vertices - 1) + "?";
+}
+
+// By how much all indices are to be moved so that they may name points; 0 if they may do so as they are.
+Vertex misplaced_by(const Mesh& mesh) {
+  const auto points = static_cast<Vertex>(mesh.points());
+  Vertex least = points, largest = -1;
+  for (const Simplex& simplex : mesh.simplices.lists()) {
+    for (const Vertex v : simplex) least = std::min(least, v), largest = std::max(largest, v);
+  }
+  if (least == 1 && largest == points) return -1;
+  if (least == -1 && largest == points - 2) return 1;
+  return 0;
+}
+
+// Does the mesh hold with its indices moved by so much? Of points it is enough that it is a triangulation.
+bool holds_when_moved(const Subject& subject, const Input& input, Mesh mesh, Vertex by) {
+  std::vector<Simplex> simplices = mesh.simplices.lists();
+  for (Simplex& simplex : simplices) {
+    for (Vertex& v : simplex) v += by;
+  }
+  mesh.simplices = IndexLists(std::move(simplices));
+  if (judged_points(input)) {
+    const bool is_plain = subject.claim != Claim::kWeightedDelaunay;
+    const Claim claim = is_plain ? Claim::kTriangulation : subject.claim;
+    return check::judge_merged(claim, mesh, nullptr, options()).holds();
+  }
+  auto complex = held_against(subject, std::get<ComplexCase>(input));
+  if (!complex) return false;
+  const Domain domain{std::move(*complex), {}, subject.first_index, {}};
+  if (mesh.dimension() != domain.complex.ambient_dimension()) return false;
+  const auto verdict = check::judge(subject.claim, mesh, &domain, options());
+  return verdict && verdict->holds();
 }
 
 // The simplices by the coordinates of their vertices, in an order that says nothing.
@@ -214,6 +282,25 @@ ComplexCase tidy(const Subject& subject, const ComplexCase& whole) {
 Outcome judged(const Subject& subject, const Input& input, const std::string& path) {
   if (const auto set = judged_points(input)) return judged_set(subject, *set, path);
   return judged_domain(subject, std::get<ComplexCase>(input), path);
+}
+
+std::string misunderstanding(const Subject& subject, const Input& input, const std::string& path) {
+  auto mesh = mesh_of_any_dimension(subject, input, path);
+  if (!mesh) return "";
+  const std::string dimension = misunderstood_dimension(subject, input, *mesh);
+  if (!dimension.empty()) return dimension;
+  const Vertex by = misplaced_by(*mesh);
+  if (by == 0 || !holds_when_moved(subject, input, std::move(*mesh), by)) return "";
+  const std::string extension = formats::extension(path);
+  const bool counts_from_1 = extension == ".mesh" || extension == ".msh";
+  const bool leaves_choice = extension == ".ele";
+  const Vertex expected = leaves_choice ? subject.first_index : counts_from_1 ? 1 : 0;
+  const Vertex found = expected - by;
+  return "its indices seem to begin at " + std::to_string(found) + ", and not at " +
+         std::to_string(expected) + ", for so its meshes are right" +
+         (leaves_choice && (found == 0 || found == 1)
+              ? "; should it be --first-index " + std::to_string(found) + "?"
+              : "");
 }
 
 Comparison compared(const Subject& subject, const Input& input, const std::string& one,

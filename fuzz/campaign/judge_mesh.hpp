@@ -15,6 +15,11 @@ namespace circumspect::campaign {
 // Requires: the file is a regular one.
 Outcome judged(const Subject& subject, const Input& input, const std::string& path);
 
+// What the program and the campaign take differently, where `judged` found a fault, in words and with what to do: its
+// simplices are of another dimension than the inputs; or its indices, counted from another one, make
+// a mesh that holds (of points: that is a triangulation). Empty if it is nothing of the kind.
+std::string misunderstanding(const Subject& subject, const Input& input, const std::string& path);
+
 // The domain that meshes are held against: the one of the input or, where that may be untidy, its arrangement.
 ComplexCase tidy(const Subject& subject, const ComplexCase& whole);
 

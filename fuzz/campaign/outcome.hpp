@@ -10,7 +10,7 @@
 #include "fuzz/process/process.hpp"
 #include "inputs/relations.hpp"
 #include "inputs/updates.hpp"
-#include "kernel/piecewise_linear/filling.hpp"
+#include "oracle/domain/filling.hpp"
 #include "oracle/model/verdict.hpp"
 #include "oracle/report/json.hpp"
 

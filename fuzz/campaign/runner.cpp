@@ -167,6 +167,17 @@ std::string Runner::said() const {
   return (subject_.writes_stdout ? "" : said_in("stdout")) + said_in("stderr");
 }
 
+std::string Runner::first_line_said() const {
+  for (const char* const name : {"/stderr", "/stdout"}) {
+    if (subject_.writes_stdout && name == std::string_view("/stdout")) continue;
+    std::istringstream lines(without_places(beginning_of(scratch_ + name)));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find_first_not_of(" \t\r") != std::string::npos) return line;
+    }
+  }
+  return "";
+}
+
 std::string Runner::without_places(std::string text) const {
   replace_all(text, work_ + "/", "");
   replace_all(text, scratch_ + "/", "");

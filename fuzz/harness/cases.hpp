@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <circumspect/judgement.hpp>
 #include <circumspect/sequences.hpp>
 #include <circumspect/subject.hpp>
 
@@ -28,6 +29,10 @@ bool are_doubles(const generators::PointsCase& set);
 
 // ---- Cases ----
 // The inputs of a run in process: which case comes how, and from which family.
+
+// A harness has drawn the points itself: equal ones where somebody names a family that repeats points, none where a
+// sequence has removed all.
+inline constexpr JudgeOptions kJudgeOfCases{.merge_equal_points = true, .allow_empty = true};
 
 // The families with these names; of none, all those of the dimension that have distinct points, and
 // weights if they are claimed. Throws std::invalid_argument: a name that is unknown, or a family that

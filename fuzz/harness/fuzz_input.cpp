@@ -210,7 +210,9 @@ int fuzz_once(const Triangulator& subject, const FuzzOptions& options, const std
   if (!is_wanted(options, points)) return 0;
   const harness::Answer given = harness::answer(subject, points);
   Judgement judgement{false, given.failure, "the program threw: " + given.text + "\n"};
-  if (given.failure.empty()) judgement = judge(options.claim, points, given.simplices);
+  if (given.failure.empty()) {
+    judgement = judge(options.claim, points, given.simplices, harness::kJudgeOfCases);
+  }
   if (judgement.holds) return 0;
   fmt::print(stderr, "{}: {} on {}\n{}{}", options.claim, judgement.rule,
              report::counted(points.size(), "point"), harness::node_text(points), judgement.report);

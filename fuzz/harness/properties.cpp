@@ -49,7 +49,7 @@ Broken broken_by_ending(const Answer& given) {
 
 Broken broken_claim(const PropertyOptions& options, const PointArray& points, const Answer& given) {
   if (!given.failure.empty()) return broken_by_ending(given);
-  const Judgement judgement = judge(options.claim, points, given.simplices);
+  const Judgement judgement = judge(options.claim, points, given.simplices, harness::kJudgeOfCases);
   return {judgement.rule, judgement.report};
 }
 
@@ -225,7 +225,7 @@ std::optional<Finding> find_failure(const Triangulator& subject, Property proper
     throw std::invalid_argument("expected a dimension from 1 to 4, found " +
                                 std::to_string(options.dimension));
   }
-  judge(options.claim, {options.dimension, {}, {}}, {});  // throws if the claim is unknown
+  arrays::claim_named(options.claim);  // throws if it is unknown
   const auto families = harness::chosen_families(options.families, options.dimension,
                                                  options.claim == "weighted-delaunay");
   for (std::uint64_t index = 0; index < options.cases; ++index) {

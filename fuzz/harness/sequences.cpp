@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/harness/cases.hpp"
+#include "oracle/judge/arrays/mesh_of.hpp"
 #include "oracle/report/text.hpp"
 
 namespace circumspect {
@@ -97,7 +98,8 @@ std::optional<Failure> failure_of(const Make& make, const SequenceOptions& optio
     }
     const Present present = present_after(steps, done + 1, options.dimension);
     const Judgement judgement =
-        judge(options.claim, present.points, in_places(present, std::move(simplices)));
+        judge(options.claim, present.points, in_places(present, std::move(simplices)),
+              harness::kJudgeOfCases);
     if (!judgement.holds) {
       return Failure{done + 1, judgement.rule, judgement.report + numbers_of_places(present)};
     }
@@ -253,7 +255,7 @@ std::optional<SequenceFinding> find_wrong_sequence(const Make& make,
   if (options.claim == "weighted-delaunay") {
     throw std::invalid_argument("expected triangulation or delaunay, found weighted-delaunay");
   }
-  judge(options.claim, {options.dimension, {}, {}}, {});  // throws if the claim is unknown
+  arrays::claim_named(options.claim);  // throws if it is unknown
   const auto families = harness::chosen_families(options.families, options.dimension, false);
   for (std::uint64_t index = 0; index < options.cases; ++index) {
     const harness::DrawnSequence drawn = harness::drawn_sequence(families, options, index);

@@ -29,10 +29,6 @@ struct MeshArrays {
   std::span<const Index> neighbors = {};
 };
 
-struct JudgeOptions {
-  unsigned threads = 1;  // 0: as many as the machine has. The answer is the same for any number
-};
-
 // How the answer was found.
 struct JudgeCounts {
   // Did the fast judge decide, and if not, why not: in the plane and in space it decides wherever the
@@ -56,7 +52,7 @@ struct MeshJudgement : Judgement {
 // As judge(claim, points, simplices) of judgement.hpp, word for word, for the claims "triangulation",
 // "delaunay" and "weighted-delaunay" (Book: Definitions 2.1 and 4.1, Section 5.2).
 // Throws std::invalid_argument: an unknown claim; arrays whose lengths do not agree; numbers that are
-// not finite. Memory, while the fast judge decides: at most 32 bytes a simplex of a large mesh of space; with
+// not finite; equal points, and a mesh without points and simplices, unless `options` let them pass. Memory, while the fast judge decides: at most 32 bytes a simplex of a large mesh of space; with
 // the neighbours given, about 1.
 MeshJudgement judge(const std::string& claim, const MeshArrays<std::int32_t>& mesh,
                     const JudgeOptions& options = {});

@@ -53,15 +53,21 @@ typedef enum circumspect_status {
   CIRCUMSPECT_INPUT_FAULT = 2,
   /* There is none: the domain has no (canonical) constrained Delaunay triangulation. */
   CIRCUMSPECT_NONE = 3,
-  /* Neither answer was found within the limits of what is judged. */
+  /* Neither answer was found within the limits of what is judged, or of circumspect_end_calls_after(). */
   CIRCUMSPECT_UNDECIDED = 4,
   CIRCUMSPECT_OUT_OF_MEMORY = 5,
   CIRCUMSPECT_INTERNAL_ERROR = 6
 } circumspect_status;
 
 /* Why the last call of this thread that returned a status failed, for people: what was expected and what
- * was found. Empty if it did not fail. Lives until the thread's next call. Never NULL. */
+ * was found, on one line without control characters. Empty if it did not fail. Lives until the thread's next
+ * call. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_error(void);
+
+/* From now on each call of this thread that takes long ends with CIRCUMSPECT_UNDECIDED soon after so many seconds, or
+ * after another thread has made *stop other than 0, say when somebody presses Ctrl-C. 0 or less: no limit. NULL:
+ * nobody stops it; else *stop lives until this is called again. Neither is set in a thread that begins. */
+CIRCUMSPECT_API void circumspect_end_calls_after(double seconds, const int32_t* stop);
 
 /* Structs grow at their end alone. One that began as its macro of an earlier version is taken: what it does
  * not have is as the macro sets it. */
@@ -97,7 +103,11 @@ typedef enum circumspect_domain_kind {
    * there are none; where there are some that enclose nothing, CIRCUMSPECT_INPUT_FAULT. */
   CIRCUMSPECT_KIND_BY_WALLS = 0,
   CIRCUMSPECT_ENCLOSED = 1,
-  CIRCUMSPECT_HULL = 2
+  CIRCUMSPECT_HULL = 2,
+  /* Of what is enclosed: what is entered from outside by an odd number of walls; what the walls, as they are listed,
+   * wind around. CIRCUMSPECT_INPUT_FAULT if the walls around a region are not all turned one way for the latter. */
+  CIRCUMSPECT_EVEN_ODD = 3,
+  CIRCUMSPECT_WINDING = 4
 } circumspect_domain_kind;
 
 /* A piecewise linear complex. Polygon p has the lines polygon_starts[p] … polygon_starts[p+1] − 1, and
@@ -125,12 +135,18 @@ typedef struct circumspect_domain {
   /* Seeds as texts, where those of doubles are NULL: a tilted plane may have no point of doubles in a hole. */
   const char* const* exact_hole_seeds;
   const char* const* exact_polygon_hole_seeds;
+  /* A point in each region that is filled, and no other is: if there are any, of what is enclosed. */
+  int64_t region_count;
+  const double* region_seeds;
+  const char* const* exact_region_seeds;
+  int32_t
+      merge_coplanar; /* not 0: polygons of one plane that share an edge are one, as a face that was cut up */
 } circumspect_domain;
 
 #define CIRCUMSPECT_DOMAIN                                                                     \
   {                                                                                            \
     sizeof(circumspect_domain), 0, 0, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL, 0, NULL, 0, 0, \
-        NULL, NULL, NULL, NULL                                                                 \
+        NULL, NULL, NULL, NULL, 0, NULL, NULL, 0                                               \
   }
 
 typedef struct circumspect_options {
@@ -143,17 +159,22 @@ typedef struct circumspect_options {
   const char* mesh_name;  /* for text and JSON; NULL: "mesh" */
   int32_t without_json;   /* not 0: circumspect_verdict_json is empty */
   int64_t with_pictures;  /* not 0: the verdict keeps what circumspect_verdict_page shows */
+  int32_t
+      merge_equal_points; /* not 0: equal points count as one, the first (if weights count, the heaviest) */
+  int32_t allow_empty; /* not 0: a mesh without points and simplices is judged */
 } circumspect_options;
 
 #define CIRCUMSPECT_OPTIONS \
-  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0 }
+  { sizeof(circumspect_options), 0, 20, 0, 0, NULL, NULL, 0, 0, 0, 0 }
 
 typedef struct circumspect_verdict circumspect_verdict;
 
 /* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", or, where there
  * is a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay".
- * Equal points count as one, the first. An index that names no point is the mesh's fault, and the verdict
- * says so. `options`: NULL for the defaults. *verdict is set where CIRCUMSPECT_OK comes back, else NULL. */
+ * Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and so is a mesh without points and
+ * simplices, as of a program that wrote nothing, unless it is allowed. An index that names no point is the mesh's
+ * fault, and the verdict says so. `options`: NULL for the defaults. *verdict is set where CIRCUMSPECT_OK comes back,
+ * else NULL. */
 CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
                                                      const circumspect_mesh* mesh,
                                                      const circumspect_domain* domain,
@@ -170,6 +191,11 @@ CIRCUMSPECT_API int circumspect_verdict_canonical(const circumspect_verdict* ver
  * NULL; empty if the verdict is. */
 CIRCUMSPECT_API const char* circumspect_verdict_text(const circumspect_verdict* verdict);
 CIRCUMSPECT_API const char* circumspect_verdict_json(const circumspect_verdict* verdict);
+/* What was judged otherwise than it was handed in, for people: that points were merged. NULL where `index` is out of
+ * range. */
+CIRCUMSPECT_API int64_t circumspect_verdict_note_count(const circumspect_verdict* verdict);
+CIRCUMSPECT_API const char* circumspect_verdict_note(const circumspect_verdict* verdict,
+                                                     int64_t index);
 
 typedef struct circumspect_document circumspect_document;
 
@@ -281,12 +307,13 @@ CIRCUMSPECT_API circumspect_status circumspect_in_ball_exact(int64_t dimension,
 
 /* Are two meshes the same complex, whatever their numbering? *same is 1 or 0, and the document says in JSON
  * what each mesh alone has: {"same", "only_in_a": {"points", "simplices"}, "only_in_b"}. Equal points are
- * CIRCUMSPECT_INPUT_FAULT. */
+ * CIRCUMSPECT_INPUT_FAULT, and so is a mesh without points and simplices. */
 CIRCUMSPECT_API circumspect_status circumspect_compare(const circumspect_mesh* a,
                                                        const circumspect_mesh* b, int* same,
                                                        circumspect_document** document);
 /* What proves a verdict to circumspect-verified: a certificate if the claim holds (*holds is 1), else a
- * refutation. For the claims without a domain; CIRCUMSPECT_NONE if there is none. */
+ * refutation. For the claims without a domain; CIRCUMSPECT_NONE if there is none. Equal points are
+ * CIRCUMSPECT_INPUT_FAULT, and so is a mesh without points and simplices. */
 CIRCUMSPECT_API circumspect_status circumspect_certify(const char* claim,
                                                        const circumspect_mesh* mesh, int* holds,
                                                        circumspect_document** document);

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect {
 
 namespace {
@@ -105,6 +107,7 @@ Integer determinant_by_bareiss(SquareMatrix m) {
 }
 
 Integer determinant(SquareMatrix matrix) {
+  end_if_interrupted();
   if (matrix.order() <= 4) return determinant_by_laplace(matrix);
   return determinant_by_bareiss(std::move(matrix));
 }
@@ -112,6 +115,7 @@ Integer determinant(SquareMatrix matrix) {
 // ---- Linear system ----
 
 std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b) {
+  end_if_interrupted();
   const std::size_t n = a.size();
   assert(b.size() == n);
   for (std::size_t column = 0; column < n; ++column) {
@@ -144,6 +148,7 @@ struct Tableau {
 };
 
 void pivot(Tableau& tableau, std::size_t row, std::size_t column) {
+  end_if_interrupted();
   const Rational scale = tableau.rows[row][column];
   for (Rational& entry : tableau.rows[row]) entry /= scale;
   for (std::size_t other = 0; other < tableau.rows.size(); ++other) {

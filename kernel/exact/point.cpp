@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "kernel/exact/interruption.hpp"
+
 namespace circumspect {
 
 Point operator+(const Point& a, const Point& b) {
@@ -72,6 +74,7 @@ Point reduce(Point vector, const std::vector<Direction>& directions) {
 }  // namespace
 
 AffineHull affine_hull(const std::vector<Point>& points) {
+  end_if_interrupted();
   AffineHull hull;
   if (points.empty()) return hull;
   hull.basis.push_back(0);

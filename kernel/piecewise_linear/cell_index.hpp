@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
-#include "kernel/exact/box_index.hpp"
 
 namespace circumspect {
 
@@ -52,7 +52,7 @@ class CellIndex {
 
 // ---- Nearby cells ----
 // Boxes around cells, and which cells may meet a box or a line segment. For speed alone; see
-// kernel/exact/box_index.hpp.
+// kernel/boxes/box_index.hpp.
 
 // Every coordinate is rounded once.
 class CellBoxes {

@@ -12,6 +12,7 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect {
 namespace {

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/simplex.hpp"
-#include "kernel/exact/box_index.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
 

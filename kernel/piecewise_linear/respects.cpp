@@ -36,6 +36,7 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/visibility.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect {
 namespace {
@@ -55,21 +56,6 @@ std::vector<Simplex> faces(const Simplex& simplex, std::size_t size) {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
-}
-
-// Does v lie in the closed simplex?
-bool lies_in(const Configuration& points, Vertex v, const Simplex& simplex) {
-  if (contains(simplex, v)) return true;
-  if (simplex.size() == 2) return lies_inside_segment(points, v, simplex);
-  const std::vector<std::size_t> axes = axes_of(points, simplex);
-  if (simplex.size() == 3 && points.ambient_dimension() == 3) {
-    return lies_in_triangle(points, v, simplex, axes);
-  }
-  const int front = orientation(points, axes, simplex);
-  for (std::size_t i = 0; i < simplex.size(); ++i) {
-    if (orientation(points, axes, with_vertex_replaced(simplex, i, v)) == -front) return false;
-  }
-  return true;
 }
 
 bool share_a_vertex(const Simplex& a, const Simplex& b) {
@@ -94,7 +80,7 @@ class Respecting {
   bool no_vertex_inside() const {
     const std::vector<Vertex> near = regions_.cells().vertices(box_);
     return std::all_of(near.begin(), near.end(), [&](Vertex v) {
-      return contains(simplex_, v) || !lies_in(points_, v, simplex_);
+      return contains(simplex_, v) || !lies_in(points_, simplex_, v);
     });
   }
 

@@ -11,10 +11,12 @@
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
+#include "kernel/piecewise_linear/nearest_plane.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/intersection.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 
 namespace circumspect {
 
@@ -95,6 +97,17 @@ void find_list_breaches(const PiecewiseLinearInput& input, BreachList& found) {
   find_line_list_breaches(input, found);
 }
 
+// The three vertices at hand may be nearly in one line, and the others far off their plane for that reason alone.
+Breach not_planar(const PointSet& points, const std::vector<Vertex>& vertices,
+                  std::size_t polygon) {
+  const NearestPlane plane = nearest_plane(coordinates(points, vertices));
+  Breach breach{BreachKind::kPolygonNotPlanar};
+  for (const std::size_t place : plane.farthest) breach.vertices.push_back(vertices[place]);
+  breach.polygons = {polygon};
+  breach.squared_distance = plane.squared_distance;
+  return breach;
+}
+
 void find_plane_breaches(const PiecewiseLinearInput& input, const PointSet& points,
                          BreachList& found) {
   const std::vector<std::size_t> space = {0, 1, 2};
@@ -105,17 +118,12 @@ void find_plane_breaches(const PiecewiseLinearInput& input, const PointSet& poin
       found.add({BreachKind::kDegeneratePolygon, basis, {}, {i}});
       continue;
     }
-    for (const Vertex v : vertices) {
-      if (contains(basis, v)) continue;
+    const bool is_planar = std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {
+      if (contains(basis, v)) return true;
       const Simplex four = {basis[0], basis[1], basis[2], v};
-      if (orientation(points.configuration(), space, four) == 0) continue;
-      found.add({BreachKind::kPolygonNotPlanar,
-                 {v, basis[0], basis[1], basis[2]},
-                 {},
-                 {i},
-                 points[v],
-                 offset_from_plane(coordinates(points, basis), points[v])});
-    }
+      return orientation(points.configuration(), space, four) == 0;
+    });
+    if (!is_planar) found.add(not_planar(points, vertices, i));
   }
 }
 
@@ -135,7 +143,7 @@ void find_segment_breaches(const PointSet& points, const std::vector<Simplex>& s
     const Box box = boxes.of(a);
     for (const std::size_t place : vertex_index.meeting(box)) {
       const auto v = static_cast<Vertex>(place);
-      if (contains(a, v) || !lies_inside_segment(configuration, v, a)) continue;
+      if (contains(a, v) || !lies_inside_segment(configuration, a, v)) continue;
       found.add({BreachKind::kVertexInSegment, {v}, {a}, {}, points[v]});
     }
     for (const std::size_t j : segment_index.apart(box, a)) {

@@ -34,6 +34,7 @@ struct Breach {
   std::vector<std::size_t> polygons = {};
   std::optional<Point> point = {};
   std::optional<Rational> offset = {};
+  std::optional<Rational> squared_distance = {};
 
   bool operator==(const Breach&) const = default;
 };

@@ -1,11 +1,13 @@
 // What is a piecewise linear complex, and what is not.
 #include "kernel/piecewise_linear/validity.hpp"
 
+#include <array>
 #include <set>
 
 #include <doctest/doctest.h>
 
 #include "inputs/named_complexes.hpp"
+#include "kernel/exact/number.hpp"
 
 namespace circumspect {
 namespace {
@@ -89,15 +91,26 @@ TEST_CASE("plc.degenerate-polygon") {
   CHECK(is_valid(square({{4, 4, 0}, {4, 6, 0}}, {{0, 4, 5, 4}})));
 }
 
-TEST_CASE("plc.polygon-not-planar: the offset along the steepest axis") {
+TEST_CASE("plc.polygon-not-planar: how far off the plane that is nearest to all vertices") {
   PiecewiseLinearInput input = square();
   input.points[3][2] = Rational(-1, 3);
-  CHECK(breaches(input) == std::vector<Breach>{{BreachKind::kPolygonNotPlanar,
-                                                {3, 0, 1, 2},
-                                                {},
-                                                {0},
-                                                input.points[3],
-                                                Rational(-1, 3)}});
+  // Halfway between planes through the two diagonals.
+  Breach expected{BreachKind::kPolygonNotPlanar, {0, 1, 2, 3}, {}, {0}};
+  expected.squared_distance = Rational(8, 1153);
+  CHECK(breaches(input) == std::vector<Breach>{expected});
+  // The first three corners are nearly in one line, and the others one off their plane. One breach, not two.
+  PiecewiseLinearInput narrow;
+  for (const auto& [x, y, z] :
+       {std::array{.1, .3, 0.}, {.2, .6, 0.}, {.3, .9, 0.}, {.3, .9, 1.}, {.1, .3, 1.}}) {
+    narrow.points.push_back({exact_value(x), exact_value(y), exact_value(z)});
+  }
+  narrow.polygons = {{{{0, 1, 2, 3, 4}}, {}}};
+  REQUIRE(breaches(narrow).size() == 1);
+  const Breach breach = breaches(narrow).front();
+  CHECK(breach.kind == BreachKind::kPolygonNotPlanar);
+  CHECK(*breach.squared_distance > 0);
+  CHECK(*breach.squared_distance <
+        Rational(1, 1'000'000'000'000'000) * Rational(1, 1'000'000'000'000'000));
   // Planar, but along no axis.
   PiecewiseLinearInput slanted = square();
   for (Point& p : slanted.points) p[2] = p[0] / 3 + p[1] / 7;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "kernel/exact/point_search.hpp"
+#include "kernel/boxes/point_search.hpp"
 #include "oracle/certificate/scaled_points.hpp"
 
 namespace circumspect::certificate {

@@ -153,7 +153,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const Certificate& certific
 // ---- Point location ----
 // In which simplices of a triangulation do points lie? Book: Section 5.5 (walking).
 
-// For each of the points a simplex that contains it (kernel/exact/point_search.hpp). Requires:
+// For each of the points a simplex that contains it (kernel/boxes/point_search.hpp). Requires:
 // simplices and what is across their facets; each of the points is in one of the simplices.
 std::vector<std::uint32_t> simplices_that_contain(const Certificate& certificate,
                                                   std::span<const std::size_t> points);

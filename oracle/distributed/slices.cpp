@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "oracle/distributed/shared_file.hpp"
 #include "oracle/formats/bytes/source.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/npy.hpp"
@@ -361,10 +362,17 @@ tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& fil
   if (fault.empty() && files.indices) {
     fault = read_all_parts(ranks, files, settled, read.dealt);
   } else if (fault.empty()) {
+    const auto shared = [&](const std::string& path, std::uint64_t rows, std::size_t columns) {
+      return settled(check_shared(ranks, path, {rows, columns, read.dealt.first_index}));
+    };
     fault = settled(read_simplices(files.mesh, part, read.dealt));
+    if (fault.empty()) {
+      fault = shared(files.mesh, read.dealt.simplices, read.dealt.lists.columns());
+    }
     if (fault.empty()) {
       fault = settled(read_points(read.points_name, files.weighted, part, read.dealt));
     }
+    if (fault.empty()) fault = shared(read.points_name, read.dealt.points, read.dealt.dimension);
     if (fault.empty()) fault = settled(check_width(files.mesh, read.dealt));
   }
   if (fault.empty()) fault = settled(check_not_empty(files.mesh, read.dealt));

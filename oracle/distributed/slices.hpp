@@ -35,7 +35,7 @@ struct ReadSlices {
 // own part, whose simplices follow those of the parts before and name its own points. Called by all ranks. Errors, in one line and the same at all ranks: those of the readers, for .npy in their words; a text
 // file that is not of the plain form (formats/plain_files.hpp); points of a dimension other than 2 and 3, simplices
 // that have not one vertex more; no weights where they count; neither points nor simplices; more simplices than a rank
-// can number; in parts, a vertex that is none of the part's points, a point that has other coordinates in another part
+// can number; a file that has another size, header or end at another rank, or other counts; in parts, a vertex that is none of the part's points, a point that has other coordinates in another part
 // or is in none, more parts than ranks.
 tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& files);
 

@@ -189,6 +189,20 @@ std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, cons
       mesh_name);
 }
 
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count) {
+  return fmt::format(
+      "expected distinct points, found points {} and {} equal{}", kept, again,
+      count > 1 ? fmt::format(" and {} more duplicate{}", count - 1, count == 2 ? "" : "s") : "");
+}
+
+std::string note_of_merged_points(const std::vector<Duplicate>& merged) {
+  const auto& [kept, again] = merged.front();
+  return fmt::format("points {} and {} are equal and count as one{}", kept, again,
+                     merged.size() > 1 ? fmt::format("; in all, {} repeat an earlier one",
+                                                     counted(merged.size(), "point"))
+                                       : "");
+}
+
 // ---- Words that texts and JSON share ----
 
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {

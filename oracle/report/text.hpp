@@ -1,6 +1,7 @@
 // Verdicts for people.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +33,12 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
 // of its points. None if it does, if weights count, or if domains have another dimension.
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
                                                     const std::string& mesh_name);
+
+// Of a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and 1 more duplicate".
+// `count`: how many repeat an earlier one, of which the first is `again` and repeats `kept`, by the user's indices.
+std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count);
+// For a note, where they were merged, by places: "points 2 and 3 are equal and count as one".
+std::string note_of_merged_points(const std::vector<Duplicate>& merged);
 
 // ---- Words that texts and JSON share ----
 // The words that texts and JSON share.

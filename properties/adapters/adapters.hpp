@@ -1,7 +1,7 @@
 // Programs that people use, as functions: Debian's CGAL, TetGen and Qhull. They are put to the test
 // here and are a second opinion nowhere: nothing that ships is linked to them (their licences, the
 // GPL, the AGPL and Qhull's own, stay with the tests). Gmsh's library needs half a gigabyte of
-// others: it is run as a program, by campaigns (docs/findings/).
+// others: it is run as a program, by campaigns (hunt/pages/).
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ Opinion cgal_is_valid_3(const PointArray& points, const SimplexArray& simplices)
 
 // TetGen's library. Throws std::runtime_error with its error code. Limits that its documents name:
 // points within 1e-8 of the size of the set of each other may be merged (switch -T). Limits that they do
-// not name (docs/findings/): fewer than four points, coordinates beyond 1e100, and coplanar points end
+// not name (hunt/pages/): fewer than four points, coordinates beyond 1e100, and coplanar points end
 // the process, with a signal or an endless loop. Requires: none of these; dimension 3.
 SimplexArray tetgen_delaunay(const PointArray& points);
 

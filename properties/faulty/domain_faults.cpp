@@ -11,6 +11,7 @@
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "properties/faulty/fault.hpp"
 #include "reference/constrained/conforming_delaunay.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
@@ -149,16 +150,6 @@ Result with_a_flip_too_many(const Input& input) {
   return std::nullopt;
 }
 
-bool is_strictly_inside(const PointSet& points, const Simplex& simplex, Vertex v) {
-  const int side = orientation(points.configuration(), simplex);
-  for (std::size_t place = 0; place < simplex.size(); ++place) {
-    if (orientation(points.configuration(), with_vertex_replaced(simplex, place, v)) != side) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // Each seed of a hole takes away the simplex around it, and the search goes no further.
 Result with_holes_of_one_simplex(const Input& input) {
   if (input.hole_seeds.empty() || input.kind == DomainKind::kHull) return std::nullopt;
@@ -172,7 +163,8 @@ Result with_holes_of_one_simplex(const Input& input) {
     if (!duplicates(points).empty()) continue;
     const PointSet with_seed(points);
     std::erase_if(mesh->simplices, [&](const Simplex& simplex) {
-      return is_strictly_inside(with_seed, simplex, static_cast<Vertex>(points.size()) - 1);
+      return lies_inside(with_seed.configuration(), simplex,
+                         static_cast<Vertex>(points.size()) - 1);
     });
   }
   return mesh;
@@ -199,7 +191,7 @@ Result with_a_vertex_split_in(const Input& input) {
   }
   for (std::size_t i = 0; i < mesh->simplices.size(); ++i) {
     const Simplex around = mesh->simplices[i];
-    if (!is_strictly_inside(mesh->points, around, vertex)) continue;
+    if (!lies_inside(mesh->points.configuration(), around, vertex)) continue;
     mesh->simplices.erase(mesh->simplices.begin() + static_cast<std::ptrdiff_t>(i));
     for (std::size_t place = 0; place < around.size(); ++place) {
       mesh->simplices.push_back(with_vertex_replaced(around, place, vertex));

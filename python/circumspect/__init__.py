@@ -18,8 +18,8 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 from . import _core
 from ._core import InputError, NoTriangulation, Undecided
 from .campaigns import Campaign, Finding, campaign, minimize
-from .domains import Domain, domain_of, in_plane_of
-from .meshes import Held, mesh_of, number_text, numbers_of, points_of
+from .domains import Domain, default_claim, domain_of, in_plane_of
+from .meshes import guarded, merges, mesh_of, number_text, numbers_of, points_of, seconds_of
 from .verdicts import Ball, CheckFailed, Comparison, Verdict, Violation
 
 __version__: str = _core.version
@@ -33,7 +33,8 @@ __all__ = [
 
 def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, neighbors: Any = None,
           weights: Any = None, domain: Any = None, within: Any = None, threads: int = 0, max_errors: int = 20,
-          by: str = "lemma", oriented: bool = False, copy: bool = False, name: str = "mesh") -> Verdict:
+          by: str = "lemma", oriented: bool = False, duplicates: str = "reject", allow_empty: bool = False,
+          limit: Optional[float] = None, copy: bool = True, name: str = "mesh") -> Verdict:
     """Judges, exactly, a claim about a mesh.
 
     points: (n, d) floats, integers, or objects (Fraction, int, Decimal); or, without `simplices`, a mesh of
@@ -41,17 +42,23 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     simplices: (m, d+1) integers from 0, in any order; (m, k+1) where the points span a flat of dimension k. An
         index that names no point is the mesh's fault, and the verdict says so.
     claim: "triangulation", "delaunay" (the default), "weighted-delaunay"; with a domain "plc-triangulation",
-        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt", or
-        "steiner-cdt" if the mesh has more points than the domain).
+        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has
+        the points of the domain, else "steiner-cdt").
     neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of SciPy are taken.
     weights: (n,), for "weighted-delaunay".
     domain: a Domain, a dictionary of its parts, or a surface of triangles.
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
-    copy: judge a copy of large arrays too. Otherwise these are read-only meanwhile; needed only where another thread
-        may write into one through a view that it made before.
+    duplicates: "reject", since a mesher that forgets to share vertices makes equal points: InputError. "merge":
+        equal points count as one, the first (if weights count, the heaviest), and a note of the verdict says so.
+    allow_empty: judge a mesh without points and simplices, which else is InputError: a program has made nothing.
+    limit: seconds, after which Undecided is raised. Ctrl-C ends a long check, too.
+    copy: False judges arrays of doubles and of 32 or 64 bit integers in C order where they are, without a copy.
+        Nobody may then write into them before the verdict is there: it would mean nothing, or the process would end by
+        a fault of memory. Arrays that are read-only are not copied.
 
-    Raises ValueError (InputError, if the input is at fault) and TypeError, which say what was expected and found.
+    Raises ValueError (InputError, if the input is at fault) and TypeError, which say what was expected and found; and
+    Undecided.
 
     >>> bool(check([[0, 0], [4, 0], [0, 4]], [[0, 1, 2]]))
     True
@@ -64,20 +71,21 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
     """
     if by not in ("lemma", "definition"):
         raise ValueError(f"expected by='lemma' or by='definition', found {by!r}")
+    merge = merges(duplicates)
     mesh = mesh_of(points, simplices, neighbors, weights)
     about = None
     if domain is not None:
         filled = domain_of(domain)
         about = filled.parts()
         mesh = in_plane_of(mesh, filled)
-        claim = claim or ("cdt" if mesh.points.shape[0] == filled.points.shape[0] else "steiner-cdt")
+        claim = claim or default_claim(mesh, filled, within is not None)
     elif within is not None:
         raise ValueError("expected a domain beside within, found None")
     claim = claim or "delaunay"
     distance = None if within is None else number_text(within, "a distance")
-    with Held(mesh, copy) as held:
-        return Verdict(claim, _core.check(claim, held.parts(), about, threads, max_errors, by == "definition",
-                                          oriented, distance, name, False))
+    return Verdict(claim, _core.check(claim, (guarded(mesh) if copy else mesh).parts(), about, threads, max_errors,
+                                      by == "definition", oriented, merge, allow_empty, distance, name,
+                                      seconds_of(limit), False))
 
 
 def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:
@@ -101,8 +109,7 @@ def delaunay(points: Any, weights: Any = None):
     >>> delaunay([[0, 0], [1, 0], [0, 1], [1, 1]]).tolist()
     [[0, 1, 3], [2, 0, 3]]
     """
-    with Held(points_of(points, weights)) as held:
-        return _core.delaunay(held.parts())
+    return _core.delaunay(guarded(points_of(points, weights)).parts())
 
 
 class Constrained(NamedTuple):
@@ -158,12 +165,13 @@ def inspect(points: Any, weights: Any = None) -> dict:
     >>> inspect([[0, 0], [1, 0], [0, 1], [1, 1], [0, 0]])
     {'points': 5, 'dimension': 2, 'repeated': [[0, 4]], 'unique': False, 'cospherical': [0, 1, 2, 3]}
     """
-    with Held(points_of(points, weights)) as held:
-        return json.loads(_core.inspect(held.parts())[1])
+    return json.loads(_core.inspect(guarded(points_of(points, weights)).parts())[1])
 
 
 def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Comparison:
     """Are two meshes one complex, whatever their numbering? Each a mesh object, or a pair (points, simplices).
+
+    Raises InputError if points of one are equal, or if one has neither points nor simplices.
 
     >>> points = [[0, 0], [1, 0], [0, 1]]
     >>> bool(compare((points, [[0, 1, 2]]), (points[::-1], [[0, 1, 2]])))
@@ -172,19 +180,19 @@ def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Compa
     meshes = []
     for mesh, own in zip((a, b), weights):
         parts = mesh if isinstance(mesh, tuple) and not hasattr(mesh, "simplices") else (mesh, None)
-        meshes.append(mesh_of(parts[0], parts[1], None, own))
-    with Held(meshes[0]) as held_a, Held(meshes[1]) as held_b:
-        return Comparison(_core.compare(held_a.parts(), held_b.parts()))
+        meshes.append(guarded(mesh_of(parts[0], parts[1], None, own)).parts())
+    return Comparison(_core.compare(*meshes))
 
 
 def certify(points: Any, simplices: Any = None, claim: str = "delaunay", *, weights: Any = None) -> str:
     """What proves the verdict to circumspect-verified: the text of a certificate, or of a refutation.
 
+    Raises InputError if points are equal, or if there are neither points nor simplices.
+
     >>> certify([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).split()[0]
     'circumspect-certificate'
     """
-    with Held(mesh_of(points, simplices, None, weights)) as held:
-        return _core.certify(claim, held.parts())[1]
+    return _core.certify(claim, guarded(mesh_of(points, simplices, None, weights)).parts())[1]
 
 
 class Family(NamedTuple):

@@ -32,7 +32,7 @@ def loaded(path: str):
 
 
 def main(arguments=None) -> int:
-    """0: all claims hold; 1: one does not; 2: usage; 3: an input is at fault."""
+    """0: all claims hold; 1: one does not; 2: usage; 3: an input is at fault; 4: not decided, within the limit or before an interrupt."""
     parser = argparse.ArgumentParser(prog="python3 -m circumspect", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--version", action="version", version=f"circumspect {circumspect.__version__}")
@@ -41,23 +41,33 @@ def main(arguments=None) -> int:
     check.add_argument("mesh", nargs="+")
     check.add_argument("--claim")
     check.add_argument("--domain", metavar="FILE", help="a surface of triangles")
+    check.add_argument("--duplicates", choices=("reject", "merge"), default="reject",
+                       help="reject a mesh with equal points (default), or take them for one")
+    check.add_argument("--allow-empty", action="store_true", help="judge a mesh without points and simplices")
+    check.add_argument("--limit", type=float, metavar="SECONDS", help="end without an answer after so long (exit code 4)")
     check.add_argument("--format", choices=("text", "json"), default="text")
     options = parser.parse_args(arguments)
-    code = 0
+    codes = set()
     for path in options.mesh:
         try:
             mesh, simplices, note = loaded(path)
             domain = None if options.domain is None else loaded(options.domain)[0]
-            verdict = circumspect.check(mesh, simplices, options.claim, domain=domain, name=path)
-        except (ValueError, TypeError, OSError) as error:
-            print(f"circumspect: {error}", file=sys.stderr)
-            code = 3
+            verdict = circumspect.check(mesh, simplices, options.claim, domain=domain, name=path, limit=options.limit,
+                                        duplicates=options.duplicates, allow_empty=options.allow_empty)
+        except (ValueError, TypeError, OSError, circumspect.Undecided) as error:
+            print(f"circumspect: {path}: {str(error).removeprefix(path + ': ')}", file=sys.stderr)
+            codes.add(4 if isinstance(error, circumspect.Undecided) else 3)
             continue
-        print(f"note: {note}", file=sys.stderr)
-        print(verdict.json if options.format == "json" else verdict)
-        code = code or (0 if verdict else 1)
-    return code
+        for each in (note, *verdict.notes):
+            print(f"note: {each}", file=sys.stderr)
+        print(verdict.json if options.format == "json" else verdict.text.rstrip("\n"))
+        codes.add(0 if verdict else 1)
+    return next(code for code in (3, 1, 4, 0) if code in codes)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        print("circumspect: interrupted", file=sys.stderr)
+        sys.exit(4)

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple
 
 from . import _core
-from .domains import Domain, in_plane_of
-from .meshes import Mesh, indices_of, mesh_of, number_text, parts_of, points_of
+from .domains import Domain, distinct_rows, in_plane_of
+from .meshes import Mesh, guarded, indices_of, merges, mesh_of, number_text, parts_of, points_of
 from .verdicts import Verdict
 
 CLAIMS = ("triangulation", "delaunay", "weighted-delaunay")
@@ -25,7 +25,7 @@ MOST_TRIES = 20_000
 class Finding(NamedTuple):
     """An input on which the function is wrong, made small."""
 
-    rule: str  # the rule that is broken; or "raised", "no-mesh", "hang", "crash"
+    rule: str  # the rule that is broken; or "raised", "no-mesh", "other-points", "hang", "crash"
     points: Any  # (n, d) doubles, the smallest found that breaks the same rule
     weights: Any
     simplices: Any  # what the function made of them, or None
@@ -86,8 +86,9 @@ class Case(NamedTuple):
 class Subject:
     """The function under test, called in this process."""
 
-    def __init__(self, function: Callable, claim: str, refuses: Tuple[type, ...] = (), within: Optional[str] = None):
-        self.function, self.claim, self.refuses, self.within = function, claim, refuses, within
+    def __init__(self, function: Callable, claim: str, refuses: Tuple[type, ...] = (), within: Optional[str] = None,
+                 merge: bool = False):
+        self.function, self.claim, self.refuses, self.within, self.merge = function, claim, refuses, within, merge
         self.takes_weights = claim == "weighted-delaunay"
 
     def call(self, case: Case) -> Any:
@@ -123,10 +124,15 @@ class Subject:
             return Outcome(kind, value)
         about = None if case.domain is None else case.domain.parts()
         try:
-            verdict = Verdict(self.claim, _core.check(self.claim, value.parts(), about, 1, 3, False, False, self.within,
-                                                      "mesh", True))
+            # An input always has points, so that a mesh of none is wrong, and no fault of the input.
+            verdict = Verdict(self.claim, _core.check(self.claim, guarded(value).parts(), about, 1, 3, False, False, self.merge,
+                                                      True, self.within, "mesh", 0, True))
         except _core.Undecided:
             return Outcome("")
+        except _core.InputError as error:
+            if len(distinct_rows(value.points)) == value.points.shape[0]:
+                raise
+            return Outcome("other-points", str(error))  # those of the input differ
         return Outcome("") if verdict else Outcome(next(iter(verdict.rules)), str(verdict), value.simplices)
 
     def close(self) -> None:
@@ -208,7 +214,7 @@ def mesh_on(domain: Domain, made: Any) -> Mesh:
 
 
 def subject_of(function: Callable, claim: Optional[str], domains: bool, refuses: Sequence[type], isolated: bool,
-               time_limit: float, within: Any) -> Subject:
+               time_limit: float, within: Any, duplicates: str) -> Subject:
     """The function, called here or in a process of its own."""
     if not callable(function):
         raise TypeError(f"expected a function that takes points and returns simplices, found {function!r}")
@@ -222,9 +228,10 @@ def subject_of(function: Callable, claim: Optional[str], domains: bool, refuses:
     if not all(signatures.isclass(kind) and issubclass(kind, BaseException) for kind in kinds):
         raise TypeError(f"expected exception types as refuses, found {refuses!r}")
     distance = None if within is None else number_text(within, "a distance")
+    merge = merges(duplicates)
     if isolated:
-        return IsolatedSubject(function, claim, kinds, distance, time_limit=time_limit)
-    return Subject(function, claim, kinds, distance)
+        return IsolatedSubject(function, claim, kinds, distance, merge, time_limit=time_limit)
+    return Subject(function, claim, kinds, distance, merge)
 
 
 def made_small(subject: Subject, case: Case, rule: str, flat: bool, seconds: float) -> Case:
@@ -244,6 +251,15 @@ def domain_case(lists: tuple) -> Case:
     """From what `_core` draws."""
     domain = Domain.of_lists(lists)
     return Case(domain.points, None, domain)
+
+
+def require_distinct(families: Sequence[str]) -> None:
+    """Families that repeat points are drawn for those who want equal points merged."""
+    repeating = {family for family, _, _, _, repeats in _core.families() if repeats}
+    for family in families:
+        if family in repeating:
+            raise ValueError(f"expected duplicates='merge' beside the family {family!r}, which repeats points, found "
+                             "'reject'")
 
 
 def is_wanted(points: Any, flat: bool) -> bool:
@@ -268,24 +284,29 @@ def is_wanted(points: Any, flat: bool) -> bool:
 
 def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, weights: Any = None,
              refuses: Sequence[type] = (), isolated: bool = False, time_limit: float = 10.0, flat: bool = True,
-             time: float = 60.0, within: Any = None) -> Finding:
+             time: float = 60.0, within: Any = None, duplicates: str = "reject") -> Finding:
     """The smallest (n, d) points found on which a function is wrong in the same way as on these.
 
     `function(points)` (with weights: `function(points, weights)`) returns simplices, or a mesh object. In the place of
-    points there may be a Domain, which `function(domain)` is given. Raises ValueError if the function is right on it.
+    points there may be a Domain, which `function(domain)` is given. `duplicates`: as in `campaign`. Raises ValueError if
+    the function is right on it, and InputError if points are equal, unless they are to be merged.
     """
     import numpy as np
 
     if isinstance(points, Domain):
         given = domain_case(points.lists())
         # What is no piecewise linear complex is refused here, before any function is called.
-        _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, None, "", True)
+        _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, False,
+                    False, None, "", 0, True)
     else:
         own = np.array(points, dtype=np.float64)
         if own.ndim != 2 or not np.isfinite(own).all():
             raise ValueError(f"expected finite points of shape (n, d), found {own.shape}")
         given = Case(own, None if weights is None else np.array(weights, dtype=np.float64))
-    subject = subject_of(function, claim, given.domain is not None, refuses, isolated, time_limit, within)
+    subject = subject_of(function, claim, given.domain is not None, refuses, isolated, time_limit, within, duplicates)
+    if given.domain is None and not subject.merge:
+        _core.check("triangulation", points_of(given.points).parts(), None, 1, 1, False, False, False, True, None, "", 0,
+                    True)  # equal points are refused here
     try:
         rule = subject.outcome(given).rule
         if not rule:
@@ -298,7 +319,7 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
 def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = None, dimension: int = 3,
              claim: Optional[str] = None, families: Sequence[str] = (), points: int = 20, seed: int = 20260101,
              flat: bool = False, refuses: Sequence[type] = (), isolated: bool = False, time_limit: float = 10.0,
-             save: Any = None, domains: bool = False, within: Any = None) -> Campaign:
+             save: Any = None, domains: bool = False, within: Any = None, duplicates: str = "reject") -> Campaign:
     """Hunts for inputs on which a function is wrong, for `time` seconds or for a number of `cases`.
 
     function(points): from (n, d) doubles to (m, d+1) integers, or to a mesh object such as
@@ -310,7 +331,9 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
         "plc-triangulation", "steiner-triangulation", "steiner-cdt" or "conforming-delaunay". Not every domain has a
         CDT: a function that says so raises what is among `refuses`.
     within: how far cells of the domain may be moved, as in `check`: points that were rounded need it.
-    families: names (see circumspect.families); none: all of the dimension whose points are distinct.
+    families: names (see circumspect.families); none: all of the dimension whose points are distinct. Those that repeat
+        points need duplicates="merge".
+    duplicates: "merge" takes equal points for one, as in `check`; otherwise those that the function adds are a finding.
     flat: also points that span only a flat, where rows of k+1 indices are the answer.
     isolated: calls it in a forked process, so that a crash, or a call longer than `time_limit`, is a finding.
     save: a folder for the findings, one .npy and one .txt each; of domains a .poly too.
@@ -321,7 +344,9 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
     >>> bool(found), found.findings[0].rule
     (False, 'triangulation.unused-point')
     """
-    subject = subject_of(function, claim, domains, refuses, isolated, time_limit, within)
+    subject = subject_of(function, claim, domains, refuses, isolated, time_limit, within, duplicates)
+    if not subject.merge and not domains:
+        require_distinct(families)
     start = clocks.monotonic()
     found: List[Tuple[str, str, int, Case]] = []
     seen = set()

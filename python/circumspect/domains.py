@@ -5,7 +5,11 @@ import fractions
 import numbers
 from typing import Any, Mapping, Optional, Sequence
 
-from .meshes import Mesh, Numbers, indices_of, numbers_of, parts_of
+from .meshes import Mesh, Numbers, indices_of, numbers_of, own_copy, parts_of
+
+
+# As circumspect_domain_kind counts them.
+KINDS = (None, "enclosed", "hull", "even-odd", "winding")
 
 
 class Domain:
@@ -14,8 +18,10 @@ class Domain:
     points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, in space alone: each a list of
     corners, or of several such lines (outline, outlines of holes, segments, vertices); polygon_holes: by the index of
     a polygon the points, one in each of its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
-    segments or polygons enclose), "hull" (the convex hull), or None, which is "enclosed" if they enclose
-    anything, and "hull" if there are none.
+    segments or polygons enclose), "even-odd" (of that, what is entered by an odd number of them), "winding" (what they
+    wind around, as they are listed), "hull" (the convex hull), or None, which is "enclosed" if they enclose anything, and
+    "hull" if there are none; regions: a point in each region that is filled, if not all are that are enclosed;
+    merge_coplanar: polygons of one plane that share an edge are one, as a face that was cut into triangles.
 
     >>> square = Domain([[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
     >>> square
@@ -23,10 +29,11 @@ class Domain:
     """
 
     def __init__(self, points: Any, segments: Any = None, polygons: Optional[Sequence] = None, holes: Any = None,
-                 kind: Optional[str] = None, polygon_holes: Optional[Mapping] = None):
+                 kind: Optional[str] = None, polygon_holes: Optional[Mapping] = None, regions: Any = None,
+                 merge_coplanar: bool = False):
         import numpy as np
 
-        self._points = numbers_of(points, "points")
+        self.own_points = numbers_of(points, "points")
         if self.dimension not in (2, 3):
             raise ValueError(f"expected a domain of the plane or of space, found points of {self.dimension} coordinates")
         self.segments = indices_of([] if segments is None else segments, "segments", 2).astype(np.int64)
@@ -38,11 +45,11 @@ class Domain:
                 raise ValueError(f"expected polygon_holes by the index of one of {len(self.polygons)} polygons, "
                                  f"found {polygon!r}")
             self._polygon_holes[int(polygon)] = self.seeds_of(seeds, "holes of a polygon")
-        kinds = {None: 0, "enclosed": 1, "hull": 2}
-        if kind not in kinds:
-            raise ValueError(f"expected the kind 'enclosed', 'hull' or None, found {kind!r}")
+        if kind not in KINDS:
+            raise ValueError(f"expected the kind {', '.join(map(repr, KINDS[1:]))} or None, found {kind!r}")
         self.kind = kind
-        self._kind = kinds[kind]
+        self._regions = self.seeds_of(regions, "regions")
+        self.merge_coplanar = bool(merge_coplanar)
 
     def seeds_of(self, seeds: Any, what: str) -> Numbers:
         """A point in each hole."""
@@ -58,12 +65,12 @@ class Domain:
     @property
     def dimension(self) -> int:
         """2 or 3."""
-        return self._points.shape[1]
+        return self.own_points.shape[1]
 
     @property
     def points(self):
         """(n, d) doubles; an array of Fractions if the points are exact numbers that may be no doubles."""
-        return rows_of(self._points)
+        return rows_of(self.own_points)
 
     @property
     def holes(self):
@@ -75,12 +82,17 @@ class Domain:
         """By the index of a polygon (h, 3), a point in each of its holes."""
         return {polygon: rows_of(seeds) for polygon, seeds in self._polygon_holes.items()}
 
+    @property
+    def regions(self):
+        """(r, d), a point in each region that is filled; none: all that are enclosed."""
+        return rows_of(self._regions)
+
     def __repr__(self) -> str:
         return f"Domain({self.size()})"
 
     def size(self) -> str:
         """How many points and cells there are, for people."""
-        counts = {"point": self._points.shape[0], "segment": len(self.segments), "polygon": len(self.polygons)}
+        counts = {"point": self.own_points.shape[0], "segment": len(self.segments), "polygon": len(self.polygons)}
         return ", ".join(f"{count} {what}{'' if count == 1 else 's'}" for what, count in counts.items())
 
     def parts(self) -> tuple:
@@ -97,13 +109,18 @@ class Domain:
         owners = [polygon for polygon, seeds in self._polygon_holes.items() for _ in range(seeds.shape[0])]
         seeds: Any = [rows_of(seeds) for seeds in self._polygon_holes.values()]
         seeds = numbers_of(np.concatenate(seeds), "holes of polygons").values if owners else np.zeros(0)
-        return (self.dimension, self._points.values, self.segments.reshape(-1), *lists, self._holes.values,
-                self._kind, np.array(owners, dtype=np.int64), seeds)
+        return (self.dimension, own_copy(self.own_points.values), own_copy(self.segments.reshape(-1)), *lists,
+                own_copy(self._holes.values), KINDS.index(self.kind), np.array(owners, dtype=np.int64), seeds,
+                own_copy(self._regions.values), self.merge_coplanar)
 
     def lists(self) -> tuple:
         """What `_core` takes to make a domain small and to write it."""
-        if any(isinstance(own.values, list) for own in (self._points, self._holes, *self._polygon_holes.values())):
+        if any(isinstance(own.values, list) for own in (self.own_points, self._holes, *self._polygon_holes.values())):
             raise ValueError("expected a domain whose points are doubles, found other numbers")
+        if self.kind in ("even-odd", "winding") or self._regions.shape[0] or self.merge_coplanar:
+            raise ValueError("expected a domain that fills all that it encloses, or its hull, with its polygons as they are; "
+                             f"found the kind {self.kind!r}, {self._regions.shape[0]} regions, "
+                             f"merge_coplanar={self.merge_coplanar}")
         seeds = [(polygon, seed.tolist()) for polygon, all_of_it in self.polygon_holes.items() for seed in all_of_it]
         has_walls = len(self.segments if self.dimension == 2 else self.polygons) > 0
         is_hull = self.kind == "hull" or self.kind is None and not has_walls
@@ -129,6 +146,11 @@ def rows_of(own: Numbers):
     return values.reshape(own.shape)
 
 
+def distinct_rows(own: Numbers) -> set:
+    """The points, each once."""
+    return set(map(tuple, rows_of(own).tolist()))
+
+
 def with_cells_of(domain: Domain, segments: Sequence, polygons: Sequence) -> Domain:
     """The domain with some of its segments and polygons, by their indices, and without the points that these alone used."""
     import numpy as np
@@ -141,7 +163,8 @@ def with_cells_of(domain: Domain, segments: Sequence, polygons: Sequence) -> Dom
     place = np.cumsum(stays) - 1
     holes = {new: domain.polygon_holes[old] for new, old in enumerate(polygons) if old in domain.polygon_holes}
     return Domain(domain.points[stays], place[rows[0]], [[[int(place[v]) for v in line] for line in polygon]
-                                                         for polygon in lines[0]], domain.holes, domain.kind, holes)
+                                                         for polygon in lines[0]], domain.holes, domain.kind, holes,
+                  domain.regions, domain.merge_coplanar)
 
 
 def lines_of(polygon: Any) -> list:
@@ -158,7 +181,8 @@ def domain_of(domain: Any) -> Domain:
         return domain
     if isinstance(domain, dict):
         known = {"vertices": "points", "points": "points", "segments": "segments", "polygons": "polygons",
-                 "holes": "holes", "kind": "kind", "polygon_holes": "polygon_holes"}
+                 "holes": "holes", "kind": "kind", "polygon_holes": "polygon_holes", "regions": "regions",
+                 "merge_coplanar": "merge_coplanar"}
         unknown = set(domain) - set(known)
         if unknown or not {"vertices", "points"} & set(domain):
             raise ValueError(f"expected a domain with the keys {', '.join(sorted(known))}, found {sorted(domain)}")
@@ -167,6 +191,14 @@ def domain_of(domain: Any) -> Domain:
     if simplices.shape[1] != 3:
         raise ValueError(f"expected a surface of triangles as a domain, found cells of {simplices.shape[1]} vertices")
     return Domain(points, edges, polygons=simplices.tolist())
+
+
+def default_claim(mesh: Mesh, domain: Domain, are_moved: bool) -> str:
+    """What is claimed where nobody says it, as by the command: a CDT, which is a Steiner CDT if the mesh has other points
+    than the domain; if points may have been moved, another number of them."""
+    points, given = distinct_rows(mesh.points), distinct_rows(domain.own_points)
+    same = len(points) == len(given) if are_moved else points == given
+    return "cdt" if same else "steiner-cdt"
 
 
 def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:

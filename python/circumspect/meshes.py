@@ -6,12 +6,8 @@ from __future__ import annotations
 
 import fractions
 import numbers
-import threading
 from typing import Any, NamedTuple, Optional
 
-# Arrays up to so many bytes are copied before they are judged, so that no other thread can change them;
-# larger ones are made read-only meanwhile.
-COPIED_BYTES = 1 << 22
 LARGEST_EXACT_INTEGER = 1 << 53  # of doubles without gaps
 
 
@@ -20,7 +16,6 @@ class Numbers(NamedTuple):
 
     values: Any
     shape: tuple
-    source: Any = None  # the caller's own array, if it has the same memory
 
 
 class Mesh(NamedTuple):
@@ -119,7 +114,7 @@ def numbers_of(values: Any, what: str, columns: Optional[int] = None) -> Numbers
     if not np.isfinite(doubles).all():
         place = np.argwhere(~np.isfinite(doubles))[0]
         raise ValueError(f"expected finite {what}, found {doubles[tuple(place)]} at {tuple(map(int, place))}")
-    return Numbers(doubles.reshape(-1), array.shape, array if doubles is array else None)
+    return Numbers(doubles.reshape(-1), array.shape)
 
 
 def has_large_integers(array: Any) -> bool:
@@ -266,64 +261,38 @@ def with_cells(points: Any, cells: Optional[dict]):
     return points, of_size[most], None, listed.get(3), listed.get(2)
 
 
-class Held:
-    """Keeps the arrays of a mesh from being changed by others while they are judged."""
+def guarded(mesh: Mesh) -> Mesh:
+    """The mesh on memory that nobody changes while it is judged, without the interpreter's lock."""
+    def kept(own: Numbers) -> Numbers:
+        return own._replace(values=own_copy(own.values))
 
-    _lock = threading.Lock()
-    _counts: dict = {}  # by id: how often an array is held, and was it writeable
-    _released: list = []  # arrays that are to be writeable again
+    return mesh._replace(points=kept(mesh.points), weights=mesh.weights and kept(mesh.weights),
+                         simplices=own_copy(mesh.simplices), neighbors=own_copy(mesh.neighbors),
+                         triangles=own_copy(mesh.triangles), edges=own_copy(mesh.edges))
 
-    def __init__(self, mesh: Mesh, copy: bool = False):
-        self.frozen: list = []
-        self.copies = copy  # of large arrays too
-        self.mesh = mesh._replace(
-            points=self.kept(mesh.points), weights=mesh.weights and self.kept(mesh.weights),
-            simplices=self.array(mesh.simplices), neighbors=self.array(mesh.neighbors))
 
-    def kept(self, values: Numbers) -> Numbers:
-        """The same numbers, a copy or read-only."""
-        if isinstance(values.values, list):
-            return values
-        held = self.array(values.values)
-        if held is values.values:
-            self.freeze(values.source)
-        return values._replace(values=held)
+def own_copy(values: Any) -> Any:
+    """A copy of an array, unless it is read-only and so is what it is a view of; a list stays."""
+    owner = values
+    while owner is not None and not isinstance(values, list):
+        flags = getattr(owner, "flags", None)
+        if flags is None or flags.writeable:
+            return values.copy()
+        owner = owner.base
+    return values
 
-    def array(self, array: Any):
-        """A copy of a small array; a large one is made read-only."""
-        if array is None or not array.size:
-            return array
-        if self.copies or array.nbytes <= COPIED_BYTES:
-            return array.copy()
-        self.freeze(array)
-        return array
 
-    def freeze(self, owner: Any) -> None:
-        """Makes an array read-only, and the arrays that it is a view of."""
-        while owner is not None and hasattr(owner, "flags"):
-            with self._lock:
-                count, was_writeable = self._counts.get(id(owner), (0, owner.flags.writeable))
-                self._counts[id(owner)] = (count + 1, was_writeable)
-                owner.flags.writeable = False
-            self.frozen.append(owner)
-            owner = owner.base
+def merges(duplicates: str) -> bool:
+    """Are equal points to count as one?"""
+    if duplicates not in ("reject", "merge"):
+        raise ValueError(f"expected duplicates='reject' or duplicates='merge', found {duplicates!r}")
+    return duplicates == "merge"
 
-    def __enter__(self) -> Mesh:
-        return self.mesh
 
-    def __exit__(self, *_: Any) -> None:
-        with self._lock:
-            for owner in self.frozen:
-                count, was_writeable = self._counts.pop(id(owner))
-                if count > 1:
-                    self._counts[id(owner)] = (count - 1, was_writeable)
-                elif was_writeable:
-                    self._released.append(owner)
-            # A view is writeable again after the array that it is a view of, which others may still hold.
-            waiting = sorted(self._released, key=lambda array: array.base is not None)
-            self._released.clear()
-            for array in waiting:
-                try:
-                    array.flags.writeable = True
-                except ValueError:
-                    self._released.append(array)
+def seconds_of(limit: Optional[float]) -> float:
+    """A limit in seconds; 0 for none."""
+    if limit is None:
+        return 0.0
+    if isinstance(limit, bool) or not isinstance(limit, numbers.Real) or not limit > 0:
+        raise ValueError(f"expected a limit of more than 0 seconds, found {limit!r}")
+    return float(limit)

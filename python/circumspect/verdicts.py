@@ -56,7 +56,8 @@ class Verdict:
     def __init__(self, claim: str, parts: tuple):
         self.claim = claim
         self.holds: bool
-        self.holds, unique, canonical, self.text, self.json, rules, self._page = parts
+        self.notes: List[str]  # what was judged otherwise than it was handed in
+        self.holds, unique, canonical, self.text, self.json, rules, self.notes, self._page = parts
         self.rules: Dict[str, int] = rules  # the broken ones, and how often each is
         # Of a Delaunay claim that holds: is there no other, is this the canonical one? Else None.
         self.unique: Optional[bool] = None if unique < 0 else bool(unique)
@@ -69,7 +70,7 @@ class Verdict:
         return self.holds
 
     def __str__(self) -> str:
-        return self.text.rstrip("\n")
+        return "\n".join([*(f"note: {note}" for note in self.notes), self.text.rstrip("\n")])
 
     def __repr__(self) -> str:
         return f"<Verdict {self.text.splitlines()[-1]}>"

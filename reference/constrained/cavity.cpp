@@ -9,6 +9,7 @@
 #include "kernel/predicates/orientation.hpp"
 #include "reference/constrained/gift_wrapping_cdt.hpp"
 #include "reference/constrained/planar_cdt.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/flip.hpp"
 
 namespace circumspect::constrained {

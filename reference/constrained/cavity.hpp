@@ -8,10 +8,10 @@
 
 #include <tl/expected.hpp>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
+#include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::constrained {
 

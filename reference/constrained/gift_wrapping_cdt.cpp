@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
@@ -14,7 +13,9 @@
 #include "kernel/predicates/perturbation.hpp"
 #include "reference/constrained/planar_cdt.hpp"
 #include "reference/constrained/plc_triangulation.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/gift_wrapping.hpp"
+#include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::constrained {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 
 namespace circumspect::constrained {

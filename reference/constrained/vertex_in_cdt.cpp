@@ -7,6 +7,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "reference/constrained/cavity.hpp"
 
 namespace circumspect::constrained {
@@ -14,25 +15,6 @@ namespace circumspect::constrained {
 // ---- Insertion ----
 
 namespace {
-
-bool contains_point(const PointSet& points, const Simplex& tetrahedron, Vertex v) {
-  const int own = orientation(points.configuration(), tetrahedron);
-  for (std::size_t place = 0; place < tetrahedron.size(); ++place) {
-    const Simplex replaced = with_vertex_replaced(tetrahedron, place, v);
-    if (own * orientation(points.configuration(), replaced) < 0) return false;
-  }
-  return true;
-}
-
-bool is_collinear(const PointSet& points, const Simplex& edge, Vertex v) {
-  return axes_of(points.configuration(), Simplex{edge[0], edge[1], v}).size() < 2;
-}
-
-// Requires: v is on the line of the segment.
-bool is_inside(const PointSet& points, const Simplex& segment, Vertex v) {
-  const Point& p = points[v];
-  return sign(inner_product(points[segment[0]] - p, points[segment[1]] - p)) < 0;
-}
 
 class VertexInsertion {
  public:
@@ -63,7 +45,7 @@ class VertexInsertion {
       if (cavity.insert(tetrahedron).second) pending.push_back(tetrahedron);
     };
     for (const Simplex& tetrahedron : cdt_.tetrahedra.simplices()) {
-      if (contains_point(points_, tetrahedron, v_)) dig(tetrahedron);
+      if (lies_in(points_.configuration(), kSpace, tetrahedron, v_)) dig(tetrahedron);
     }
     while (!pending.empty()) {
       const Simplex tetrahedron = pending.back();
@@ -134,7 +116,7 @@ class VertexInsertion {
     const std::set<Simplex> edges = edges_of(facets);
     for (const Simplex& edge : edges_of(change_.deleted)) {
       if (!cdt_.segments.contains(edge)) continue;
-      if (is_collinear(points_, edge, v_) && is_inside(points_, edge, v_)) {
+      if (lies_inside_segment(points_.configuration(), edge, v_)) {
         change_.segments_removed.insert(edge);
         for (const Vertex end : edge) change_.segments_added.insert(sorted({end, v_}));
       } else if (!edges.contains(edge)) {
@@ -154,10 +136,15 @@ class VertexInsertion {
       for (const Simplex& edge : edges_of({wall})) ++uses[edge];
     }
     for (const auto& [edge, count] : uses) {
-      if (count == 1 && !is_collinear(points_, edge, v_)) {
+      if (count == 1 && !is_on_line_of(edge)) {
         change_.walls_added.insert(join(edge, {v_}));
       }
     }
+  }
+
+  bool is_on_line_of(const Simplex& edge) const {
+    const Configuration& points = points_.configuration();
+    return is_in_hull_of(points, axes_of(points, edge), edge, v_);
   }
 
   const PointSet& points_;

@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/triangulation.hpp"
 #include "kernel/exact/progress.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/insertion_order.hpp"
 #include "reference/delaunay/point_location.hpp"
 

@@ -7,6 +7,7 @@
 #include "kernel/complex/simplex.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "reference/delaunay/point_location.hpp"
 
 namespace circumspect::delaunay {
@@ -47,20 +48,6 @@ class Cavity {
   const std::vector<Simplex>& simplices_;
   std::vector<std::vector<Side>> sides_;
 };
-
-namespace {
-
-// Does the solid simplex, positively oriented and closed, contain q?
-bool solid_contains(const PointSet& points, Simplex simplex, Vertex q) {
-  for (Vertex& v : simplex) {
-    const Vertex vertex = std::exchange(v, q);
-    if (orientation(points.configuration(), simplex) < 0) return false;
-    v = vertex;
-  }
-  return true;
-}
-
-}  // namespace
 
 std::size_t ConflictGraph::Hash::operator()(const Simplex& ascending) const {
   std::size_t hash = 0;
@@ -124,7 +111,7 @@ bool ConflictGraph::is_conflict(const Simplex& simplex, Vertex w) {
 // with it.
 bool ConflictGraph::has_room(const Simplex& simplex, Vertex w) {
   if (points_.is_weighted() || is_ghost(simplex)) return is_conflict(simplex, w);
-  return solid_contains(points_, simplex, w);
+  return lies_in(points_.configuration(), points_.configuration().axes(), simplex, w);
 }
 
 // A vertex that a solid simplex contains never needs a ghost again.

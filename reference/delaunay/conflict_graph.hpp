@@ -6,10 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/number.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/point_location.hpp"
 
 namespace circumspect::delaunay {

@@ -4,13 +4,13 @@
 
 #include <doctest/doctest.h>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
 #include "properties/arguments/laws.hpp"
 #include "properties/arguments/run.hpp"
 #include "reference/delaunay/bowyer_watson.hpp"
 #include "reference/delaunay/conflict_graph.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
 #include "reference/delaunay/point_location.hpp"
 

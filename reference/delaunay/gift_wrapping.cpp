@@ -6,13 +6,15 @@
 #include <optional>
 #include <set>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/polytope.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "kernel/predicates/place.hpp"
+#include "reference/delaunay/dictionary.hpp"
 #include "reference/delaunay/lifted_hull.hpp"
+#include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::delaunay {
 
@@ -226,15 +228,6 @@ Simplex oriented(const PointSet& points, const Axes& axes, Simplex simplex) {
   return simplex;
 }
 
-// Does the point lie in the simplex or on its boundary? Requires: the simplex positively oriented.
-bool lies_in(const PointSet& points, const Axes& axes, const Simplex& simplex, Vertex q) {
-  for (std::size_t place = 0; place < simplex.size(); ++place) {
-    const Simplex replaced = with_vertex_replaced(simplex, place, q);
-    if (orientation(points.configuration(), axes, replaced) < 0) return false;
-  }
-  return true;
-}
-
 // What deleting v takes out of the triangulation.
 struct Star {
   std::vector<Simplex> simplices;  // positively oriented
@@ -259,9 +252,9 @@ Star star_of(const PointSet& points, const Axes& axes, const std::vector<Simplex
   }
   star.candidates.assign(link_vertices.begin(), link_vertices.end());
   for (const Vertex q : submerged) {
-    const bool within =
-        std::any_of(star.simplices.begin(), star.simplices.end(),
-                    [&](const Simplex& simplex) { return lies_in(points, axes, simplex, q); });
+    const bool within = std::any_of(
+        star.simplices.begin(), star.simplices.end(),
+        [&](const Simplex& simplex) { return lies_in(points.configuration(), axes, simplex, q); });
     if (within) star.candidates.push_back(q);
   }
   return star;

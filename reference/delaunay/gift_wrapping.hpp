@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/polytope.hpp"
 #include "kernel/complex/triangulation.hpp"
+#include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::delaunay {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "reference/delaunay/unfinished_facets.hpp"
 
 namespace circumspect::delaunay {
 namespace {

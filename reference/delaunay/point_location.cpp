@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/perturbation.hpp"
+#include "reference/delaunay/dictionary.hpp"
 
 namespace circumspect::delaunay {
 

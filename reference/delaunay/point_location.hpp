@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "kernel/complex/dictionary.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/complex/simplex.hpp"
+#include "reference/delaunay/dictionary.hpp"
 
 namespace circumspect::delaunay {
 

@@ -21,10 +21,34 @@ Claim arrays::claim_named(const std::string& claim) {
                               claim + "'");
 }
 
-Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices) {
+namespace {
+
+Verdict verdict_on(Claim claim, Mesh& mesh, const JudgeOptions& options) {
+  if (mesh.points() == 0 && mesh.simplices.empty() && !options.allow_empty) {
+    throw std::invalid_argument(
+        "expected a mesh, found neither points nor simplices, as where a program made nothing; to "
+        "judge an empty mesh, set allow_empty");
+  }
+  const unsigned threads =
+      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  if (options.merge_equal_points) {
+    return check::judge_merged(claim, mesh, nullptr, {.threads = threads});
+  }
+  auto verdict = check::judge(claim, mesh, nullptr, {.threads = threads});
+  if (verdict) return *std::move(verdict);
+  const auto& repeated = verdict.error().repeated;
+  throw std::invalid_argument(report::fault_of_equal_points(
+                                  repeated.front().kept, repeated.front().again, repeated.size()) +
+                              "; to take equal points for one, set merge_equal_points");
+}
+
+}  // namespace
+
+Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices,
+                const JudgeOptions& options) {
   const Claim known = arrays::claim_named(claim);
   Mesh mesh = arrays::mesh_of(points, simplices, known == Claim::kWeightedDelaunay);
-  const Verdict verdict = check::judge_merged(known, mesh, nullptr, {.threads = 1});
+  const Verdict verdict = verdict_on(known, mesh, options);
   if (verdict.holds()) return {true, "", ""};
   const Rule rule = verdict.violations().front().rule;
   return {false, std::string(identifier(rule)), report::explanation(verdict, mesh)};
@@ -80,7 +104,7 @@ MeshJudgement judged(const std::string& claim, const MeshArrays<Index>& arrays,
     throw std::invalid_argument("expected finite coordinates and weights, found another");
   }
   Mesh mesh = mesh_of(arrays, known == Claim::kWeightedDelaunay);
-  const Verdict verdict = check::judge_merged(known, mesh, nullptr, {.threads = threads});
+  const Verdict verdict = verdict_on(known, mesh, options);
   MeshJudgement judgement;
   judgement.holds = verdict.holds();
   judgement.unique = verdict.unique;

@@ -13,6 +13,8 @@ namespace circumspect {
 
 namespace {
 
+constexpr JudgeOptions kMerging{.merge_equal_points = true};
+
 // A square and its centre.
 const std::vector<double> kSquareWithCenter = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1};
 const std::vector<std::int32_t> kFanAboutCenter = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
@@ -98,7 +100,7 @@ TEST_CASE(
   CHECK_FALSE(judgement.counts.fast);
   const std::vector<double> repeated = {0, 0, 1, 0, 0, 0, 0, 1};
   const std::vector<std::int32_t> triangle = {2, 1, 3};
-  CHECK(judge("delaunay", {2, repeated, {}, triangle, {}}).holds);
+  CHECK(judge("delaunay", {2, repeated, {}, triangle, {}}, kMerging).holds);
   const double ulp = std::numeric_limits<double>::epsilon();
   const std::vector<double> tiny = {1, 1, 1 + ulp, 1, 1, 1 + ulp};
   const std::vector<std::int32_t> one = {0, 1, 2};
@@ -159,28 +161,48 @@ TEST_CASE("an index that names no point is the program's fault") {
   }
   // Nor does it come to name one of the points that are left when equal ones are merged.
   const PointArray repeated{2, {0, 0, 0, 0, 1, 0, 0, 1}, {}};
-  CHECK(judge("delaunay", repeated, {{0, 2, 3}}).holds);
-  CHECK(judge("delaunay", repeated, {{0, 2, 4}}).rule == "triangulation.unknown-vertex");
+  CHECK(judge("delaunay", repeated, {{0, 2, 3}}, kMerging).holds);
+  CHECK(judge("delaunay", repeated, {{0, 2, 4}}, kMerging).rule == "triangulation.unknown-vertex");
 }
 
-TEST_CASE("equal points count as one, whichever of them is named") {
+TEST_CASE("equal points count as one, whichever of them is named, where they are to be merged") {
   const PointArray repeated{2, {0, 0, 1, 0, 0, 0, 0, 1, 1, 0}, {}};
-  CHECK(judge("delaunay", repeated, {{0, 1, 3}}).holds);
-  CHECK(judge("delaunay", repeated, {{2, 4, 3}}).holds);
-  CHECK(judge("delaunay", repeated, {{0, 2, 3}}).rule == "simplex.repeated-vertex");
+  CHECK(judge("delaunay", repeated, {{0, 1, 3}}, kMerging).holds);
+  CHECK(judge("delaunay", repeated, {{2, 4, 3}}, kMerging).holds);
+  CHECK(judge("delaunay", repeated, {{0, 2, 3}}, kMerging).rule == "simplex.repeated-vertex");
+}
+
+TEST_CASE("equal points and empty meshes are refused otherwise") {
+  // Two triangles that share no vertex, as of a program that forgets to.
+  const PointArray torn{2, {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 1}, {}};
+  const std::vector<std::int32_t> seam = {0, 1, 2, 4, 5, 3};
+  const std::string message = "expected distinct points, found points 0 and 4 equal and 1 more";
+  CHECK_THROWS_WITH_AS(judge("delaunay", torn, {{0, 1, 2}, {4, 5, 3}}),
+                       doctest::Contains(message.c_str()), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(judge("triangulation", {2, torn.coordinates, {}, seam, {}}),
+                       doctest::Contains(message.c_str()), std::invalid_argument);
+  CHECK(judge("delaunay", {2, torn.coordinates, {}, seam, {}}, kMerging).holds);
+  for (const char* const claim : {"triangulation", "delaunay", "weighted-delaunay"}) {
+    CHECK_THROWS_WITH_AS(judge(claim, {3, {}, {}}, SimplexArray{}),
+                         doctest::Contains("neither points"), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(judge(claim, MeshArrays<std::int32_t>{}),
+                         doctest::Contains("neither points"), std::invalid_argument);
+    CHECK(judge(claim, MeshArrays<std::int32_t>{}, {.allow_empty = true}).holds);
+  }
 }
 
 TEST_CASE("of equal weighted points the heaviest counts") {
   // Four points around the centre, which is there twice: light, then heavy enough to be a vertex.
   const PointArray points{2, {0, 0, 2, 0, 2, 2, 0, 2, 1, 1, 1, 1}, {0, 0, 0, 0, -3, 0}};
-  CHECK(judge("weighted-delaunay", points, {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 0, 5}}).holds);
-  CHECK_FALSE(judge("weighted-delaunay", points, {{0, 1, 2}, {0, 2, 3}}).holds);
+  const SimplexArray fan = {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 0, 5}};
+  CHECK(judge("weighted-delaunay", points, fan, kMerging).holds);
+  CHECK_FALSE(judge("weighted-delaunay", points, {{0, 1, 2}, {0, 2, 3}}, kMerging).holds);
 }
 
 TEST_CASE("an empty mesh of points does not hold, and a single point does") {
   CHECK_FALSE(judge("delaunay", kSquare, {}).holds);
   CHECK(judge("delaunay", {3, {1, 2, 3}, {}}, {{0}}).holds);
-  CHECK(judge("delaunay", {3, {}, {}}, SimplexArray{}).holds);
+  CHECK(judge("delaunay", {3, {}, {}}, SimplexArray{}, {.allow_empty = true}).holds);
 }
 
 TEST_CASE("what is no input is refused") {

@@ -5,10 +5,12 @@
 #include <map>
 #include <set>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/listed_faces.hpp"
 #include "oracle/judge/domain/measures.hpp"
+#include "oracle/judge/domain/outside_simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
 
 namespace circumspect::check {
@@ -33,15 +35,13 @@ std::array<std::size_t, 2> simplices_at(const MeshedDomain& in, std::span<const 
 }
 
 void judge_piece(const MeshedDomain& in, const WallPiece& piece,
-                 const std::array<std::size_t, 2>& simplices, Verdict& verdict) {
+                 const std::array<std::size_t, 2>& simplices, OutsideSimplices& outside,
+                 Verdict& verdict) {
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     const bool inside = in.is_inside(piece.regions[side]);
     const bool covered = simplices[side] != kNowhere;
     if (inside && !covered) verdict.add(Rule::kUncovered, bare_side(piece, side));
-    if (!inside && covered) {
-      verdict.add(Rule::kOutside,
-                  {.simplices = {in.mesh.simplices[simplices[side]]}, .face = piece.facet});
-    }
+    if (!inside && covered) outside.add(simplices[side], {.face = piece.facet}, verdict);
   }
 }
 
@@ -49,24 +49,26 @@ void judge_piece(const MeshedDomain& in, const WallPiece& piece,
 
 void judge_coverage(const MeshedDomain& in, const std::vector<WallPiece>& pieces,
                     Verdict& verdict) {
+  OutsideSimplices outside(in);
   std::vector<FacetUse> loose;
   auto piece = pieces.begin();
   for_each_facet(in.uses, [&](std::span<const FacetUse> group) {
     const Simplex& facet = group.front().facet;
     for (; piece != pieces.end() && piece->facet < facet; ++piece) {
-      judge_piece(in, *piece, {kNowhere, kNowhere}, verdict);
+      judge_piece(in, *piece, {kNowhere, kNowhere}, outside, verdict);
     }
     if (piece != pieces.end() && piece->facet == facet) {
-      judge_piece(in, *piece, simplices_at(in, group), verdict);
+      judge_piece(in, *piece, simplices_at(in, group), outside, verdict);
       ++piece;
     } else if (group.size() == 1) {
       loose.push_back(group.front());
     }
   });
   for (; piece != pieces.end(); ++piece) {
-    judge_piece(in, *piece, {kNowhere, kNowhere}, verdict);
+    judge_piece(in, *piece, {kNowhere, kNowhere}, outside, verdict);
   }
-  judge_loose_facets(in, loose, verdict);
+  judge_loose_facets(in, loose, outside, verdict);
+  outside.add_those_beside(pieces, verdict);
 }
 
 // ---- Hull coverage ----
@@ -91,6 +93,7 @@ void judge_hull_unchanged(const MeshedDomain& in, Verdict& verdict) {
     return std::all_of(other.begin(), other.end(),
                        [&](Vertex v) { return side_of(points, boundary[a], v) == 0; });
   };
+  std::set<Vertex> extreme;
   for (const auto& [v, facets] : facets_at) {
     std::vector<std::size_t> planes;
     for (const std::size_t f : facets) {
@@ -99,9 +102,15 @@ void judge_hull_unchanged(const MeshedDomain& in, Verdict& verdict) {
       if (!seen) planes.push_back(f);
       if (planes.size() >= in.complex.ambient_dimension()) break;
     }
-    if (planes.size() < in.complex.ambient_dimension()) continue;
-    const Simplex& simplex = in.mesh.simplices[boundary[planes.front()].simplex];
-    verdict.add(Rule::kOutside, {.simplices = {simplex}, .vertices = {v}});
+    if (planes.size() == in.complex.ambient_dimension()) extreme.insert(v);
+  }
+  OutsideSimplices outside(in);
+  for (std::size_t s = 0; s < in.mesh.simplices.size() && !extreme.empty(); ++s) {
+    std::vector<Vertex> vertices;
+    for (const Vertex v : in.mesh.simplices[s]) {
+      if (extreme.contains(v)) vertices.push_back(v);
+    }
+    if (!vertices.empty()) outside.add(s, {.vertices = vertices}, verdict);
   }
 }
 
@@ -191,10 +200,7 @@ class LooseFacets {
   // Is a vertex in the closed facet?
   bool lies_in(Vertex v, std::size_t f) const {
     const Simplex& facet = facets_[f].facet;
-    if (contains(facet, v)) return true;
-    if (facet.size() == 2) return lies_within_edge(in_.mesh.points, facet[0], facet[1], v);
-    const Configuration& points = in_.mesh.points.configuration();
-    return lies_in_triangle(points, axes_of(points, facet), facet, v);
+    return circumspect::lies_in(in_.mesh.points.configuration(), facet, v);
   }
 
   // The facets with hanging vertices that hold all of another one, with simplices on opposite sides.
@@ -248,13 +254,11 @@ class LooseFacets {
 }  // namespace
 
 void judge_loose_facets(const MeshedDomain& in, const std::vector<FacetUse>& loose,
-                        Verdict& verdict) {
+                        OutsideSimplices& outside, Verdict& verdict) {
   std::vector<FacetUse> inside;
   for (const FacetUse& use : loose) {
     if (const auto middle = point_outside(in, use)) {
-      verdict.add(
-          Rule::kOutside,
-          {.simplices = {in.mesh.simplices[use.simplex]}, .face = use.facet, .point = middle});
+      outside.add(use.simplex, {.face = use.facet, .point = middle}, verdict);
     } else {
       inside.push_back(use);
     }

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/point_set.hpp"
-#include "kernel/exact/box_index.hpp"
 
 namespace circumspect::check {
 

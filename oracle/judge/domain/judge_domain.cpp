@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/domain/constrained_delaunay.hpp"
 #include "oracle/judge/domain/plc_triangulation.hpp"
 
@@ -23,23 +24,18 @@ bool allows_steiner_points(Claim claim) {
 Verdict judge_domain(Claim claim, const ExactMesh& mesh, const Domain& domain,
                      const Options& options, const fast::SimplexFacts* known) {
   assert(is_about_a_domain(claim) && !mesh.points.is_weighted());
-  Verdict verdict(claim, mesh, options.max_violations);
-  const bool steiner = allows_steiner_points(claim);
-  if (options.by == By::kLemma) {
-    const auto then = [&](const MeshedDomain& in, const std::vector<WallPiece>& pieces) {
-      if (is_constrained(claim)) judge_constrained_delaunay_by_lemma(in, pieces, verdict);
-      if (claim == Claim::kConformingDelaunay) judge_delaunay_by_lemma(in, pieces, verdict);
-    };
-    judge_plc_triangulation_by_lemma(mesh, domain, options, known, steiner, then, verdict);
-  } else {
-    const auto then = [&](const PiecewiseLinearComplex& augmented) {
-      if (is_constrained(claim)) {
-        judge_constrained_delaunay_by_definition(mesh, augmented, verdict);
-      }
-      if (claim == Claim::kConformingDelaunay) judge_delaunay_by_definition(mesh, verdict);
-    };
-    judge_plc_triangulation_by_definition(mesh, domain, options, steiner, then, verdict);
+  if (options.by == By::kDefinition) {
+    Verdict verdict = definition::judge(claim, mesh, domain.complex, options.max_violations);
+    judge_beside_definition(mesh, options, verdict);
+    return verdict;
   }
+  Verdict verdict(claim, mesh, options.max_violations);
+  const auto then = [&](const MeshedDomain& in, const std::vector<WallPiece>& pieces) {
+    if (is_constrained(claim)) judge_constrained_delaunay_by_lemma(in, pieces, verdict);
+    if (claim == Claim::kConformingDelaunay) judge_delaunay_by_lemma(in, pieces, verdict);
+  };
+  judge_plc_triangulation_by_lemma(mesh, domain, options, known, allows_steiner_points(claim), then,
+                                   verdict);
   return verdict;
 }
 

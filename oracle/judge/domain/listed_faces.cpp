@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/complex/point_set.hpp"
-#include "kernel/exact/box_index.hpp"
 #include "kernel/predicates/orientation.hpp"
 
 namespace circumspect::check {

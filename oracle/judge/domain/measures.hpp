@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/complex/point_set.hpp"
 #include "kernel/predicates/configuration.hpp"
 #include "kernel/predicates/orientation.hpp"
 
@@ -26,14 +26,5 @@ using Axes = std::vector<std::size_t>;
 
 Rational measure(const PointSet& points, const Axes& axes, const Simplex& simplex);
 Rational measure(const PointSet& points, const Axes& axes, const std::vector<Simplex>& simplices);
-
-// Of the common part of two triangles in one plane.
-Rational common_area(const Axes& axes, const std::vector<Point>& a, const std::vector<Point>& b);
-
-// Of all regions that are inside, from the walls around them. Requires: an enclosed domain.
-Rational measure_of_inside(const PiecewiseLinearComplex& complex, const Regions& regions);
-
-// Of the convex hull. Requires: the points span their space.
-Rational measure_of_hull(const PointSet& points);
 
 }  // namespace circumspect::check

@@ -24,15 +24,6 @@ void judge_plc_triangulation_by_lemma(const ExactMesh& mesh, const Domain& domai
                                       bool steiner_points_allowed, const OfTriangulation& then,
                                       Verdict& verdict);
 
-// Word for word: every two simplices meet in a common face or not at all; the edges in each segment,
-// the triangles in each polygon and the d-simplices inside measure as much as these do. Cubic.
-// `augmented` is the domain with every vertex of the mesh for a vertex, its polygons cut as the mesh
-// cuts them, all numbered as in the mesh.
-using OfAugmented = std::function<void(const PiecewiseLinearComplex& augmented)>;
-void judge_plc_triangulation_by_definition(const ExactMesh& mesh, const Domain& domain,
-                                           const Options& options, bool steiner_points_allowed,
-                                           const OfAugmented& then, Verdict& verdict);
-
 // Each simplex and listed face by itself. True if they can be worked with.
 bool judge_simplices_in_space(const ExactMesh& mesh, std::size_t ambient_dimension, bool oriented,
                               Verdict& verdict);

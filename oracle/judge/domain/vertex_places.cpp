@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/measures.hpp"
 
 namespace circumspect::check {
@@ -225,33 +226,6 @@ VertexPlaces match_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex&
   return places;
 }
 
-bool lies_within_edge(const PointSet& points, Vertex a, Vertex b, Vertex x) {
-  const Configuration& configuration = points.configuration();
-  std::size_t axis = 0;
-  while (points[a][axis] == points[b][axis]) ++axis;
-  const Rational& at = points[x][axis];
-  if (!((points[a][axis] < at && at < points[b][axis]) ||
-        (points[b][axis] < at && at < points[a][axis]))) {
-    return false;
-  }
-  for (std::size_t other = 0; other < points.ambient_dimension(); ++other) {
-    if (other == axis) continue;
-    const std::array<std::size_t, 2> axes = {axis, other};
-    if (orientation(configuration, axes, std::array{a, b, x}) != 0) return false;
-  }
-  return true;
-}
-
-bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t>& axes,
-                      const Simplex& triangle, Vertex x) {
-  if (!is_coplanar(points, triangle, x)) return false;
-  const int own = orientation(points, axes, triangle);
-  for (std::size_t place = 0; place < 3; ++place) {
-    if (orientation(points, axes, with_vertex_replaced(triangle, place, x)) == -own) return false;
-  }
-  return true;
-}
-
 void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                            VertexPlaces& places) {
   std::vector<Box> boxes;
@@ -270,13 +244,13 @@ void locate_steiner_points(const ExactMesh& mesh, const PiecewiseLinearComplex& 
     const Box& box = boxes[VertexPlaces::place(v)];
     std::size_t& on_segment = places.segment[VertexPlaces::place(v)];
     for (const std::size_t s : segment_index.meeting(box)) {
-      if (lies_within_edge(mesh.points, segments[s][0], segments[s][1], v)) on_segment = s;
+      if (lies_inside_segment(mesh.points.configuration(), segments[s], v)) on_segment = s;
     }
     if (on_segment != kNowhere) continue;
     for (const std::size_t t : index.meeting(box)) {
       const std::size_t p = triangles.polygon[t];
-      if (!lies_in_triangle(mesh.points.configuration(), complex.polygons[p].axes,
-                            triangles.corners[t], v)) {
+      if (!lies_in(mesh.points.configuration(), complex.polygons[p].axes, triangles.corners[t],
+                   v)) {
         continue;
       }
       places.polygon[VertexPlaces::place(v)] = p;

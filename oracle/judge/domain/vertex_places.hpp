@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -87,12 +87,5 @@ SteinerPoints count_steiner_points(const VertexPlaces& places);
 bool judge_vertices(const ExactMesh& mesh, const PiecewiseLinearComplex& complex,
                     const VertexPlaces& places, bool steiner_points_allowed, VertexSearch& search,
                     Verdict& verdict);
-
-// Is x, a point of the mesh, in the closed triangle whose plane has these axes?
-bool lies_in_triangle(const Configuration& points, const std::vector<std::size_t>& axes,
-                      const Simplex& triangle, Vertex x);
-
-// Is x strictly between the ends of an edge?
-bool lies_within_edge(const PointSet& points, Vertex a, Vertex b, Vertex x);
 
 }  // namespace circumspect::check

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "kernel/exact/interruption.hpp"
+
 // oneTBB as Debian ships it is not instrumented: ThreadSanitizer (preset `tsan`) would take its every
 // locking for a race, and sees plain threads instead. Nor is there an archive of it, which CIRCUMSPECT_STATIC
 // would need.
@@ -98,7 +100,9 @@ void on_threads(std::size_t chunks, unsigned threads, const One& one) {
 }  // namespace
 
 void in_chunks(std::size_t count, std::size_t size, unsigned threads, const ChunkWork& work) {
-  const auto one = [&](std::size_t chunk) {
+  const auto one = [&, interruption = interruption_of_thread](std::size_t chunk) {
+    const Interruptible as_the_caller(interruption);
+    end_if_interrupted();
     work(chunk, chunk * size, std::min((chunk + 1) * size, count));
   };
   const std::size_t chunks = chunks_of(count, size);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/exact/linear_algebra.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/judge/fast/predicates/lattice.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/exact/point_search.hpp"
+#include "kernel/boxes/point_search.hpp"
 #include "oracle/judge/fast/mesh_view.hpp"
 #include "oracle/judge/fast/predicates/predicates.hpp"
 #include "oracle/judge/fast/sweep.hpp"

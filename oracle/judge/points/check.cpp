@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
 #include "oracle/judge/points/triangulation.hpp"
@@ -17,13 +18,11 @@ using FacetUses = std::vector<FacetUse>;
 // Whether the simplices are a complex that covers a convex set, if every one of them can be worked
 // with. Returns the uses of the facets if these have their meaning, so that whether they are locally
 // Delaunay can be asked.
-std::optional<FacetUses> judge_complex(const ExactMesh& mesh, const Options& options,
-                                       bool simplices_are_sound, Verdict& verdict) {
+std::optional<FacetUses> judge_complex(const ExactMesh& mesh, bool simplices_are_sound,
+                                       Verdict& verdict) {
   if (!simplices_are_sound) return std::nullopt;
   FacetUses uses = facet_uses(mesh.simplices);
-  const bool facets_match = options.by == By::kLemma ? judge_complex_by_lemma(mesh, uses, verdict)
-                                                     : judge_complex_by_definition(mesh, verdict);
-  if (!facets_match) return std::nullopt;
+  if (!judge_complex_by_lemma(mesh, uses, verdict)) return std::nullopt;
   if (mesh.neighbors) judge_neighbors(mesh, uses, verdict);
   return uses;
 }
@@ -33,21 +32,34 @@ std::optional<FacetUses> judge_triangulation(const ExactMesh& mesh, const Option
                                              Verdict& verdict) {
   const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
   judge_vertex_set(mesh, verdict);
-  return judge_complex(mesh, options, simplices_are_sound, verdict);
+  return judge_complex(mesh, simplices_are_sound, verdict);
 }
 
-void judge_balls(const ExactMesh& mesh, const FacetUses& uses, const Options& options,
-                 Verdict& verdict, Ambiguity& ambiguity) {
-  if (options.by == By::kLemma) {
-    judge_facets_locally_delaunay(mesh, uses, verdict, ambiguity);
-  } else {
-    judge_balls_empty(mesh, verdict, ambiguity);
-  }
+Verdict by_definition(Claim claim, const ExactMesh& mesh, const Options& options) {
+  Verdict verdict = definition::judge(claim, mesh, options.max_violations);
+  judge_beside_definition(mesh, options, verdict);
+  return verdict;
 }
 
 }  // namespace
 
+void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict) {
+  Verdict beside(verdict.claim(), mesh, 0);
+  const bool was_compared = verdict.tallies().count(Rule::kWrongDimension) == 0 &&
+                            judge_simplices(mesh, options.oriented, beside);
+  if (!was_compared) return;
+  if (mesh.neighbors && verdict.tallies().count(Rule::kOverlap) == 0) {
+    judge_neighbors(mesh, facet_uses(mesh.simplices), beside);
+  }
+  for (const Violation& violation : beside.violations()) {
+    verdict.add(violation.rule, violation.witness);
+    verdict.unique.reset();
+    verdict.canonical.reset();
+  }
+}
+
 Verdict triangulation(const ExactMesh& mesh, const Options& options) {
+  if (options.by == By::kDefinition) return by_definition(Claim::kTriangulation, mesh, options);
   Verdict verdict(Claim::kTriangulation, mesh, options.max_violations);
   judge_triangulation(mesh, options, verdict);
   return verdict;
@@ -55,29 +67,28 @@ Verdict triangulation(const ExactMesh& mesh, const Options& options) {
 
 Verdict delaunay(const ExactMesh& mesh, const Options& options) {
   assert(!mesh.points.is_weighted());
+  if (options.by == By::kDefinition) return by_definition(Claim::kDelaunay, mesh, options);
   Verdict verdict(Claim::kDelaunay, mesh, options.max_violations);
   const auto uses = judge_triangulation(mesh, options, verdict);
   if (!uses) return verdict;
   Ambiguity ambiguity;
-  judge_balls(mesh, *uses, options, verdict, ambiguity);
+  judge_facets_locally_delaunay(mesh, *uses, verdict, ambiguity);
   ambiguity.conclude(verdict);
   return verdict;
 }
 
 Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options) {
+  if (options.by == By::kDefinition) return by_definition(Claim::kWeightedDelaunay, mesh, options);
   Verdict verdict(Claim::kWeightedDelaunay, mesh, options.max_violations);
   const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
   // A mesh without simplices leaves every point uncovered; otherwise not all points are vertices.
   if (mesh.simplices.empty()) judge_vertex_set(mesh, verdict);
-  const auto uses = judge_complex(mesh, options, simplices_are_sound, verdict);
+  const auto uses = judge_complex(mesh, simplices_are_sound, verdict);
   if (!uses) return verdict;
   Ambiguity ambiguity;
   const bool is_triangulation = verdict.holds();
-  judge_balls(mesh, *uses, options, verdict, ambiguity);
-  // By definition the balls have been held against all points already.
-  if (is_triangulation && options.by == By::kLemma) {
-    judge_submerged_points(mesh, *uses, verdict, ambiguity);
-  }
+  judge_facets_locally_delaunay(mesh, *uses, verdict, ambiguity);
+  if (is_triangulation) judge_submerged_points(mesh, *uses, verdict, ambiguity);
   ambiguity.conclude(verdict);
   return verdict;
 }

@@ -10,7 +10,8 @@
 namespace circumspect::check {
 
 // From the lemma: linear in the mesh, by the conditions that docs/theory/points.md proves
-// sufficient. From the definition: quadratic and worse, and obvious. Properties hold them equal.
+// sufficient. From the definition (oracle/judge/definition): quadratic and worse, and obvious.
+// Properties hold them equal.
 enum class By { kLemma, kDefinition };
 
 struct Options {
@@ -35,6 +36,10 @@ Verdict delaunay(const ExactMesh& mesh, const Options& options = {});
 // Points on the lower hull that are not extreme may be vertices or not. Book: Section 5.2. Where all
 // weights are equal, it is the claim `delaunay`.
 Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options = {});
+
+// What can be asked beside a claim that was judged by definition: that all simplices are listed in one order
+// of orientation, and that the listed neighbours are the true ones.
+void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict);
 
 // Requires: not a claim about a domain (see domain/judge_domain.hpp).
 Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options = {});

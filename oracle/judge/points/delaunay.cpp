@@ -5,10 +5,11 @@
 #include <optional>
 #include <set>
 
+#include "kernel/boxes/point_search.hpp"
 #include "kernel/complex/point_set.hpp"
-#include "kernel/exact/point_search.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/definition/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
 
 namespace circumspect::check {
@@ -82,25 +83,7 @@ void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
     verdict.count(rule);
     return;
   }
-  const Ball ball = circumball(mesh.points, simplex);
-  const Rational depth = -power(mesh.points, ball, q);
-  Witness witness{.simplices = {simplex}, .face = facet, .vertices = {q}, .ball = ball};
-  witness.values = {
-      {"squared distance from centre", squared_distance(mesh.points[q], ball.centre)}};
-  if (mesh.points.is_weighted()) {
-    witness.values.push_back({"weight of the vertex", mesh.points.weight(q)});
-    witness.values.push_back({"squared radius of the orthoball", ball.squared_radius});
-    witness.values.push_back({"squared radius less squared distance plus weight", depth});
-  } else {
-    witness.values.push_back({"squared radius", ball.squared_radius});
-    witness.values.push_back({"squared radius less squared distance", depth});
-  }
-  // An orthoball may have no real radius to compare the depth with.
-  if (sign(ball.squared_radius) > 0) {
-    verdict.add(rule, witness, Rational(depth / ball.squared_radius));
-  } else {
-    verdict.add(rule, witness);
-  }
+  definition::add_in_ball(mesh.points, rule, simplex, facet, q, verdict);
 }
 
 // ---- Delaunay ----
@@ -163,18 +146,6 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
     const int side = judge_facet_locally_delaunay(mesh, shared, verdict);
     ambiguity.see(mesh.points, mesh.simplices[shared.simplex], apex, side);
   });
-}
-
-void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambiguity) {
-  const Rule rule = mesh.points.is_weighted() ? Rule::kPointBelowPlane : Rule::kVertexInBall;
-  for (const Simplex& simplex : mesh.simplices) {
-    for (Vertex q = 0; mesh.points.names(q); ++q) {
-      if (contains(simplex, q)) continue;
-      const int side = in_ball(mesh.points.configuration(), simplex, q);
-      ambiguity.see(mesh.points, simplex, q, side);
-      if (side > 0) add_in_ball(mesh, rule, simplex, std::nullopt, q, verdict);
-    }
-  }
 }
 
 // ---- Submerged points ----

@@ -72,10 +72,6 @@ int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& share
 void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                    Verdict& verdict, Ambiguity& ambiguity);
 
-// Definition 4.1: no open circumball of a simplex contains a point of S (delaunay.vertex-in-ball);
-// weighted: no lifted point of S lies strictly below a witness plane (weighted.point-below-plane).
-void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambiguity);
-
 // ---- Submerged points ----
 // The points of a weighted set that are no vertices: are they submerged? Book: Section 2.8 by way of
 // Section 5.2 (weighted Delaunay triangulations).
@@ -83,7 +79,7 @@ void judge_balls_empty(const ExactMesh& mesh, Verdict& verdict, Ambiguity& ambig
 // Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
 // outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
 // that simplex (else weighted.point-below-plane). Of several that have it, the first in the list. Returns how many orientations it took to find the
-// simplices (kernel/exact/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
+// simplices (kernel/boxes/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
 // and `uses` are those of its facets.
 std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity);

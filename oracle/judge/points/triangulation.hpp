@@ -56,10 +56,6 @@ void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>&
 bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                             Verdict& verdict);
 
-// Every two simplices meet in a common face or not at all; and a facet of only one simplex has no
-// point beyond it, so that the union is the whole hull.
-bool judge_complex_by_definition(const ExactMesh& mesh, Verdict& verdict);
-
 // ---- Neighbors ----
 // Are the neighbours that a program lists (TetGen's and Triangle's .neigh) the true ones?
 

@@ -95,6 +95,17 @@ std::optional<Rational> between_lines(const Point& a, const Point& b, const Poin
   return squared_distance(a + s * u, c + t * v);
 }
 
+// The power of two that is nearest to the size of a number, but for one. Requires: it is not 0.
+long magnitude(const Rational& value) {
+  return static_cast<long>(bit_length(value.get_num())) -
+         static_cast<long>(bit_length(value.get_den()));
+}
+
+Rational over_power_of_two(const Rational& value, long exponent) {
+  const auto bits = static_cast<unsigned long>(std::abs(exponent));
+  return exponent >= 0 ? Rational(value >> bits) : Rational(value << bits);
+}
+
 using Direction = std::array<double, 3>;
 
 Direction difference(const Direction& a, const Direction& b) {
@@ -159,16 +170,41 @@ RoundedPoint rounded(const Point& point) {
   return result;
 }
 
-std::vector<RoundedPoint> rounded(const std::vector<Point>& points) {
+Rational upper_square_root(const Rational& squared) {
+  if (sign(squared) == 0) return 0;
+  const long half = magnitude(squared) / 2;
+  const double root = std::sqrt(upper_double(over_power_of_two(squared, 2 * half)));
+  return over_power_of_two(
+      exact_value(std::nextafter(root, std::numeric_limits<double>::infinity())), -half);
+}
+
+Rounding::Rounding(const std::vector<Point>& points) {
+  constexpr long kHarmless = 100;
+  std::optional<long> largest;
+  for (const Point& point : points) {
+    for (const Rational& x : point) {
+      if (sign(x) != 0) largest = std::max(largest.value_or(magnitude(x)), magnitude(x));
+    }
+  }
+  if (largest && std::abs(*largest) > kHarmless) exponent_ = *largest;
+}
+
+RoundedPoint Rounding::point(const Point& point) const {
+  if (exponent_ == 0) return rounded(point);
+  Point scaled;
+  for (const Rational& x : point) scaled.push_back(over_power_of_two(x, exponent_));
+  return rounded(scaled);
+}
+
+std::vector<RoundedPoint> Rounding::points(const std::vector<Point>& points) const {
   std::vector<RoundedPoint> result;
   result.reserve(points.size());
-  for (const Point& point : points) result.push_back(rounded(point));
+  for (const Point& one : points) result.push_back(point(one));
   return result;
 }
 
-double upper_square_root(const Rational& squared) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return std::nextafter(std::sqrt(upper_double(squared)), kInfinity);
+double Rounding::distance(const Rational& squared) const {
+  return upper_double(over_power_of_two(upper_square_root(squared), exponent_));
 }
 
 // Sums and differences of two coordinates change by at most √2 times as much, and their errors add up.

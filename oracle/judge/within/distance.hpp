@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/exact/point.hpp"
 
 namespace circumspect::check {
@@ -24,10 +24,25 @@ struct RoundedPoint {
   double error = 0;
 };
 RoundedPoint rounded(const Point& point);
-std::vector<RoundedPoint> rounded(const std::vector<Point>& points);
 
-// At least the square root.
-double upper_square_root(const Rational& squared);
+// At least the square root, and hardly more.
+Rational upper_square_root(const Rational& squared);
+
+// Points and distances in doubles. Where products of a few coordinates would be no doubles, everything is scaled by one
+// power of two, so that the filters decide as much as they do elsewhere.
+class Rounding {
+ public:
+  // For points like these.
+  explicit Rounding(const std::vector<Point>& points);
+
+  RoundedPoint point(const Point& point) const;
+  std::vector<RoundedPoint> points(const std::vector<Point>& points) const;
+  // At least the square root.
+  double distance(const Rational& squared) const;
+
+ private:
+  long exponent_ = 0;  // of the power that everything is divided by
+};
 
 // A box that holds whatever is at most so far from one of the points, and from what is between them.
 Box box_about(std::span<const RoundedPoint> points, double distance);

@@ -128,7 +128,8 @@ inline void hold_equal(unsigned long seed, std::size_t dimension, Counts& counts
   // All sets of so many triangles are tried at each distance.
   constexpr std::size_t kMost = 8;
   if (!is_small_enough_for_definition(mesh, used, cells, kSquaredLimit, kMost)) return;
-  const ReachAnswer quick = least_reach(mesh, used, cells, regions, kSquaredLimit);
+  Work work;
+  const ReachAnswer quick = least_reach(mesh, used, cells, regions, kSquaredLimit, 1, work);
   const ReachAnswer slow = least_reach_by_definition(mesh, used, cells, regions, kSquaredLimit);
   const bool found = slow.kind == ReachAnswer::Kind::kFound;
   CHECK((quick.kind == ReachAnswer::Kind::kFound) == found);

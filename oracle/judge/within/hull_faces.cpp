@@ -11,6 +11,7 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/within/distance.hpp"
 #include "oracle/judge/within/hull_walls.hpp"
 
@@ -24,7 +25,9 @@ using Three = std::array<Vertex, 3>;
 class PointTree {
  public:
   explicit PointTree(const PointSet& points)
-      : points_(points), rounded_(rounded(points.points())), order_(all_vertices(points)) {
+      : points_(points),
+        rounded_(Rounding(points.points()).points(points.points())),
+        order_(all_vertices(points)) {
     for (const RoundedPoint& point : rounded_) error_ = std::max(error_, point.error);
     build(0, order_.size());
   }
@@ -241,7 +244,7 @@ class Wrapping {
   // The face in a plane that has no point above it: its edges are open, but for those to which it is the next.
   void add(const Three& plane) {
     std::vector<Vertex> on = tree_.on(plane);
-    const auto axes = axes_of_plane(points_.configuration(), {plane[0], plane[1], plane[2]});
+    const auto axes = axes_of_plane(points_.configuration(), plane);
     const int turn = orientation(points_.configuration(), axes, plane);
     std::vector<Simplex> triangles = {on};
     if (on.size() > 3) triangles = triangulate_by_sweep(points_, axes, on, {});

@@ -128,8 +128,8 @@ TEST_CASE("triangles that are nearly seen as lines turn as exact numbers say") {
     const Point normal = normal_of(complex, 0);
     if (round % 3 == 0) third = input.points[0] + normal;
     const PointSet points({input.points[0], input.points[1], third});
-    const std::vector<RoundedPoint> of_domain = rounded(input.points);
-    const std::vector<RoundedPoint> of_mesh = rounded(points.points());
+    const std::vector<RoundedPoint> of_domain = Rounding(input.points).points(input.points);
+    const std::vector<RoundedPoint> of_mesh = Rounding(input.points).points(points.points());
     const SeenFromAbove seen(complex, of_domain, 0, points, of_mesh);
     const Point u = points[1] - points[0], v = points[2] - points[0];
     const Point across = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],

@@ -8,6 +8,7 @@
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/distance.hpp"
 #include "oracle/judge/within/images.hpp"

@@ -16,7 +16,7 @@ void make_unique(std::vector<T>& values) {
 
 }  // namespace
 
-MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches)
+MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches, Work& work)
     : triangles_(cells.complex().polygons.size()) {
   std::vector<std::vector<std::size_t>> polygons_at(mesh.points.size());
   for (std::size_t p = 0; p < triangles_.size(); ++p) {
@@ -33,15 +33,20 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
                             std::back_inserter(both));
       all = std::move(both);
     }
+    work.add(all.size());
     for (const std::size_t p : all) triangles_[p].push_back(triangle);
   };
+  const auto is_near = [&](Vertex v) { return !reaches.of(v).empty(); };
   const auto file = [&](const Simplex& listed) {
+    // Most simplices have no edge that may be in an image.
+    if (std::count_if(listed.begin(), listed.end(), is_near) < 2 || work.is_too_much()) return;
     const Simplex simplex = sorted(listed);
     for (std::size_t i = 0; i < simplex.size(); ++i) {
-      if (reaches.of(simplex[i]).empty()) continue;
+      if (!is_near(simplex[i])) continue;
       for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-        if (reaches.of(simplex[j]).empty()) continue;
+        if (!is_near(simplex[j])) continue;
         edges_.emplace_back(simplex[i], simplex[j]);
+        edges_.emplace_back(simplex[j], simplex[i]);
         for (std::size_t k = j + 1; k < simplex.size() && !triangles_.empty(); ++k) {
           file_triangle({simplex[i], simplex[j], simplex[k]});
         }
@@ -55,20 +60,27 @@ MeshFaces::MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& r
 }
 
 bool MeshFaces::has_edge(Vertex a, Vertex b) const {
-  return std::binary_search(edges_.begin(), edges_.end(),
-                            std::pair{std::min(a, b), std::max(a, b)});
+  return std::binary_search(edges_.begin(), edges_.end(), std::pair{a, b});
+}
+
+std::span<const std::pair<Vertex, Vertex>> MeshFaces::edges_at(Vertex v) const {
+  const auto first = std::lower_bound(edges_.begin(), edges_.end(), std::pair{v, Vertex{0}});
+  const auto last = std::lower_bound(first, edges_.end(), std::pair{v + 1, Vertex{0}});
+  return {first, last};
 }
 
 // ---- Images ----
 Images::Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions,
-               const Reaches& reaches, const MeshFaces& faces)
+               const Reaches& reaches, const MeshFaces& faces, Work& work)
     : mesh_(mesh),
       cells_(cells),
       regions_(regions),
       reaches_(reaches),
       faces_(faces),
-      rounded_(rounded(mesh.points.points())),
-      rounded_domain_(rounded(cells.complex().points.points())),
+      work_(work),
+      rounding_(cells.complex().points.points()),
+      rounded_(rounding_.points(mesh.points.points())),
+      rounded_domain_(rounding_.points(cells.complex().points.points())),
       places_(cells.complex().segments.size()),
       vertices_(cells.complex().points.size()),
       paths_(cells.complex().segments.size()),
@@ -157,6 +169,7 @@ ImageOr<std::vector<Vertex>> Images::found_path(std::size_t segment,
     if (!faces_.has_edge(first, last)) return missing(first, last);
     return std::vector<Vertex>{first, last};
   }
+  work_.add(places_along(segment).size());
   // The image of the first end may lie beyond a vertex of the path, and that of the last before one.
   std::vector<const Place*> inner;
   const Place *at_first = nullptr, *at_last = nullptr;

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,16 +24,18 @@ namespace circumspect::check {
 class MeshFaces {
  public:
   // Edges and triangles of simplices, and listed ones. Requires: each simplex is sound by itself.
-  MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches);
+  MeshFaces(const ExactMesh& mesh, const Cells& cells, const Reaches& reaches, Work& work);
 
   bool has_edge(Vertex a, Vertex b) const;
+  // All edges of a vertex, each from it to the other.
+  std::span<const std::pair<Vertex, Vertex>> edges_at(Vertex v) const;
   // With all vertices near the polygon; ascending, each once.
   const std::vector<Simplex>& triangles_near(std::size_t polygon) const {
     return triangles_[polygon];
   }
 
  private:
-  std::vector<std::pair<Vertex, Vertex>> edges_;
+  std::vector<std::pair<Vertex, Vertex>> edges_;  // in both directions, ascending
   std::vector<std::vector<Simplex>> triangles_;
 };
 
@@ -61,7 +64,7 @@ class Images {
  public:
   // All must outlive this. In the plane `regions` are not looked at.
   Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions, const Reaches& reaches,
-         const MeshFaces& faces);
+         const MeshFaces& faces, Work& work);
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
 
@@ -80,6 +83,9 @@ class Images {
   // The least distance beyond the reach at which the carriers of the vertices in the image of the cell
   // change, or there are others; nothing if there is none.
   std::optional<Rational> next_change(Cell cell, const Rational& squared_reach) const;
+  // A change at or before which the cell has no image; nothing if it has none at any larger reach.
+  // Requires: a fault.
+  std::optional<Rational> next_reach(Cell cell, const Rational& squared_reach) const;
 
  private:
   // An answer and the number of the reach that it is about.
@@ -96,6 +102,9 @@ class Images {
   // In their order along the segment.
   const std::vector<Place>& places_along(std::size_t segment) const;
 
+  SeenFromAbove seen_from_above(std::size_t polygon) const {
+    return {cells_.complex(), rounded_domain_, polygon, mesh_.points, rounded_};
+  }
   bool has_image(Cell cell, const Rational& squared_reach) const;
   ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
   ImageOr<std::vector<Vertex>> found_path(std::size_t segment, const Rational& squared_reach) const;
@@ -106,6 +115,8 @@ class Images {
   const Regions& regions_;
   const Reaches& reaches_;
   const MeshFaces& faces_;
+  Work& work_;
+  Rounding rounding_;
   std::vector<RoundedPoint> rounded_, rounded_domain_;
   // The reaches that were asked about, and which was the last.
   mutable std::map<Rational, std::size_t> numbers_ = {{Rational(0), 0}};

@@ -225,7 +225,7 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                                               const Rational& squared_distance,
                                               const Options& options,
                                               const fast::SimplexFacts* known, const Domain* flat,
-                                              const Markers& markers) {
+                                              const Markers& markers, Work* work) {
   const auto exactly = [&] {
     Verdict verdict = judge_domain(claim, mesh, flat == nullptr ? domain : *flat, options, known);
     if (verdict.holds()) verdict.within = Within{};
@@ -274,16 +274,20 @@ tl::expected<Verdict, NotJudged> judge_within(Claim claim, const ExactMesh& mesh
                   "are too many of them: judge by lemma.",
                   false});
   }
+  Work unlimited;
   const ReachAnswer answer =
       by_definition
           ? least_reach_by_definition(mesh, used, cells, regions, squared_distance)
           : least_reach(mesh, used, cells, regions, squared_distance,
                         options.threads > 0 ? options.threads
-                                            : std::max(1U, std::thread::hardware_concurrency()));
+                                            : std::max(1U, std::thread::hardware_concurrency()),
+                        work != nullptr ? *work : unlimited);
   switch (answer.kind) {
     case ReachAnswer::Kind::kAmbiguous:
     case ReachAnswer::Kind::kOpen:
       return tl::unexpected(not_judged(answer, mesh, all));
+    case ReachAnswer::Kind::kTooMuchWork:
+      return tl::unexpected(NotJudged{"The search for the least distance was given up.", false});
     case ReachAnswer::Kind::kNone:
       break;
     case ReachAnswer::Kind::kFound:

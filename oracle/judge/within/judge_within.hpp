@@ -8,6 +8,7 @@
 
 #include "oracle/judge/domain/judge_domain.hpp"
 #include "oracle/judge/within/cells.hpp"
+#include "oracle/judge/within/work.hpp"
 
 namespace circumspect::check {
 
@@ -24,10 +25,11 @@ struct NotJudged {
 // `flat`: where polygons of the domain are joined that are not in one plane (nearly_coplanar.hpp), the domain of
 // which they were joined; the claim as it stands is about that one.
 // `markers`: which triangles of the mesh are to be the image of a polygon, where there is a choice.
+// `work`: how much may be done before the search for such a move is given up; none: whatever it takes.
 // Requires: as judge_domain; squared_distance >= 0.
 tl::expected<Verdict, NotJudged> judge_within(
     Claim claim, const ExactMesh& mesh, const Domain& domain, const Rational& squared_distance,
     const Options& options = {}, const fast::SimplexFacts* known = nullptr,
-    const Domain* flat = nullptr, const Markers& markers = {});
+    const Domain* flat = nullptr, const Markers& markers = {}, Work* work = nullptr);
 
 }  // namespace circumspect::check

@@ -5,9 +5,10 @@
 #include <optional>
 #include <set>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/piecewise_linear/cell_index.hpp"
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/predicates/place.hpp"
 #include "oracle/judge/within/cells.hpp"
 #include "oracle/judge/within/distance.hpp"
 
@@ -213,7 +214,7 @@ class NearlyCoplanar {
   std::optional<Rational> squared_distance_to_others(const std::vector<Simplex>& triangles,
                                                      const Rational& squared_height) const {
     const Rational squared_far = kTimesFarthest * kTimesFarthest * squared_height;
-    const Rational far(upper_square_root(squared_far));
+    const Rational far = upper_square_root(squared_far);
     std::set<Vertex> own;
     for (const Simplex& triangle : triangles) own.insert(triangle.begin(), triangle.end());
     std::optional<Rational> least;

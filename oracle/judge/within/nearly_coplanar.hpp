@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
 
 namespace circumspect::check {
 

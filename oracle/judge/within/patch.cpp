@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "kernel/exact/box_index.hpp"
+#include "kernel/boxes/box_index.hpp"
 #include "kernel/exact/point.hpp"
 #include "oracle/judge/within/images.hpp"
 #include "oracle/judge/within/seen_from_above.hpp"
@@ -12,11 +12,6 @@ namespace circumspect::check {
 
 namespace {
 
-using Edge = std::pair<Vertex, Vertex>;  // directed
-
-std::array<Edge, 3> edges(const Simplex& triangle) {
-  return {{{triangle[0], triangle[1]}, {triangle[1], triangle[2]}, {triangle[2], triangle[0]}}};
-}
 Vertex apex(const Simplex& triangle, const Edge& edge) {
   for (const Vertex v : triangle) {
     if (v != edge.first && v != edge.second) return v;
@@ -36,13 +31,15 @@ class PatchSearch {
   };
 
   PatchSearch(const PointSet& points, const std::vector<RoundedPoint>& rounded,
-              const Polygon& polygon, std::size_t number, const SeenFromAbove& above, double reach)
+              const Polygon& polygon, std::size_t number, const SeenFromAbove& above, double reach,
+              Work& work)
       : points_(points),
         rounded_(rounded),
         polygon_(polygon),
         number_(number),
         above_(above),
-        reach_(reach) {
+        reach_(reach),
+        work_(work) {
     for (std::size_t t = 0; t < polygon_.triangles.size(); ++t) {
       own_.push_back(above.own(polygon_.triangles[t]));
       for (const Edge& edge : edges(own_.back())) own_at_[edge] = t;
@@ -54,9 +51,10 @@ class PatchSearch {
       const auto found = own_at_.find(edge);
       return found == own_at_.end() ? Link{0, false} : Link{found->second, true};
     };
+    const Link forward = link({segment[0], segment[1]}), backward = link({segment[1], segment[0]});
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      links_[{path[i], path[i + 1]}] = link({segment[0], segment[1]});
-      links_[{path[i + 1], path[i]}] = link({segment[1], segment[0]});
+      links_.emplace_back(Edge(path[i], path[i + 1]), forward);
+      links_.emplace_back(Edge(path[i + 1], path[i]), backward);
     }
   }
   void add_candidate(const Simplex& triangle) {
@@ -65,8 +63,15 @@ class PatchSearch {
     candidates_.push_back(triangle);
     if (turn < 0) std::swap(candidates_.back()[1], candidates_.back()[2]);
     for (const Edge& edge : edges(candidates_.back())) {
-      at_[edge].push_back(candidates_.size() - 1);
+      left_of_.emplace_back(edge, candidates_.size() - 1);
     }
+  }
+
+  // Once, after all paths and candidates.
+  void finish() {
+    std::sort(left_of_.begin(), left_of_.end());
+    std::sort(links_.begin(), links_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
   // All candidates, if they are an image: then there is nothing to choose. Else something else or nothing.
@@ -87,7 +92,7 @@ class PatchSearch {
     if (first) return first;
     // Every other series of choices, one after another.
     for (std::size_t tries = 1; next_choices(); ++tries) {
-      if (tries == kMostTries) {
+      if (tries == kMostTries || work_.is_too_much()) {
         first.error()->is_open = true;
         return first;
       }
@@ -119,19 +124,21 @@ class PatchSearch {
     for (const auto& [edge, link] : links_) {
       if (link.has_own && !reach(edge, link.own)) return fault(edge);
     }
-    std::map<Edge, std::size_t> left;  // which triangle of the patch is on the left
+    std::vector<bool> has_left(left_of_.size(), false);  // by the first candidate there
     for (std::size_t next = 0; next < reached_.size(); ++next) {
-      const Simplex triangle = candidates_[reached_[next]];
+      const Simplex& triangle = candidates_[reached_[next]];
       for (const Edge& edge : edges(triangle)) {
-        if (!left.emplace(edge, reached_[next]).second) return fault(edge, triangle);
-        const auto link = links_.find(edge);
-        if (link != links_.end()) {
-          if (!link->second.has_own) return fault(edge, triangle);
+        auto has = has_left.begin() + (first_left_of(edge) - left_of_.begin());
+        if (*has) return fault(edge, triangle);
+        *has = true;
+        if (const Link* const link = link_at(edge)) {
+          if (!link->has_own) return fault(edge, triangle);
         } else if (!reach(reverse(edge), reference_[next])) {
           return fault(edge, triangle);
         }
       }
     }
+    work_.add(4 * reached_.size() + 1);
     if (auto lacking = lacks(must_have)) return not_tiled(std::move(*lacking));
     if (auto folded = folds()) return not_tiled(std::move(*folded));
     Patch patch;
@@ -144,11 +151,14 @@ class PatchSearch {
 
   // Takes the triangle on the left of an edge; false if there is none.
   bool reach(const Edge& edge, std::size_t own) {
-    const auto at = at_.find(edge);
-    if (at == at_.end()) return false;
-    std::size_t best = at->second.front();
-    if (at->second.size() > 1) {
-      std::vector<std::size_t> order = at->second;
+    const auto first = first_left_of(edge);
+    auto last = first;
+    while (last != left_of_.end() && last->first == edge) ++last;
+    if (first == last) return false;
+    std::size_t best = first->second;
+    if (last - first > 1) {
+      std::vector<std::size_t> order;
+      for (auto at = first; at != last; ++at) order.push_back(at->second);
       const auto is_wanted_before = [&](std::size_t a, std::size_t b) {
         if (a == b) return false;
         const int above = side(edge, apex(candidates_[a], edge), apex(candidates_[b], edge));
@@ -164,6 +174,16 @@ class PatchSearch {
       reference_.push_back(own);
     }
     return true;
+  }
+
+  using LeftOf = std::vector<std::pair<Edge, std::size_t>>;
+  LeftOf::const_iterator first_left_of(const Edge& edge) const {
+    return std::lower_bound(left_of_.begin(), left_of_.end(), std::pair(edge, std::size_t{0}));
+  }
+  const Link* link_at(const Edge& edge) const {
+    const auto at = std::lower_bound(links_.begin(), links_.end(), edge,
+                                     [](const auto& one, const Edge& e) { return one.first < e; });
+    return at != links_.end() && at->first == edge ? &at->second : nullptr;
   }
 
   // Is the second apex above (positive) or below the plane of edge and first apex?
@@ -251,12 +271,13 @@ class PatchSearch {
   const Polygon& polygon_;
   std::size_t number_;
   const SeenFromAbove& above_;
-  double reach_;              // at least
+  double reach_;  // at least
+  Work& work_;
   std::vector<Simplex> own_;  // the domain's triangles, counterclockwise
   std::map<Edge, std::size_t> own_at_;
-  std::map<Edge, Link> links_;
+  std::vector<std::pair<Edge, Link>> links_;
   std::vector<Simplex> candidates_;
-  std::map<Edge, std::vector<std::size_t>> at_;  // candidates on the left of an edge
+  LeftOf left_of_;  // candidates on the left of an edge
   std::vector<bool> lowest_;
   std::vector<bool> chosen_;
   std::vector<std::size_t> reached_, reference_;
@@ -269,7 +290,7 @@ class PatchSearch {
 ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_reach) const {
   const PiecewiseLinearComplex& complex = cells_.complex();
   const Cell cell = {2, polygon};
-  const SeenFromAbove seen(complex, rounded_domain_, polygon, mesh_.points, rounded_);
+  const SeenFromAbove seen = seen_from_above(polygon);
   // Where only the images of its three vertices are near a triangle, theirs is its image or nothing is.
   if (complex.polygons[polygon].triangles.size() == 1 && reaches_.near(cell).size() == 3) {
     const Simplex own = seen.own(complex.polygons[polygon].triangles.front());
@@ -287,29 +308,33 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
   for (const Vertex v : complex.polygons[polygon].vertices) {
     must_have.push_back(*vertex(static_cast<std::size_t>(v), squared_reach));
   }
-  std::map<Vertex, bool> is_carried;
+  std::vector<Vertex> carried;
   for (const Reaches::ToVertex& near : reaches_.near(cell)) {
     if (near.squared() > squared_reach) break;
     const Carrier carrier = reaches_.carrier(near.vertex, squared_reach);
     if (!carrier.is_one() || !cells_.is_in_closure(*carrier.cell, cell)) continue;
-    is_carried[near.vertex] = true;
+    carried.push_back(near.vertex);
     if (*carrier.cell == cell) must_have.push_back(near.vertex);
   }
-  std::vector<Simplex> candidates, named;
+  std::sort(carried.begin(), carried.end());
+  std::vector<const Simplex*> candidates, named;
+  work_.add(faces_.triangles_near(polygon).size());
   for (const Simplex& triangle : faces_.triangles_near(polygon)) {
-    const bool is_candidate = std::all_of(triangle.begin(), triangle.end(),
-                                          [&](Vertex v) { return is_carried.contains(v); });
+    const bool is_candidate = std::all_of(triangle.begin(), triangle.end(), [&](Vertex v) {
+      return std::binary_search(carried.begin(), carried.end(), v);
+    });
     if (!is_candidate) continue;
-    candidates.push_back(triangle);
-    if (cells_.is_marked(triangle, polygon)) named.push_back(triangle);
+    candidates.push_back(&triangle);
+    if (cells_.is_marked(triangle, polygon)) named.push_back(&triangle);
   }
-  const auto search_among = [&](const std::vector<Simplex>& triangles) {
+  const auto search_among = [&](const std::vector<const Simplex*>& triangles) {
     PatchSearch search(mesh_.points, rounded_, complex.polygons[polygon], polygon, seen,
-                       upper_square_root(squared_reach));
+                       rounding_.distance(squared_reach), work_);
     for (const std::size_t s : cells_.segments_of(polygon)) {
       search.add_path(complex.segments[s], *path(s, squared_reach));
     }
-    for (const Simplex& triangle : triangles) search.add_candidate(triangle);
+    for (const Simplex* const triangle : triangles) search.add_candidate(*triangle);
+    search.finish();
     return search;
   };
   if (!named.empty()) {

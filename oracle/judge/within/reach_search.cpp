@@ -13,28 +13,30 @@ class ReachSearch {
  public:
   ReachSearch(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
               const DomainPieces& pieces, const Regions& regions, const Rational& squared_limit,
-              unsigned threads)
+              unsigned threads, Work& work)
       : mesh_(mesh),
         used_(used),
         cells_(cells),
+        work_(work),
         all_(cells.all()),
         apart_(pieces.least_apart(9 * squared_limit, threads)),
         limit_(apart_ ? std::min(squared_limit, Rational(apart_->squared / 9)) : squared_limit),
         reaches_(mesh, used, cells, pieces, limit_, threads),
-        faces_(mesh, cells, reaches_),
-        images_(mesh, cells, regions, reaches_, faces_),
+        faces_(mesh, cells, reaches_, work),
+        images_(mesh, cells, regions, reaches_, faces_, work),
         has_none_(all_.size(), false),
         squared_(reaches_.squared_least()) {}
 
   ReachAnswer answer() {
     while (!answer_) step();
+    has_too_much_work();
     return std::move(*answer_);
   }
 
  private:
   // Either answers or makes the reach larger.
   void step() {
-    if (is_apart_no_more()) return;
+    if (has_too_much_work() || is_apart_no_more()) return;
     const Rational before = squared_;
     settle_cells();
     if (answer_ || squared_ > before) return;
@@ -56,6 +58,11 @@ class ReachSearch {
     }
   }
 
+  bool has_too_much_work() {
+    if (work_.is_too_much()) answer_ = {.kind = Kind::kTooMuchWork, .squared_reach = squared_};
+    return answer_.has_value();
+  }
+
   // Two cells that do not meet are at most three reaches apart?
   bool is_apart_no_more() {
     if (!apart_ || sign(squared_) == 0 || 9 * squared_ < apart_->squared) return false;
@@ -72,6 +79,7 @@ class ReachSearch {
       if (has_none_[i]) continue;
       Rational squared = from;
       while (const auto fault = images_.fault(all_[i], squared)) {
+        if (has_too_much_work()) return;
         if (fault->is_open) open_.push_back(all_[i]);
         const bool doubled = all_[i].dimension == 0 && fault->violation.witness.vertices.size() > 1;
         if (doubled) {
@@ -81,7 +89,7 @@ class ReachSearch {
                      .vertices = fault->violation.witness.vertices};
           return;
         }
-        const auto next = images_.next_change(all_[i], squared);
+        const auto next = images_.next_reach(all_[i], squared);
         if (!next) {
           has_none_[i] = true;
           break;
@@ -154,6 +162,7 @@ class ReachSearch {
   const ExactMesh& mesh_;
   const std::vector<bool>& used_;
   const Cells& cells_;
+  Work& work_;
   std::vector<Cell> all_;
   std::optional<ApartCells> apart_;
   Rational limit_;
@@ -172,10 +181,12 @@ class ReachSearch {
 // At a small reach first: the answer does not depend on the limit once there is one, and a limit that is
 // large for the mesh makes everything near everything. Programs that round are off by some 10⁻¹⁶ to 10⁻¹⁴.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                        const Regions& regions, const Rational& squared_limit, unsigned threads) {
-  const DomainPieces pieces(cells);
+                        const Regions& regions, const Rational& squared_limit, unsigned threads,
+                        Work& work) {
+  const DomainPieces pieces(cells, work);
+  constexpr long kSquaredStep = 10'000;  // what is not so much smaller is no other search
   const auto up_to = [&](const Rational& squared) {
-    return ReachSearch(mesh, used, cells, pieces, regions, squared, threads).answer();
+    return ReachSearch(mesh, used, cells, pieces, regions, squared, threads, work).answer();
   };
   Rational largest = 0;
   for (const Point& point : cells.complex().points.points()) {
@@ -184,9 +195,10 @@ ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, co
   for (const std::int64_t parts :
        std::initializer_list<std::int64_t>{1'000'000'000'000, 1'000'000'000, 1'000'000}) {
     const Rational limit = largest / to_integer(parts);
-    if (limit * limit >= squared_limit) break;
+    if (limit * limit * kSquaredStep >= squared_limit) break;
     ReachAnswer answer = up_to(limit * limit);
-    if (answer.kind == ReachAnswer::Kind::kFound) return answer;
+    const bool is_over = answer.kind == Kind::kFound || answer.kind == Kind::kTooMuchWork;
+    if (is_over) return answer;
   }
   return up_to(squared_limit);
 }

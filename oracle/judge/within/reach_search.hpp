@@ -14,7 +14,8 @@ struct ReachAnswer {
   // is wrong at squared_reach, which mends whatever a reach up to the limit mends. kAmbiguous: the least
   // reach that is left is squared_reach, from which on reaches are ambiguous, for `reason`. kOpen: the images
   // at squared_reach are not forced, for `reason`.
-  enum class Kind { kFound, kNone, kAmbiguous, kOpen };
+  // kTooMuchWork: the search was given up.
+  enum class Kind { kFound, kNone, kAmbiguous, kOpen, kTooMuchWork };
   Kind kind = Kind::kNone;
   Rational squared_reach = 0;
   ImageSet images = {};
@@ -28,8 +29,8 @@ struct ReachAnswer {
 
 // Requires: simplices and listed faces that are sound each by itself; a domain of the kind enclosed.
 ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                        const Regions& regions, const Rational& squared_limit,
-                        unsigned threads = 1);
+                        const Regions& regions, const Rational& squared_limit, unsigned threads,
+                        Work& work);
 
 // ---- By definition ----
 // The definition of docs/theory/within.md, word for word.

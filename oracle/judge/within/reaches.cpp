@@ -11,6 +11,7 @@ namespace circumspect::check {
 namespace {
 
 constexpr std::size_t kChunk = 256;
+constexpr std::size_t kStepsOfDistance = 10;  // see Work
 
 }  // namespace
 
@@ -58,23 +59,21 @@ class DomainPieces::Pieces {
   std::optional<BoxIndex> index_;
 };
 
-DomainPieces::DomainPieces(const Cells& cells)
-    : cells_(cells), points_(rounded(cells.complex().points.points())) {
+DomainPieces::DomainPieces(const Cells& cells, Work& work)
+    : cells_(cells),
+      work_(work),
+      rounding_(cells.complex().points.points()),
+      points_(rounding_.points(cells.complex().points.points())) {
   for (const int dimension : {0, 1, 2}) of_dimension_.emplace_back(cells, dimension, points_);
 }
 DomainPieces::~DomainPieces() = default;
 
 struct DomainPieces::Around {
-  Around(const Point& of, const Rational& squared)
-      : point(of),
-        squared_limit(squared),
-        limit(upper_square_root(squared)),
-        at({rounded(of)}),
-        box(box_about(at, limit)) {}
+  Around(const Point& of, const Limit& up_to, const Rounding& rounding)
+      : point(of), limit(up_to), at({rounding.point(of)}), box(box_about(at, limit.rounded)) {}
 
   const Point& point;
-  const Rational& squared_limit;
-  double limit;
+  const Limit& limit;
   std::array<RoundedPoint, 1> at;
   Box box;
 };
@@ -83,12 +82,16 @@ void DomainPieces::add_near(int dimension, const Around& around, std::vector<ToC
   const PointSet& points = cells_.complex().points;
   const Pieces& pieces = of_dimension_[static_cast<std::size_t>(dimension)];
   const std::size_t before = found.size();
-  for (const std::size_t piece : pieces.meeting(around.box)) {
+  if (work_.is_too_much()) return;
+  const std::vector<std::size_t> meeting = pieces.meeting(around.box);
+  work_.add(1 + meeting.size() / 4);
+  for (const std::size_t piece : meeting) {
     const Simplex& simplex = pieces.simplex(piece);
     const auto corners = Pieces::rounded_corners(simplex, points_);
-    if (certainly_apart(around.at, corners, around.limit)) continue;
+    if (certainly_apart(around.at, corners, around.limit.rounded)) continue;
+    work_.add(kStepsOfDistance);
     Rational squared = squared_distance_to(coordinates(points, simplex), around.point);
-    if (squared > around.squared_limit) continue;
+    if (squared > around.limit.squared) continue;
     // The pieces of a cell follow each other.
     if (found.size() > before && found.back().cell == pieces.cell(piece)) {
       if (found.back().squared() <= squared) continue;
@@ -103,14 +106,17 @@ void DomainPieces::add_near(int dimension, const Around& around, std::vector<ToC
             });
 }
 
-std::vector<ToCell> DomainPieces::vertices_near(const Point& point,
-                                                const Rational& squared_limit) const {
+DomainPieces::Limit DomainPieces::limit(const Rational& squared) const {
+  return {squared, rounding_.distance(squared)};
+}
+
+std::vector<ToCell> DomainPieces::vertices_near(const Point& point, const Limit& limit) const {
   std::vector<ToCell> found;
-  add_near(0, Around(point, squared_limit), found);
+  add_near(0, Around(point, limit, rounding_), found);
   return found;
 }
 
-void DomainPieces::add_cells_near(const Point& point, const Rational& squared_limit,
+void DomainPieces::add_cells_near(const Point& point, const Limit& limit,
                                   const Rational& squared_least, std::vector<ToCell>& found) const {
   if (!found.empty() && found.front().squared() <= squared_least) {
     // Whatever else is near has the vertex, or it would be near the vertex without meeting it.
@@ -120,14 +126,14 @@ void DomainPieces::add_cells_near(const Point& point, const Rational& squared_li
     for (const Cell cell : star) found.push_back({cell, vertex.distance});
     return;
   }
-  const Around around(point, squared_limit);
+  const Around around(point, limit, rounding_);
   for (const int dimension : {1, 2}) add_near(dimension, around, found);
 }
 
 std::optional<ApartCells> DomainPieces::least_apart(const Rational& squared_limit,
                                                     unsigned threads) const {
   const PointSet& points = cells_.complex().points;
-  const double limit = upper_square_root(squared_limit);
+  const double limit = rounding_.distance(squared_limit);
   std::vector<std::optional<ApartCells>> least;
   const auto look_at = [&](const Pieces& from, const Pieces& to) {
     const std::size_t before = least.size();
@@ -135,13 +141,17 @@ std::optional<ApartCells> DomainPieces::least_apart(const Rational& squared_limi
     const auto in_chunk = [&](std::size_t chunk, std::size_t first, std::size_t last) {
       std::optional<ApartCells>& best = least[before + chunk];
       for (std::size_t i = first; i < last; ++i) {
+        if (work_.is_too_much()) return;
         const Simplex& a = from.simplex(i);
         const auto of_a = Pieces::rounded_corners(a, points_);
-        for (const std::size_t j : to.meeting(box_about(of_a, limit))) {
+        const std::vector<std::size_t> meeting = to.meeting(box_about(of_a, limit));
+        work_.add(1 + meeting.size() / 4);
+        for (const std::size_t j : meeting) {
           const Simplex& b = to.simplex(j);
           if (&from == &to && j <= i) continue;
           if (cells_.meet(from.cell(i), to.cell(j))) continue;
           if (certainly_apart(of_a, Pieces::rounded_corners(b, points_), limit)) continue;
+          work_.add(3 * kStepsOfDistance);
           const Rational squared =
               squared_distance_between(coordinates(points, a), coordinates(points, b));
           if (squared > squared_limit || (best && squared >= best->squared)) continue;
@@ -178,8 +188,9 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
     };
     fast::in_chunks(of_.size(), kChunk, threads, in_chunk);
   };
+  const DomainPieces::Limit limit = pieces.limit(squared_limit);
   for_each_used([&](const Point& point, std::vector<ToCell>& found) {
-    found = pieces.vertices_near(point, squared_limit);
+    found = pieces.vertices_near(point, limit);
   });
   std::vector<const Rational*> nearest(complex.points.size(), nullptr);
   for (const std::vector<ToCell>& found : of_) {
@@ -192,7 +203,7 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
     if (squared != nullptr) squared_least_ = std::max(squared_least_, *squared);
   }
   for_each_used([&](const Point& point, std::vector<ToCell>& found) {
-    pieces.add_cells_near(point, squared_limit, squared_least_, found);
+    pieces.add_cells_near(point, limit, squared_least_, found);
   });
   for (Vertex v = 0; mesh.points.names(v); ++v) {
     for (const ToCell& to : of(v)) {

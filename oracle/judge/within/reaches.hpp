@@ -7,6 +7,7 @@
 
 #include "oracle/judge/within/cells.hpp"
 #include "oracle/judge/within/distance.hpp"
+#include "oracle/judge/within/work.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
 namespace circumspect::check {
@@ -41,16 +42,23 @@ struct ApartCells {
 // Where the cells of a domain are.
 class DomainPieces {
  public:
-  // `cells` must outlive this.
-  explicit DomainPieces(const Cells& cells);
+  // Both must outlive this. Where there is too much work, distances are left out.
+  DomainPieces(const Cells& cells, Work& work);
   ~DomainPieces();
 
+  // The square of a distance, and at least the distance as `Rounding` has it.
+  struct Limit {
+    Rational squared;
+    double rounded;
+  };
+  Limit limit(const Rational& squared) const;
+
   // The vertices up to a limit from a point, from near to far.
-  std::vector<ToCell> vertices_near(const Point& point, const Rational& squared_limit) const;
+  std::vector<ToCell> vertices_near(const Point& point, const Limit& limit) const;
   // Adds to these the other cells, those of lower dimension first, each dimension from near to far.
   // Requires: cells that do not meet are more than two limits apart.
-  void add_cells_near(const Point& point, const Rational& squared_limit,
-                      const Rational& squared_least, std::vector<ToCell>& found) const;
+  void add_cells_near(const Point& point, const Limit& limit, const Rational& squared_least,
+                      std::vector<ToCell>& found) const;
   // The two cells that do not meet and are least apart, if any are at most so far apart. One is a vertex,
   // or both are segments: two cells of higher dimension are nowhere nearer to each other than such faces of them.
   std::optional<ApartCells> least_apart(const Rational& squared_limit, unsigned threads) const;
@@ -61,6 +69,8 @@ class DomainPieces {
   void add_near(int dimension, const Around& around, std::vector<ToCell>& found) const;
 
   const Cells& cells_;
+  Work& work_;
+  Rounding rounding_;
   std::vector<RoundedPoint> points_;
   std::vector<Pieces> of_dimension_;
 };

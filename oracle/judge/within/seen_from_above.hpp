@@ -2,12 +2,20 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
 #include "oracle/judge/within/distance.hpp"
 
 namespace circumspect::check {
+
+// Directed: each edge of a triangle has it on its left.
+using Edge = std::pair<Vertex, Vertex>;
+// Requires: counterclockwise.
+inline std::array<Edge, 3> edges(const Simplex& triangle) {
+  return {{{triangle[0], triangle[1]}, {triangle[1], triangle[2]}, {triangle[2], triangle[0]}}};
+}
 
 // The normal of a polygon whose first coordinate that is not zero is positive. Above is where it points.
 Point normal_of(const PiecewiseLinearComplex& complex, std::size_t polygon);

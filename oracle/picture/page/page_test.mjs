@@ -254,9 +254,24 @@ async function withoutWebGl() {
   await browser.close();
 }
 
+// A script that got into the page all the same is refused: the policy names the page's own by its hash.
+async function withAnIntruder(browser) {
+  const opened = await Opened.at(browser, join(folder, 'space.html'));
+  const ran = await opened.page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'window.intruder = true';
+    document.body.append(script);
+    return window.intruder === true;
+  });
+  assert.equal(ran, false);
+  assert.match(opened.faults.join('\n'), /Content Security Policy/);
+  await opened.page.close();
+}
+
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
 try {
   await inSpace(browser);
+  await withAnIntruder(browser);
   await inThePlane(browser);
   await ofTwoMeshes(browser);
   await ofADomain(browser);

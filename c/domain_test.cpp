@@ -1,0 +1,134 @@
+// What of a domain is filled, and which of its polygons are one.
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <circumspect/circumspect.h>
+#include <doctest/doctest.h>
+
+#include "c/calls_test.hpp"
+
+namespace circumspect::c {
+namespace {
+
+// A square in a square, turned the other way about.
+const std::vector<double> kNested = {0, 0, 3, 0, 3, 3, 0, 3, 1, 1, 2, 1, 2, 2, 1, 2};
+const std::vector<std::int64_t> kLoops = {0, 1, 1, 2, 2, 3, 3, 0, 4, 7, 7, 6, 6, 5, 5, 4};
+
+circumspect_domain nested() {
+  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
+  domain.dimension = 2;
+  domain.point_count = 8;
+  domain.coordinates = kNested.data();
+  domain.segment_count = 8;
+  domain.segments = kLoops.data();
+  return domain;
+}
+
+// How many triangles its triangulation has; −1 if the call is refused.
+std::int64_t triangles_of(const circumspect_domain& domain) {
+  circumspect_triangulation* built = nullptr;
+  if (circumspect_constrained_delaunay(&domain, &built) != CIRCUMSPECT_OK) return -1;
+  const std::int64_t count = circumspect_triangulation_simplices(built, 3, nullptr);
+  circumspect_triangulation_free(built);
+  return count;
+}
+
+TEST_CASE("what is filled is as the kind says, or the regions") {
+  circumspect_domain domain = nested();
+  CHECK(triangles_of(domain) == 10);
+  for (const circumspect_domain_kind kind : {CIRCUMSPECT_EVEN_ODD, CIRCUMSPECT_WINDING}) {
+    domain.kind = kind;
+    CHECK(triangles_of(domain) == 8);
+  }
+  const std::vector<std::int64_t> same_way = {0, 1, 1, 2, 2, 3, 3, 0, 4, 5, 5, 6, 6, 7, 7, 4};
+  domain.segments = same_way.data();
+  CHECK(triangles_of(domain) == 10);
+  domain.kind = CIRCUMSPECT_EVEN_ODD;
+  CHECK(triangles_of(domain) == 8);
+  domain = nested();
+  const double inside[] = {1.5, 1.25};
+  domain.region_count = 1;
+  domain.region_seeds = inside;
+  CHECK(triangles_of(domain) == 2);
+  const char* const between[] = {"1/3", "1/3"};
+  domain.region_seeds = nullptr;
+  domain.exact_region_seeds = between;
+  CHECK(triangles_of(domain) == 8);
+  // Who was compiled before there were regions has none.
+  domain.struct_size = offsetof(circumspect_domain, region_count);
+  CHECK(triangles_of(domain) == 10);
+}
+
+TEST_CASE("kinds and regions that make no sense are refused") {
+  const auto refused = [](auto change, circumspect_status expected, const std::string& message) {
+    circumspect_domain domain = nested();
+    change(domain);
+    circumspect_triangulation* built = nullptr;
+    CHECK(circumspect_constrained_delaunay(&domain, &built) == expected);
+    INFO(circumspect_last_error());
+    CHECK(has(circumspect_last_error(), message));
+  };
+  static const double outside[] = {9, 9};
+  static const double on_wall[] = {1.5, 0};
+  static const std::vector<std::int64_t> mixed = {0, 1, 1, 2, 2, 3, 0, 3, 4, 7, 7, 6, 6, 5, 5, 4};
+  refused([](auto& domain) { domain.kind = 5; }, CIRCUMSPECT_INVALID_ARGUMENT, "found 5");
+  refused([](auto& domain) { domain.region_count = -1; }, CIRCUMSPECT_INVALID_ARGUMENT,
+          "a number of regions, found -1");
+  refused([](auto& domain) { domain.region_count = 1; }, CIRCUMSPECT_INVALID_ARGUMENT, "NULL");
+  const auto with_seed = [](const double* seed) {
+    return [seed](auto& domain) {
+      domain.region_count = 1;
+      domain.region_seeds = seed;
+    };
+  };
+  refused(with_seed(outside), CIRCUMSPECT_INPUT_FAULT, "region 0 in something enclosed");
+  refused(with_seed(on_wall), CIRCUMSPECT_INPUT_FAULT, "found it on a wall");
+  refused(
+      [&](auto& domain) {
+        with_seed(on_wall)(domain);
+        domain.kind = CIRCUMSPECT_HULL;
+      },
+      CIRCUMSPECT_INVALID_ARGUMENT, "beside another kind");
+  refused(
+      [](auto& domain) {
+        domain.segments = mixed.data();
+        domain.kind = CIRCUMSPECT_WINDING;
+      },
+      CIRCUMSPECT_INPUT_FAULT, "turned against others");
+}
+
+TEST_CASE("polygons of one plane are one, where that is asked for") {
+  // A tetrahedron, one side of which is cut from the middle of an edge.
+  const std::vector<double> points = {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 1, 1, 0};
+  const std::vector<std::int64_t> starts = {0, 1, 2, 3, 4, 5};
+  const std::vector<std::int64_t> lines = {0, 3, 6, 9, 12, 16};
+  const std::vector<std::int64_t> corners = {0, 1, 4, 0, 4, 2, 0, 1, 3, 0, 2, 3, 1, 4, 2, 3};
+  circumspect_domain domain = CIRCUMSPECT_DOMAIN;
+  domain.dimension = 3;
+  domain.point_count = 5;
+  domain.coordinates = points.data();
+  domain.polygon_count = 5;
+  domain.polygon_starts = starts.data();
+  domain.line_starts = lines.data();
+  domain.corners = corners.data();
+  circumspect_mesh mesh = CIRCUMSPECT_MESH;
+  const std::vector<std::int32_t> one = {0, 1, 4, 3};
+  mesh.dimension = 3;
+  mesh.point_count = 5;
+  mesh.coordinates = points.data();
+  mesh.simplex_count = 1;
+  mesh.vertices_of_simplex = 4;
+  mesh.simplices = one.data();
+  const std::vector<std::int64_t> edges = {0, 2, 2, 3, 2, 4};  // of what is left out
+  mesh.edge_count = 3;
+  mesh.edges = edges.data();
+  const Checked cut = check("plc-triangulation", &mesh, &domain);
+  CHECK(has(circumspect_verdict_text(cut.verdict.get()), "polygon 1"));
+  domain.merge_coplanar = 1;
+  const Checked joined = check("plc-triangulation", &mesh, &domain);
+  CHECK(has(circumspect_verdict_text(joined.verdict.get()), "0, joined of 2"));
+}
+
+}  // namespace
+}  // namespace circumspect::c

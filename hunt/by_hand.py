@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+"""Looks at the findings of corpus/findings once more, by rational arithmetic and definitions alone, with nothing of Circumspect.
+
+    by_hand.py [NAME ...]      one line for each finding that it cannot confirm; exit code 1 if there is one
+
+Each rule that expected.tsv names is asked of the stored mesh in the plainest way there is: every simplex, every pair, every point.
+"""
+import itertools
+import sys
+from collections import Counter
+from fractions import Fraction
+from pathlib import Path
+
+FINDINGS = Path(__file__).resolve().parents[1] / "corpus" / "findings"
+
+
+def determinant(rows):
+    """By the first column; these are small."""
+    if not rows:
+        return Fraction(1)
+    return sum((-1) ** i * row[0] * determinant([other[1:] for k, other in enumerate(rows) if k != i])
+               for i, row in enumerate(rows) if row[0])
+
+
+def orientation(points):
+    return determinant([[x - y for x, y in zip(p, points[0])] for p in points[1:]])
+
+
+def in_ball(simplex, point):
+    """Positive if the point lies strictly inside the circumball of the simplex."""
+    rows = [[x - y for x, y in zip(p, point)] for p in simplex]
+    sign = determinant([row + [sum(x * x for x in row)] for row in rows]) * orientation(simplex)
+    return sign if len(point) % 2 == 0 else -sign
+
+
+def axes(one, other):
+    """Normals of which one separates two convex bodies whose interiors do not meet."""
+    if len(one[0]) == 2:
+        for body in (one, other):
+            for p, q in itertools.combinations(body, 2):
+                yield [p[1] - q[1], q[0] - p[0]]
+        return
+    edges = [[[x - y for x, y in zip(p, q)] for p, q in itertools.combinations(body, 2)] for body in (one, other)]
+    for u, v in [*itertools.combinations(edges[0], 2), *itertools.combinations(edges[1], 2), *itertools.product(*edges)]:
+        yield [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def interiors_meet(one, other):
+    for axis in axes(one, other):
+        if not any(axis):
+            continue
+        a, b = ([sum(x * y for x, y in zip(axis, p)) for p in body] for body in (one, other))
+        if max(a) <= min(b) or max(b) <= min(a):
+            return False
+    return True
+
+
+def contains(simplex, point):
+    """In the closed simplex."""
+    whole = orientation(simplex)
+    parts = [orientation(simplex[:k] + [point] + simplex[k + 1:]) for k in range(len(simplex))]
+    return whole != 0 and all(part * whole >= 0 for part in parts)
+
+
+def is_broken(rule, points, simplices):
+    size = len(points[0]) + 1
+    facets = Counter(facet for s in simplices for facet in itertools.combinations(sorted(s), size - 1))
+    boundary = [facet for facet, count in facets.items() if count == 1]
+    if rule == "triangulation.unknown-vertex":
+        return any(v >= len(points) for s in simplices for v in s)
+    if rule == "simplex.repeated-vertex":
+        return any(len(set(s)) < size for s in simplices)
+    if rule == "triangulation.unused-point":
+        return set(range(len(points))) != {v for s in simplices for v in s}
+    if rule == "complex.duplicate-simplex":
+        return len({tuple(sorted(s)) for s in simplices}) < len(simplices)
+    if rule == "complex.facet-overused":
+        return max(facets.values()) > 2
+    if rule == "triangulation.hull-not-closed":
+        ridges = Counter(ridge for facet in boundary for ridge in itertools.combinations(facet, size - 2))
+        return any(count != 2 for count in ridges.values())
+    bodies = [[points[v] for v in s] for s in simplices]
+    if rule == "simplex.degenerate":
+        return any(orientation(body) == 0 for body in bodies)
+    if rule in ("complex.overlap", "triangulation.covered-twice"):
+        sound = [(s, body) for s, body in zip(simplices, bodies) if orientation(body) != 0]
+        return any(interiors_meet(a, b) or any(contains(a, points[v]) for v in set(t) - set(s)) or
+                   any(contains(b, points[v]) for v in set(s) - set(t))
+                   for (s, a), (t, b) in itertools.combinations(sound, 2))
+    if rule == "triangulation.hull-not-convex":
+        for facet in boundary:
+            own = next(v for s in simplices if set(facet) < set(s) for v in s if v not in facet)
+            side = orientation([points[v] for v in (*facet, own)])
+            if any(orientation([points[v] for v in facet] + [p]) * side < 0 for p in points):
+                return True
+        return False
+    assert rule == "delaunay.facet-not-local", rule
+    return any(len(set(s) & set(t)) == size - 1 and in_ball(a, points[(set(t) - set(s)).pop()]) > 0
+               for (s, a), (t, _) in itertools.permutations(zip(simplices, bodies), 2))
+
+
+def numbers(path):
+    lines = [line.split() for line in path.read_text().splitlines()]
+    return lines[1:1 + int(lines[0][0])], lines[0]
+
+
+def main(names):
+    rows = [line.split("\t") for line in (FINDINGS / "expected.tsv").read_text().splitlines()]
+    rows = [row for row in rows if row[5].startswith("hunt.py ") and row[1] == "delaunay" and row[4] != "-" and (not names or row[0] in names)]
+    wrong = 0
+    for name, _, rule, points, mesh, _ in rows:
+        given, header = numbers(FINDINGS / points)
+        points = [[Fraction(float(x)) for x in line[1:1 + int(header[1])]] for line in given]
+        simplices = [list(map(int, line[1:])) for line in numbers(FINDINGS / mesh)[0]]
+        if not is_broken(rule, points, simplices):
+            wrong += 1
+            print(f"{name}: {rule} is not broken")
+    print(f"by hand: {len(rows) - wrong} of {len(rows)} findings confirmed")
+    return 1 if wrong or not rows else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,212 @@
+#include "oracle/domain/coplanar_polygons.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+
+#include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/disjoint_sets.hpp"
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/polygon_triangles.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "kernel/predicates/place.hpp"
+
+namespace circumspect {
+namespace {
+
+template <typename T>
+void sort_each_once(std::vector<T>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+bool lie_in_one_plane(const Configuration& points, const Polygon& a, const Polygon& b) {
+  const Simplex& other = b.triangles.front();
+  return std::all_of(other.begin(), other.end(), [&](Vertex v) {
+    return contains(a.triangles.front(), v) ||
+           side_of_triangle(points, a.triangles.front(), v) == 0;
+  });
+}
+
+// An edge of a triangle, and on which side of it the triangle lies in its plane.
+using EdgeSide = std::pair<Simplex, int>;
+
+std::vector<EdgeSide> edge_sides(const Configuration& points, const std::vector<std::size_t>& axes,
+                                 const Simplex& triangle) {
+  std::vector<EdgeSide> sides;
+  for (std::size_t place = 0; place < 3; ++place) {
+    const Simplex edge = facet_opposite(triangle, place);
+    sides.emplace_back(edge, orientation(points, axes, Simplex{edge[0], edge[1], triangle[place]}));
+  }
+  return sides;
+}
+
+// Joins triangles across edges that are not among some, and says which set each is in.
+DisjointSets joined_across(const std::vector<Simplex>& triangles, const std::set<Simplex>& barred) {
+  DisjointSets sets(triangles.size());
+  for_each_facet(facet_uses(triangles), [&](std::span<const FacetUse> at_edge) {
+    if (at_edge.size() != 2 || barred.contains(at_edge.front().facet)) return;
+    sets.unite(at_edge[0].simplex, at_edge[1].simplex);
+  });
+  return sets;
+}
+
+// A point in each hole of a polygon, of which `triangles` is some triangulation. The convex hull is
+// triangulated with all segments of the members as edges. What their segments part lies in a member or in
+// none; it lies in one if it is on the side of one of these segments on which a triangle of the polygon
+// is. What lies in none, and from which no way leads out but across segments, is a hole.
+// `members`: the segments of all members. Requires: ascending triangles and segments.
+std::vector<Point> seeds_in_holes(const PointSet& points, const Polygon& polygon,
+                                  const std::set<Simplex>& members) {
+  const std::vector<Simplex> hull = triangulate_by_sweep(points, polygon.axes, polygon.vertices,
+                                                         {members.begin(), members.end()});
+  const Configuration& configuration = points.configuration();
+  std::set<EdgeSide> covered_sides;
+  for (const Simplex& triangle : polygon.triangles) {
+    for (EdgeSide& side : edge_sides(configuration, polygon.axes, triangle)) {
+      if (members.contains(side.first)) covered_sides.insert(std::move(side));
+    }
+  }
+  DisjointSets parts = joined_across(hull, members);
+  std::vector<bool> is_covered(hull.size(), false);
+  for (std::size_t t = 0; t < hull.size(); ++t) {
+    for (const EdgeSide& side : edge_sides(configuration, polygon.axes, hull[t])) {
+      if (covered_sides.contains(side)) is_covered[parts.find(t)] = true;
+    }
+  }
+  std::vector<Simplex> bare;
+  for (std::size_t t = 0; t < hull.size(); ++t) {
+    if (!is_covered[parts.find(t)]) bare.push_back(hull[t]);
+  }
+  const std::set<Simplex> kept(polygon.segments.begin(), polygon.segments.end());
+  DisjointSets holes = joined_across(bare, kept);
+  std::vector<bool> is_open(bare.size(), false);
+  std::map<Simplex, std::size_t> uses;
+  for (const FacetUse& use : facet_uses(hull)) ++uses[use.facet];
+  for (const FacetUse& use : facet_uses(bare)) {
+    if (uses[use.facet] == 1 && !kept.contains(use.facet)) is_open[holes.find(use.simplex)] = true;
+  }
+  std::vector<Point> seeds;
+  for (std::size_t t = 0; t < bare.size(); ++t) {
+    if (holes.find(t) == t && !is_open[t])
+      seeds.push_back(barycentre(coordinates(points, bare[t])));
+  }
+  return seeds;
+}
+
+class JoiningOfPolygons {
+ public:
+  JoiningOfPolygons(const PiecewiseLinearInput& input, const PiecewiseLinearComplex& complex)
+      : input_(input), complex_(complex), groups_(complex.polygons.size()) {
+    for (std::size_t p = 0; p < complex.polygons.size(); ++p) {
+      for (const Simplex& segment : complex.polygons[p].segments) at_[segment].push_back(p);
+    }
+  }
+
+  JoinedPolygons result() {
+    for (const auto& [segment, polygons] : at_) unite_at(polygons);
+    const std::vector<Simplex> listed = listed_segments(input_);
+    std::set<Simplex> removed;
+    for (const auto& [segment, polygons] : at_) {
+      const bool is_inner = polygons.size() == 2 &&
+                            groups_.find(polygons[0]) == groups_.find(polygons[1]) &&
+                            !std::binary_search(listed.begin(), listed.end(), segment);
+      if (is_inner) removed.insert(segment);
+    }
+    std::map<std::size_t, std::size_t> place;  // of each group
+    JoinedPolygons joined{input_, complex_, {}, removed.size()};
+    for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
+      const auto [at, is_new] = place.try_emplace(groups_.find(p), joined.members.size());
+      if (is_new) joined.members.emplace_back();
+      joined.members[at->second].push_back(p);
+    }
+    joined.complex.polygons.clear();
+    joined.input.polygons.clear();
+    std::erase_if(joined.complex.segments, [&](const Simplex& s) { return removed.contains(s); });
+    for (const std::vector<std::size_t>& members : joined.members) {
+      add_polygon(members, removed, joined);
+    }
+    return joined;
+  }
+
+ private:
+  void unite_at(const std::vector<std::size_t>& polygons) {
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      for (std::size_t j = i + 1; j < polygons.size(); ++j) {
+        const bool belong_together =
+            lie_in_one_plane(complex_.points.configuration(), complex_.polygons[polygons[i]],
+                             complex_.polygons[polygons[j]]);
+        if (belong_together) groups_.unite(polygons[i], polygons[j]);
+      }
+    }
+  }
+
+  void add_polygon(const std::vector<std::size_t>& members, const std::set<Simplex>& removed,
+                   JoinedPolygons& joined) const {
+    if (members.size() == 1) {
+      joined.complex.polygons.push_back(complex_.polygons[members[0]]);
+      joined.input.polygons.push_back(input_.polygons[members[0]]);
+      return;
+    }
+    Polygon polygon;
+    polygon.axes = complex_.polygons[members[0]].axes;
+    std::set<Simplex> of_members;
+    const auto append = [](auto& to, const auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    for (const std::size_t p : members) {
+      const Polygon& member = complex_.polygons[p];
+      append(polygon.vertices, member.vertices);
+      append(polygon.triangles, member.triangles);
+      of_members.insert(member.segments.begin(), member.segments.end());
+    }
+    sort_each_once(polygon.vertices);
+    sort_each_once(polygon.triangles);
+    std::set_difference(of_members.begin(), of_members.end(), removed.begin(), removed.end(),
+                        std::back_inserter(polygon.segments));
+    polygon.hole_seeds = seeds_in_holes(complex_.points, polygon, of_members);
+    joined.input.polygons.push_back(lines_of(polygon));
+    joined.complex.polygons.push_back(std::move(polygon));
+  }
+
+  // Its segments and, each by itself, the vertices that are in none of them.
+  static PolygonLines lines_of(const Polygon& polygon) {
+    PolygonLines lines{{}, polygon.hole_seeds};
+    std::set<Vertex> ends;
+    for (const Simplex& segment : polygon.segments) {
+      lines.lines.push_back(segment);
+      ends.insert(segment.begin(), segment.end());
+    }
+    for (const Vertex v : polygon.vertices) {
+      if (!ends.contains(v)) lines.lines.push_back({v});
+    }
+    return lines;
+  }
+
+  const PiecewiseLinearInput& input_;
+  const PiecewiseLinearComplex& complex_;
+  DisjointSets groups_;
+  std::map<Simplex, std::vector<std::size_t>> at_;  // the polygons that have a segment
+};
+
+}  // namespace
+
+std::vector<Simplex> listed_segments(const PiecewiseLinearInput& input) {
+  std::vector<Simplex> listed;
+  for (const auto& segment : input.segments) listed.push_back(sorted(segment));
+  for (const PolygonLines& polygon : input.polygons) {
+    for (const auto& line : polygon.lines) {
+      if (line.size() == 2) listed.push_back(sorted(line));
+    }
+  }
+  sort_each_once(listed);
+  return listed;
+}
+
+JoinedPolygons coplanar_polygons_joined(const PiecewiseLinearInput& input,
+                                        const PiecewiseLinearComplex& complex) {
+  return JoiningOfPolygons(input, complex).result();
+}
+
+}  // namespace circumspect

@@ -1,0 +1,60 @@
+// What in a mesh M are the moved cells of a complex P? docs/theory/within.md, Definition 2 to 5.
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "kernel/piecewise_linear/regions.hpp"
+#include "oracle/model/exact_mesh.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::definition {
+
+// A vertex (dimension 0), a segment (1) or a polygon (2) of P, by its place among them.
+struct LinearCell {
+  int dimension = 0;
+  std::size_t place = 0;
+  auto operator<=>(const LinearCell&) const = default;
+};
+
+// All of them, those of lower dimension first.
+std::vector<LinearCell> linear_cells(const PiecewiseLinearComplex& complex);
+std::vector<Vertex> vertices_in(const PiecewiseLinearComplex& complex, LinearCell cell);
+// Is it the cell itself or a face of it? The vertices and segments in a polygon are faces of it.
+bool is_face(const PiecewiseLinearComplex& complex, LinearCell face, LinearCell cell);
+
+// P, M and what belongs to them. `used`: which points of M are vertices of it. `triangles_meant`:
+// for each polygon triangles (ascending) that are to be its image if they can, or none.
+struct MovedDomain {
+  const PiecewiseLinearComplex& complex;
+  const Regions& regions;
+  const ExactMesh& mesh;
+  const std::vector<bool>& used;
+  std::vector<std::vector<Simplex>> triangles_meant;
+};
+
+// The cell that carries each point of M, if one does (Definition 1).
+using Carriers = std::vector<std::optional<LinearCell>>;
+
+// The triangles of M whose vertices have the polygon or faces of it for carriers.
+std::vector<Simplex> triangles_near(const MovedDomain& moved, const Carriers& carriers,
+                                    std::size_t polygon);
+
+// Of each vertex of P a vertex of M, of each segment a path, of each polygon triangles,
+// counterclockwise seen from the side to which its normal with a positive first nonzero coordinate
+// points.
+struct CellImages {
+  std::vector<Vertex> vertices = {};
+  std::vector<std::vector<Vertex>> paths = {};
+  std::vector<std::vector<Simplex>> patches = {};
+};
+
+// The images of all cells, or what is wrong with one. All sets of triangles near a polygon are
+// tried.
+// Requires: simplices and listed faces of M that are sound each by itself.
+tl::expected<CellImages, Violation> cell_images(const MovedDomain& moved, const Carriers& carriers);
+
+}  // namespace circumspect::definition

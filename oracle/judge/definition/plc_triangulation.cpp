@@ -1,0 +1,317 @@
+#include "oracle/judge/definition/plc_triangulation.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+#include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
+#include "oracle/judge/definition/simplicial_complex.hpp"
+#include "oracle/judge/definition/triangulation.hpp"
+
+namespace circumspect::definition {
+namespace {
+
+using Axes = std::vector<std::size_t>;
+
+// k! times the length, area or volume of the projections on k axes, added up.
+Rational measure(const PointSet& points, const Axes& axes, const std::vector<Simplex>& simplices) {
+  Rational sum = 0;
+  for (const Simplex& simplex : simplices) {
+    sum += abs(orientation_determinant(points.configuration(), axes, simplex));
+  }
+  return sum;
+}
+
+// Twice the area that two triangles of one plane have in common, projected.
+Rational common_area(const Axes& axes, const std::vector<Point>& a, const std::vector<Point>& b) {
+  const std::vector<Point> corners = intersection(a, b);
+  Rational twice = 0;
+  for (std::size_t i = 0; corners.size() > 2 && i < corners.size(); ++i) {
+    const Point& p = corners[i];
+    const Point& q = corners[(i + 1) % corners.size()];
+    twice += p[axes[0]] * q[axes[1]] - q[axes[0]] * p[axes[1]];
+  }
+  return abs(twice);
+}
+
+class Judging {
+ public:
+  Judging(const ExactMesh& mesh, const PiecewiseLinearComplex& complex, bool may_have_more,
+          Verdict& verdict)
+      : mesh_(mesh),
+        complex_(complex),
+        may_have_more_(may_have_more),
+        verdict_(verdict),
+        listed_(mesh.simplices) {
+    for (std::size_t axis = 0; axis < complex.ambient_dimension(); ++axis) axes_.push_back(axis);
+    listed_.insert(listed_.end(), mesh.faces.begin(), mesh.faces.end());
+  }
+
+  std::optional<PiecewiseLinearComplex> run() {
+    if (complex_.points.empty()) {
+      for (const Simplex& s : listed_) verdict_.add(Rule::kOutside, {.simplices = {s}});
+      judge_vertices_are_points(mesh_, verdict_);
+      return std::nullopt;
+    }
+    if (!each_is_simplex() || !vertices_are_there() || !is_complex()) return std::nullopt;
+    cells_are_unions();
+    if (!is_triangulation_so_far()) return std::nullopt;
+    union_is_domain();
+    return is_triangulation_so_far() ? std::optional(augmented()) : std::nullopt;
+  }
+
+ private:
+  bool each_is_simplex() {
+    const bool faces_are = judge_each_face(mesh_, axes_.size(), verdict_);
+    if (mesh_.points.dimension() < static_cast<int>(axes_.size())) {
+      // All points lie in one hyperplane: whatever is no triangle or edge is flat.
+      for (const Simplex& simplex : mesh_.simplices) {
+        verdict_.add(Rule::kWrongDimension, {.simplices = {simplex}});
+      }
+      return mesh_.simplices.empty() && faces_are;
+    }
+    return judge_each_simplex(mesh_, axes_.size() + 1, verdict_) && faces_are;
+  }
+
+  // Vertices are matched by their coordinates, for meshers number them as they like.
+  bool vertices_are_there() {
+    bool complete = true;
+    const std::vector<Point>& points = mesh_.points.points();
+    for (Vertex v = 0; complex_.points.names(v); ++v) {
+      const Point& p = complex_.points[v];
+      const auto at = std::find(points.begin(), points.end(), p);
+      in_mesh_.push_back(at == points.end() ? -1 : at - points.begin());
+      if (at != points.end()) continue;
+      complete = false;
+      verdict_.add(Rule::kDomainVertexMissing,
+                   {.point = p, .domain_cell = Simplex{v}, .nearest = nearest_to({p})});
+    }
+    ExtraVertices extra;
+    SteinerPoints count;
+    for (Vertex v = 0; mesh_.points.names(v); ++v) {
+      if (std::find(in_mesh_.begin(), in_mesh_.end(), v) != in_mesh_.end()) continue;
+      if (!is_used(v)) {
+        verdict_.add(Rule::kUnusedPoint, {.vertices = {v}, .point = mesh_.points[v]});
+        continue;
+      }
+      extra.add(v, verdict_.max_violations());
+      if (!may_have_more_) verdict_.add(Rule::kSteinerForbidden, {.vertices = {v}});
+      ++(lies_on_segment(v)   ? count.on_segments
+         : lies_in_polygon(v) ? count.in_polygons
+                              : count.in_polyhedra);
+    }
+    verdict_.extra_vertices = extra;
+    if (complete) verdict_.steiner_points = count;
+    return complete;
+  }
+
+  bool is_complex() {
+    std::vector<Simplex> all = mesh_.simplices;
+    for (const std::size_t size : {2, 3}) {
+      const std::vector<Simplex> faces = faces_of(of_size(mesh_.faces, size), size);
+      all.insert(all.end(), faces.begin(), faces.end());
+    }
+    for (const Vertex v : in_mesh_) {
+      if (!is_used(v)) all.push_back({v});
+    }
+    return judge_every_two(mesh_.points, all, verdict_);
+  }
+
+  // Every segment and every polygon is a union of simplices.
+  void cells_are_unions() {
+    for (const Simplex& segment : complex_.segments) {
+      edges_in_.emplace_back();
+      for (const Simplex& edge : faces_of(listed_, 2)) {
+        if (lies_on(segment, edge[0]) && lies_on(segment, edge[1]))
+          edges_in_.back().push_back(edge);
+      }
+      const Axes along = axes_of(complex_.points.configuration(), segment);
+      const Rational whole = measure(complex_.points, along, {segment});
+      const Rational found = measure(mesh_.points, along, edges_in_.back());
+      if (found == whole) continue;
+      verdict_.add(
+          Rule::kSegmentMissing,
+          {.values = {{"length along an axis", whole}, {"length of the edges in it", found}},
+           .domain_cell = segment,
+           .nearest = nearest_to(coordinates(complex_.points, segment))});
+    }
+    for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
+      const Polygon& polygon = complex_.polygons[p];
+      triangles_in_.emplace_back();
+      for (const Simplex& triangle : faces_of(listed_, 3)) {
+        if (is_part(triangle, polygon)) triangles_in_.back().push_back(triangle);
+      }
+      const Rational whole = measure(complex_.points, polygon.axes, polygon.triangles);
+      const Rational found = measure(mesh_.points, polygon.axes, triangles_in_.back());
+      if (found == whole) continue;
+      verdict_.add(Rule::kPolygonNotTiled, {.values = {{"twice the area of its projection", whole},
+                                                       {"that of the triangles in it", found}},
+                                            .polygon = p});
+    }
+  }
+
+  // |T| = |P|. By now no simplex crosses a polygon, so the domain has the whole of it if it has its
+  // barycentre; a convex hull has it if it has its vertices.
+  void union_is_domain() {
+    const Regions regions(complex_);
+    const bool is_hull = complex_.kind == DomainKind::kHull;
+    for (const Simplex& simplex : mesh_.simplices) {
+      std::vector<Point> samples = {barycentre(coordinates(mesh_.points, simplex))};
+      for (const Vertex v : simplex) {
+        if (is_hull) samples.push_back(mesh_.points[v]);
+      }
+      for (const Point& sample : samples) {
+        const Where where = regions.locate(sample);
+        if (where != Where::kOutside && where != Where::kHole) continue;
+        verdict_.add(Rule::kOutside, {.simplices = {simplex}, .point = sample});
+        break;
+      }
+    }
+    const bool has_inside = complex_.points.dimension() == static_cast<int>(axes_.size());
+    if (is_hull && has_inside && mesh_.simplices.empty()) {
+      verdict_.add(Rule::kUncovered, {.point = barycentre(complex_.points.points())});
+    } else if (is_hull) {
+      judge_union_is_hull(mesh_, Rule::kUncovered, verdict_);
+    } else {
+      const Rational whole = measure_of_inside(regions);
+      const Rational found = measure(mesh_.points, axes_, mesh_.simplices);
+      if (found < whole) {
+        verdict_.add(Rule::kUncovered, {.values = {{"the domain's measure, times d!", whole},
+                                                   {"that of the simplices", found}}});
+      }
+    }
+    faces_are_in_domain();
+  }
+
+  // What is listed in lower dimensions is a face of a simplex, or lies in a segment or polygon.
+  void faces_are_in_domain() {
+    std::set<Simplex> allowed;
+    const auto allow = [&](const std::vector<Simplex>& faces) {
+      allowed.insert(faces.begin(), faces.end());
+    };
+    for (const std::size_t size : {2, 3}) allow(faces_of(mesh_.simplices, size));
+    for (const auto& edges : edges_in_) allow(edges);
+    for (const auto& triangles : triangles_in_) {
+      allow(triangles);
+      allow(faces_of(triangles, 2));
+    }
+    std::set<Simplex> dangling;  // listed faces of nothing larger
+    for (const Simplex& face : mesh_.faces) {
+      if (!allowed.contains(sorted(face))) verdict_.add(Rule::kOutside, {.simplices = {face}});
+      dangling.insert(sorted(face));
+    }
+    for (const Simplex& larger : listed_) {
+      for (std::size_t size = 2; size < larger.size(); ++size) {
+        for (const Simplex& face : faces_of({larger}, size)) dangling.erase(face);
+      }
+    }
+    verdict_.dangling = dangling.size();
+  }
+
+  // The cones from one point over the sides of polygons (in the plane: segments) that face the
+  // inside, with the sign of the side on which the point is.
+  Rational measure_of_inside(const Regions& regions) const {
+    Rational sum = 0;
+    for (const Simplex& wall : walls(complex_)) {
+      const OrientedFacet facet{sorted(wall), false};
+      Simplex cone = facet.vertices;
+      cone.push_back(0);
+      const Rational volume = orientation_determinant(complex_.points.configuration(), axes_, cone);
+      const auto is_inside = [&](const OrientedFacet& side) {
+        return regions.where(regions.in_front_of(side)) == Where::kInside;
+      };
+      if (is_inside(facet)) sum += volume;
+      if (is_inside(facet.reverse())) sum -= volume;
+    }
+    return sum;
+  }
+  bool is_triangulation_so_far() const {
+    return std::all_of(verdict_.tallies().begin(), verdict_.tallies().end(),
+                       [](const auto& tally) { return tally.first == Rule::kSteinerForbidden; });
+  }
+
+  PiecewiseLinearComplex augmented() const {
+    PiecewiseLinearComplex result{mesh_.points, {}, {}, complex_.hole_seeds, complex_.kind};
+    for (const auto& edges : edges_in_) {
+      result.segments.insert(result.segments.end(), edges.begin(), edges.end());
+    }
+    for (const auto& triangles : triangles_in_)
+      result.polygons.push_back({{}, {}, {}, {}, triangles});
+    return result;
+  }
+
+  static std::vector<Simplex> of_size(std::vector<Simplex> simplices, std::size_t size) {
+    std::erase_if(simplices, [&](const Simplex& simplex) { return simplex.size() != size; });
+    return simplices;
+  }
+  bool is_used(Vertex v) const {
+    return std::any_of(listed_.begin(), listed_.end(),
+                       [&](const Simplex& simplex) { return contains(simplex, v); });
+  }
+  // Of a vertex of the mesh and cells of P.
+  bool lies_on(const Simplex& cell, Vertex v) const {
+    return !intersection(coordinates(complex_.points, cell), {mesh_.points[v]}).empty();
+  }
+  bool lies_on_segment(Vertex v) const {
+    return std::any_of(complex_.segments.begin(), complex_.segments.end(),
+                       [&](const Simplex& segment) { return lies_on(segment, v); });
+  }
+  bool lies_in_polygon(Vertex v) const {
+    const std::vector<Simplex> all = circumspect::walls(complex_);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Simplex& wall) { return lies_on(wall, v); });
+  }
+  // Has the triangle as much in common with the polygon as with itself?
+  bool is_part(const Simplex& triangle, const Polygon& polygon) const {
+    std::vector<Point> points = coordinates(complex_.points, polygon.triangles.front());
+    const std::vector<Point> corners = coordinates(mesh_.points, triangle);
+    points.insert(points.end(), corners.begin(), corners.end());
+    if (affine_hull(points).dimension != 2) return false;
+    Rational area = 0;
+    for (const Simplex& own : polygon.triangles) {
+      area += common_area(polygon.axes, corners, coordinates(complex_.points, own));
+    }
+    return area == measure(mesh_.points, polygon.axes, {triangle});
+  }
+
+  // The vertex of the mesh that is nearest to a point; or to a segment, without lying on it. It
+  // proves nothing, but shows whether a coordinate was rounded.
+  std::optional<NearestVertex> nearest_to(const std::vector<Point>& cell) const {
+    std::optional<NearestVertex> nearest;
+    for (Vertex v = 0; mesh_.points.names(v); ++v) {
+      if (!is_used(v)) continue;
+      const Point& p = mesh_.points[v];
+      const Point along = cell.back() - cell.front();
+      const bool is_point = cell.size() == 1;
+      Rational t = 0;
+      if (!is_point) t = inner_product(p - cell.front(), along) / squared_length(along);
+      t = std::clamp(t, Rational(0), Rational(1));
+      const Rational squared = squared_distance(p, cell.front() + t * along);
+      if (!is_point && squared == 0) continue;
+      if (!nearest || squared < nearest->squared_distance) nearest = {v, squared};
+    }
+    return nearest;
+  }
+
+  const ExactMesh& mesh_;
+  const PiecewiseLinearComplex& complex_;
+  const bool may_have_more_;
+  Verdict& verdict_;
+  Axes axes_;
+  std::vector<Simplex> listed_;  // the simplices and the faces beside
+  std::vector<Vertex> in_mesh_;  // the point of the mesh that each vertex of P is, or −1
+  std::vector<std::vector<Simplex>> edges_in_, triangles_in_;  // by segment, by polygon
+};
+
+}  // namespace
+
+std::optional<PiecewiseLinearComplex> judge_plc_triangulation(const ExactMesh& mesh,
+                                                              const PiecewiseLinearComplex& complex,
+                                                              bool may_have_more,
+                                                              Verdict& verdict) {
+  return Judging(mesh, complex, may_have_more, verdict).run();
+}
+
+}  // namespace circumspect::definition

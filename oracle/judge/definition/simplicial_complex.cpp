@@ -1,0 +1,112 @@
+#include "oracle/judge/definition/simplicial_complex.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "kernel/complex/point_set.hpp"
+#include "kernel/predicates/orientation.hpp"
+
+namespace circumspect::definition {
+namespace {
+
+NamedValue named(const char* name, std::size_t value) {
+  return {name, Rational(static_cast<long>(value))};
+}
+
+// The first rule that a simplex breaks by itself.
+std::optional<Violation> fault_of(const PointSet& points, const Simplex& simplex, bool has_size) {
+  Witness witness{.simplices = {simplex}};
+  for (const Vertex v : simplex) {
+    if (points.names(v)) continue;
+    witness.vertices = {v};
+    return Violation{Rule::kUnknownVertex, witness};
+  }
+  if (!has_size) {
+    witness.values = {named("vertices", simplex.size())};
+    return Violation{Rule::kWrongDimension, witness};
+  }
+  const Simplex ascending = sorted(simplex);
+  const auto repeated = std::adjacent_find(ascending.begin(), ascending.end());
+  if (repeated != ascending.end()) {
+    witness.vertices = {*repeated};
+    return Violation{Rule::kRepeatedVertex, witness};
+  }
+  if (axes_of(points.configuration(), simplex).size() + 1 < simplex.size()) {
+    return Violation{Rule::kDegenerateSimplex, witness};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool judge_each_simplex(const ExactMesh& mesh, std::size_t size, Verdict& verdict) {
+  const std::vector<Simplex>& simplices = mesh.simplices;
+  bool sound = true;
+  for (std::size_t s = 0; s < simplices.size(); ++s) {
+    // Nothing is a simplex of the empty set, not even one without vertices.
+    const bool has_size = !simplices[s].empty() && simplices[s].size() == size;
+    auto fault = fault_of(mesh.points, simplices[s], has_size);
+    if (!fault) continue;
+    sound = false;
+    fault->witness.places = {s};
+    if (!has_size) fault->witness.values.push_back(named("vertices expected", size));
+    if (fault->rule == Rule::kDegenerateSimplex) {
+      fault->witness.values = {{"orientation determinant", 0}};
+    }
+    verdict.add(fault->rule, fault->witness);
+  }
+  std::vector<Simplex> sets;
+  for (const Simplex& simplex : simplices) sets.push_back(sorted(simplex));
+  for (std::size_t a = 0; a < simplices.size(); ++a) {
+    for (std::size_t b = a + 1; b < simplices.size(); ++b) {
+      if (sets[a] != sets[b]) continue;
+      sound = false;
+      verdict.add(Rule::kDuplicateSimplex,
+                  {.simplices = {simplices[a], simplices[b]}, .places = {a, b}});
+      break;  // the next one repeats that one
+    }
+  }
+  return sound;
+}
+
+bool judge_each_face(const ExactMesh& mesh, std::size_t most, Verdict& verdict) {
+  bool sound = true;
+  for (const Simplex& face : mesh.faces) {
+    const auto fault = fault_of(mesh.points, face, 2 <= face.size() && face.size() <= most);
+    if (!fault) continue;
+    sound = false;
+    verdict.add(fault->rule, fault->witness);
+  }
+  return sound;
+}
+
+bool judge_every_two(const PointSet& points, const std::vector<Simplex>& simplices,
+                     Verdict& verdict) {
+  bool proper = true;
+  for (std::size_t a = 0; a < simplices.size(); ++a) {
+    for (std::size_t b = a + 1; b < simplices.size(); ++b) {
+      const auto common = improper_intersection(points, simplices[a], simplices[b]);
+      if (!common) continue;
+      proper = false;
+      verdict.add(Rule::kOverlap, {.simplices = {simplices[a], simplices[b]}, .point = common});
+    }
+  }
+  return proper;
+}
+
+std::vector<Simplex> faces_of(const std::vector<Simplex>& simplices, std::size_t size) {
+  std::set<Simplex> faces;
+  for (const Simplex& simplex : simplices) {
+    if (simplex.size() < size) continue;
+    Simplex places = first_subset(size);
+    do {
+      Simplex face;
+      for (const Vertex place : places) face.push_back(simplex[static_cast<std::size_t>(place)]);
+      faces.insert(sorted(face));
+    } while (next_subset(places, simplex.size()));
+  }
+  return {faces.begin(), faces.end()};
+}
+
+}  // namespace circumspect::definition

@@ -1,0 +1,174 @@
+#include "oracle/judge/definition/within.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "kernel/exact/linear_algebra.hpp"
+
+namespace circumspect::definition {
+namespace {
+
+using Points = std::vector<Point>;
+
+// The squared distance between the affine hulls of some points, if one pair of points is nearest
+// and lies in the simplices. These are a_0 + Σ s_i u_i and b_0 + Σ t_j w_j, with their difference
+// at right angles to all u_i and w_j.
+std::optional<Rational> squared_distance_inside(const Points& a, const Points& b) {
+  Points directions;
+  for (std::size_t i = 1; i < a.size(); ++i) directions.push_back(a[i] - a[0]);
+  for (std::size_t j = 1; j < b.size(); ++j) directions.push_back(b[0] - b[j]);
+  Point difference = a[0] - b[0];
+  RationalMatrix products;
+  std::vector<Rational> right;
+  for (const Point& u : directions) {
+    products.emplace_back();
+    for (const Point& w : directions) products.back().push_back(inner_product(u, w));
+    right.push_back(-inner_product(u, difference));
+  }
+  const auto factors = solve(products, right);
+  if (!factors) return std::nullopt;
+  Rational rest_of_a = 1, rest_of_b = 1;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Rational& factor = (*factors)[i];
+    if (sign(factor) < 0) return std::nullopt;
+    difference = difference + factor * directions[i];
+    (i + 1 < a.size() ? rest_of_a : rest_of_b) -= factor;
+  }
+  if (sign(rest_of_a) < 0 || sign(rest_of_b) < 0) return std::nullopt;
+  return squared_length(difference);
+}
+
+// The squared distance of two simplices: the least of two faces, one of each, that have such a
+// pair. The nearest points of all have, for the least faces that hold any.
+Rational squared_distance_between(const Points& a, const Points& b) {
+  std::optional<Rational> least;
+  for (std::size_t bits = 0; bits < (std::size_t{1} << (a.size() + b.size())); ++bits) {
+    Points of_a, of_b;
+    for (std::size_t i = 0; i < a.size() + b.size(); ++i) {
+      if ((bits >> i) % 2 == 0) continue;
+      if (i < a.size()) of_a.push_back(a[i]);
+      if (i >= a.size()) of_b.push_back(b[i - a.size()]);
+    }
+    if (of_a.empty() || of_b.empty()) continue;
+    const auto squared = squared_distance_inside(of_a, of_b);
+    if (squared && (!least || *squared < *least)) least = squared;
+  }
+  return *least;
+}
+
+class Reaches {
+ public:
+  explicit Reaches(const MovedDomain& moved) : moved_(moved), cells_(linear_cells(moved.complex)) {
+    const PointSet& points = moved.mesh.points;
+    for (Vertex v = 0; points.names(v); ++v) {
+      distances_.emplace_back();
+      for (const LinearCell cell : cells_) {
+        if (!moved.used[static_cast<std::size_t>(v)]) continue;
+        distances_.back()[cell] = distance({{points[v]}}, simplices_of(cell));
+      }
+    }
+  }
+
+  LeastReach least(const Rational& squared_limit) {
+    std::set<Rational> candidates = {0, squared_limit};
+    for (const auto& of_vertex : distances_) {
+      for (const auto& [cell, squared] : of_vertex) candidates.insert(squared);
+    }
+    LeastReach answer{.squared_reach = squared_limit};
+    for (const Rational& squared : candidates) {
+      if (squared > squared_limit) break;
+      const bool takes_two_for_one = takes_cells_for_each_other(squared);
+      if (takes_two_for_one) answer.kind = LeastReach::Kind::kAmbiguous;
+      if (takes_two_for_one) break;  // as at all larger reaches
+      bool is_ambiguous = false;
+      Carriers carriers = carriers_at(squared, is_ambiguous);
+      auto images = cell_images(moved_, carriers);
+      if (!images) answer.breach = images.error();
+      if (images && is_ambiguous) answer.kind = LeastReach::Kind::kAmbiguous;
+      if (!images || is_ambiguous) continue;
+      return {LeastReach::Kind::kFound, squared, std::move(*images), std::move(carriers), {}};
+    }
+    return answer;
+  }
+
+  // 1. The cell of lowest dimension within reach of each vertex of M. If there are two of that
+  // dimension, it has no carrier, and the reach is ambiguous.
+  Carriers carriers_at(const Rational& squared_reach, bool& is_ambiguous) const {
+    Carriers carriers;
+    for (const auto& distances : distances_) {
+      std::vector<LinearCell> lowest;
+      for (const auto& [cell, squared] : distances) {
+        const bool is_low = lowest.empty() || lowest.front().dimension == cell.dimension;
+        if (squared <= squared_reach && is_low) lowest.push_back(cell);
+      }
+      carriers.push_back(lowest.size() == 1 ? std::optional(lowest.front()) : std::nullopt);
+      is_ambiguous |= lowest.size() > 1;
+    }
+    return carriers;
+  }
+
+ private:
+  // Have two vertices of M one vertex of P within reach? Or is the reach not 0, and two cells of P
+  // that do not meet are at most three times as far apart?
+  bool takes_cells_for_each_other(const Rational& squared_reach) {
+    for (std::size_t v = 0; v < moved_.complex.points.size(); ++v) {
+      const auto near =
+          std::count_if(distances_.begin(), distances_.end(), [&](const auto& distances) {
+            return !distances.empty() && distances.at({0, v}) <= squared_reach;
+          });
+      if (near > 1) return true;
+    }
+    if (sign(squared_reach) == 0) return false;
+    if (!cells_apart_) {
+      cells_apart_.emplace();
+      for (const LinearCell a : cells_) {
+        for (const LinearCell b : cells_) {
+          if (a < b) cells_apart_->insert(distance(simplices_of(a), simplices_of(b)));
+        }
+      }
+      cells_apart_->erase(0);
+    }
+    return !cells_apart_->empty() && *cells_apart_->begin() <= 9 * squared_reach;
+  }
+
+  std::vector<Points> simplices_of(LinearCell cell) const {
+    const PiecewiseLinearComplex& complex = moved_.complex;
+    std::vector<Simplex> simplices = {vertices_in(complex, cell)};
+    if (cell.dimension == 2) simplices = complex.polygons[cell.place].triangles;
+    std::vector<Points> corners;
+    for (const Simplex& simplex : simplices)
+      corners.push_back(coordinates(complex.points, simplex));
+    return corners;
+  }
+  static Rational distance(const std::vector<Points>& a, const std::vector<Points>& b) {
+    Rational least = squared_distance_between(a.front(), b.front());
+    for (const Points& s : a) {
+      for (const Points& t : b) least = std::min(least, squared_distance_between(s, t));
+    }
+    return least;
+  }
+
+  const MovedDomain& moved_;
+  std::vector<LinearCell> cells_;
+  std::vector<std::map<LinearCell, Rational>> distances_;  // squared, of each vertex of M
+  std::optional<std::set<Rational>> cells_apart_;          // those of cells that do not meet
+};
+
+}  // namespace
+
+LeastReach least_reach(const MovedDomain& moved, const Rational& squared_limit) {
+  return Reaches(moved).least(squared_limit);
+}
+
+std::size_t most_triangles_near(const MovedDomain& moved, const Rational& squared_reach) {
+  bool is_ambiguous = false;
+  const Carriers carriers = Reaches(moved).carriers_at(squared_reach, is_ambiguous);
+  std::size_t most = 0;
+  for (std::size_t p = 0; p < moved.complex.polygons.size(); ++p) {
+    most = std::max(most, triangles_near(moved, carriers, p).size());
+  }
+  return most;
+}
+
+}  // namespace circumspect::definition

@@ -1,0 +1,66 @@
+// domain.outside counts simplices: as many as the definition finds.
+#include <doctest/doctest.h>
+
+#include "inputs/named_complexes.hpp"
+#include "oracle/judge/domain/domain_cases_test.hpp"
+
+namespace circumspect::check {
+namespace {
+
+std::size_t outside(const ExactMesh& mesh, const Domain& domain, By by) {
+  const Verdict verdict =
+      judge_domain(Claim::kSteinerTriangulation, mesh, domain, {.by = by, .max_violations = 0});
+  const auto tally = verdict.tallies().find(Rule::kOutside);
+  if (tally == verdict.tallies().end()) return 0;
+  std::set<Simplex> named;
+  for (const Violation& violation : verdict.violations()) {
+    if (violation.rule != Rule::kOutside) continue;
+    CHECK(violation.witness.simplices.size() == 1);
+    CHECK(named.insert(sorted(violation.witness.simplices.front())).second);
+  }
+  CHECK(named.size() == tally->second.count);
+  return tally->second.count;
+}
+void check_outside(std::size_t count, const ExactMesh& mesh, const Domain& domain) {
+  CHECK(outside(mesh, domain, By::kDefinition) == count);
+  CHECK(outside(mesh, domain, By::kLemma) == count);
+  // The fast engine knows that such a mesh is sound.
+  const auto known = exact_facts(Claim::kSteinerTriangulation, mesh, domain);
+  const Verdict verdict =
+      judge_domain(Claim::kSteinerTriangulation, mesh, domain, {}, known ? &*known : nullptr);
+  CHECK(verdict.tallies().at(Rule::kOutside).count == count);
+}
+
+}  // namespace
+
+TEST_CASE("domain.outside: a filled hole counts with all its simplices, not with its walls") {
+  // A ring of eight squares, and the ninth in a grid of its own, whose middle touches no wall.
+  const PiecewiseLinearInput outer = cuboid({0, 0}, {12, 12}), inner = cuboid({4, 4}, {8, 8});
+  PiecewiseLinearInput ring = outer;
+  const auto first = static_cast<Vertex>(ring.points.size());
+  ring.points.insert(ring.points.end(), inner.points.begin(), inner.points.end());
+  for (const auto& segment : inner.segments) {
+    ring.segments.push_back({segment[0] + first, segment[1] + first});
+  }
+  ring.hole_seeds = {{6, 6}};
+  const std::vector<int> lines = {0, 4, 5, 7, 8, 12};
+  check_outside(18, grid(lines, lines, {0}, every_cell), domain_of(ring));
+}
+
+TEST_CASE("domain.outside: what stands on a wall of a cube, counted once for several facets") {
+  const std::vector<int> three = {0, 4, 8};
+  check_outside(6, grid({0, 4}, {0, 4}, three, every_cell),
+                domain_of(cuboid({0, 0, 0}, {4, 4, 4})));
+}
+
+TEST_CASE("domain.outside: all simplices at a point that makes a convex hull larger") {
+  PiecewiseLinearInput hull;
+  hull.points = {{0, 0}, {3, 0}, {0, 3}, {1, 1}};
+  hull.kind = DomainKind::kHull;
+  std::vector<Point> points = hull.points;
+  points.push_back({2, 2});
+  check_outside(2, {PointSet(points), {{0, 1, 3}, {1, 4, 3}, {4, 2, 3}, {2, 0, 3}}},
+                domain_of(hull));
+}
+
+}  // namespace circumspect::check
