@@ -11,10 +11,10 @@
 #include "c/guard.hpp"
 #include "c/input.hpp"
 #include "kernel/exact/number.hpp"
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
-#include "kernel/piecewise_linear/filling.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
+#include "oracle/domain/filling.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/report/text.hpp"
 

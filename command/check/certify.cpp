@@ -16,6 +16,8 @@
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -48,12 +50,21 @@ void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& m
   }
 }
 
+// circumspect-verified reads .poly and .smesh as they stand.
+tl::expected<LoadedDomain, DomainFault> domain_for_certificate(const CertifyOptions& options) {
+  auto file = formats::read_domain(*options.domain, options.input.coordinates);
+  if (!file) return tl::unexpected(DomainFault{file.error().to_string()});
+  const std::string end = formats::extension(*options.domain);
+  if (end == ".poly" || end == ".smesh") file = formats::as_it_stands(std::move(*file));
+  return load_domain(std::move(*file), *options.domain, options.input, options.said);
+}
+
 void certify(const CertifyOptions& options, Output& output) {
   const unsigned threads = thread_count(options.threads);
   std::optional<LoadedDomain> domain;
   if (options.domain) {
     output.begin("reading " + *options.domain);
-    auto read = load_domain(*options.domain, options.input, options.said);
+    auto read = domain_for_certificate(options);
     if (!read) {
       output.notes(read.error().file.notes);
       output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
@@ -63,8 +74,7 @@ void certify(const CertifyOptions& options, Output& output) {
     output.notes(domain->file.notes);
   }
   output.begin("reading " + options.mesh);
-  auto loaded = domain ? load_mesh(options.mesh, options.input, threads,
-                                   domain->domain.complex.ambient_dimension())
+  auto loaded = domain ? load_mesh(options.mesh, options.input, threads, frame_of(*domain))
                        : load_mesh(options.mesh, options.input, threads);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, loaded.error());
@@ -120,6 +130,7 @@ ExitCode run(CertifyOptions& options) {
   if (!fault.empty()) return usage_error(fault);
   options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
+  options.input.for_certificate = true;
   Output output(spoken);
   output.watch("certify");
   certify(options, output);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
+#include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/check/remedy.hpp"
@@ -63,17 +64,6 @@ Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain
   const bool same = options.within ? mesh.points() == points.size() : has_same_points(mesh, points);
   return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
-
-// The domain, and the same with polygons joined that are not flat, if that is asked for.
-struct HeldAgainst {
-  LoadedDomain loaded;
-  std::optional<BentDomain> bent = {};
-
-  const Domain& judged() const { return bent ? bent->domain : loaded.domain; }
-  std::vector<Vertex> polygon_markers() const {
-    return bent ? std::vector<Vertex>() : loaded.file.polygon_markers;
-  }
-};
 
 // What is said of how a mesh was read, at once, and what its verdict may be due to, beside the verdict: before the
 // witnesses, of which there may be many, nobody would see that.
@@ -161,11 +151,14 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
 }
 
 void check_with_domain(const std::string& path, const CheckOptions& options,
-                       const HeldAgainst& against, Output& output) {
+                       DomainReadings& readings, Output& output) {
+  output.begin("reading " + path);
+  auto loaded = load_mesh(path, options.input, options.check.threads, readings.frame());
+  const HeldAgainst* const fitting = readings.for_mesh(loaded ? &*loaded : nullptr, output);
+  if (fitting == nullptr) return;
+  const HeldAgainst& against = *fitting;
   const LoadedDomain& domain = against.loaded;
   const std::size_t dimension = domain.domain.complex.ambient_dimension();
-  output.begin("reading " + path);
-  auto loaded = load_mesh(path, options.input, options.check.threads, dimension);
   // The claim may depend on which points there are.
   const std::string fault =
       loaded ? settle_equal_points(*loaded, options.input.duplicates) : loaded.error();
@@ -225,25 +218,12 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
-  output.begin("reading " + *options.domain);
-  auto domain =
-      load_domain(*options.domain, options.input, options.said, options.check.max_violations,
-                  Leak::kRefused, {.progress = output.progress()});
-  if (!domain) {
-    output.notes(domain.error().file.notes);
-    output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
-    return;
+  DomainReadings readings(
+      {*options.domain, options.input, options.said, options.within, options.check.max_violations});
+  if (!readings.load(output)) return;
+  for (const std::string& mesh : options.meshes) {
+    check_with_domain(mesh, options, readings, output);
   }
-  HeldAgainst against{std::move(*domain)};
-  LoadedDomain& loaded = against.loaded;
-  if (options.said.merges_bent() && loaded.domain.complex.ambient_dimension() == 3) {
-    const Rational squared = options.within->squared(loaded.domain.complex);
-    BentDomain bent = with_nearly_coplanar_joined(loaded, *options.said.merged_slope, squared);
-    loaded.file.notes.push_back(bent.note);
-    if (bent.removed_segments > 0) against.bent = std::move(bent);
-  }
-  output.notes(loaded.file.notes);
-  for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, against, output);
 }
 
 // What a claim needs and did not get, or got and does not need; empty if all is well.
@@ -330,6 +310,7 @@ ExitCode run(CheckOptions& options) {
   output.watch("check");
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
+  options.input.for_certificate = options.certificate.has_value();
   options.check.threads = thread_count(options.threads);
   options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {

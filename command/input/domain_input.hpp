@@ -58,6 +58,15 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     Leak leak = Leak::kRefused,
                                                     const DomainWatch& watch = {});
 
+// The same of a file that has been read; `path` is its name.
+tl::expected<LoadedDomain, DomainFault> load_domain(
+    formats::DomainFile file, const std::string& path, const InputOptions& options,
+    const DomainOptions& said, std::size_t max_breaches = kBreachLimit, Leak leak = Leak::kRefused,
+    const DomainWatch& watch = {});
+
+// As what a mesh is read that is held against this domain.
+DomainFrame frame_of(const LoadedDomain& domain);
+
 // The domain with its polygons of one plane joined. Polygons are called by the first of those they were joined
 // of; a note says how many there are.
 LoadedDomain with_coplanar_joined(LoadedDomain loaded);

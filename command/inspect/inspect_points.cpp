@@ -301,6 +301,7 @@ void inspect_points(const std::string& path, const InputOptions& input,
     output.error(ExitCode::kInputFault, "input", path, loaded.error());
     return;
   }
+  output.notes(loaded->notes);
   Inspected(*loaded, repeated, options, only, output, page).run();
 }
 

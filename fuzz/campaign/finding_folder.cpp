@@ -20,6 +20,7 @@
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 
@@ -312,6 +313,7 @@ std::optional<Input> read_minimal(const std::string& folder, const Subject& subj
   if (subject.is_about_domains()) {
     auto domain = formats::read_domain(folder + "/minimal.poly", NumberReading::kDouble);
     if (!domain) return std::nullopt;
+    *domain = formats::of_dimension(std::move(*domain), subject.dimension);
     return Input(ComplexCase{"minimal", std::move(domain->input)});
   }
   if (!subject.updates.empty()) {

@@ -75,10 +75,6 @@ TopElements top_elements(ElementFile& file);
 // Is no element one of space?
 bool is_of_plane(const ElementFile& file);
 
-// Many formats know points of three coordinates alone. If no element is one of space and the third
-// coordinate is exactly the same for all points, it is left out, which is noted.
-void take_for_plane(ElementFile& file, const std::string& name);
-
 // What of the elements can be seen: the triangles, and the facets that belong to one tetrahedron alone, their
 // vertices counterclockwise seen from outside, if those of tetrahedra are positively oriented.
 std::vector<Simplex> surface_of(const ElementFile& file);

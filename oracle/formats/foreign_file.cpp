@@ -108,10 +108,10 @@ std::optional<std::string> foreign_kind(const Source& source) {
   Lines lines(beginning);
   if (!lines.next()) return std::nullopt;
   if (is_fluent(lines.tokens()[0])) {
-    return "a mesh of Fluent (meshio convert --input-format ansys IN.msh IN.vtu)";
+    return "a mesh of Fluent (" + read_by_meshio("IN" + end, "ansys") + ")";
   }
   if (is_abaqus(beginning)) {
-    return "a mesh of Abaqus (meshio convert --input-format abaqus IN.inp IN.vtu)";
+    return "a mesh of Abaqus (" + read_by_meshio("IN" + end, "abaqus") + ")";
   }
   if (is_gid(lines.tokens())) {
     return "a mesh of GiD (copy its coordinates to IN.node and its elements to IN.ele, each below "

@@ -162,7 +162,7 @@ TEST_CASE("plain meshes: all else is read as ever") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);
   const std::string ele = folder.write("x.ele", kEle);
-  CHECK(!is_read({ele, {}, NumberReading::kDecimal}));
+  CHECK(!is_read({.mesh = ele, .reading = NumberReading::kDecimal}));
   MeshRequest request{ele};
   request.domain_dimension = 2;
   CHECK(is_read(request));

@@ -175,10 +175,12 @@ CellDifference difference_of_cells(const CellList& a, const CellList& b,
     const std::size_t first = is_whole ? index.find(image) : kNone;
     if (first == kNone || !is_in_group(first + met[first], first)) {
       result.only_in_a.emplace_back(a[i].begin(), a[i].end());
+      result.b_has_too.push_back(first != kNone);
     } else {
       ++met[first];  // the first of b that is still there
     }
   }
+  const std::vector<std::size_t> met_by_a = met;
   // Of those of b that are left, a cell is named where the first that lists it so stands.
   for (std::size_t i = 0; i < b.size(); ++i) {
     const std::size_t first = index.first_place(i);
@@ -186,6 +188,7 @@ CellDifference difference_of_cells(const CellList& a, const CellList& b,
     if (!is_in_group(left, first) || !is_equal(b[index.cell_at(left)], b[i])) continue;
     ++met[first];
     result.only_in_b.emplace_back(b[i].begin(), b[i].end());
+    result.a_has_too.push_back(met_by_a[first] > 0);
   }
   return result;
 }
@@ -231,6 +234,8 @@ Difference difference(const ExactMesh& a, const ExactMesh& b) {
   CellDifference cells = difference_of_cells(cells_of(a), cells_of(b), in_b, b.points.size());
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
+  result.b_has_too = std::move(cells.b_has_too);
+  result.a_has_too = std::move(cells.a_has_too);
   return result;
 }
 

@@ -45,6 +45,8 @@ void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_
 struct CellDifference {
   std::vector<Simplex> only_in_a = {};
   std::vector<Simplex> only_in_b = {};
+  std::vector<bool> b_has_too = {};  // of each of these: less often
+  std::vector<bool> a_has_too = {};
 };
 
 // CellList as sets of vertices, each as often as it is listed. `place_in_b`: for each point of a the one of b that
@@ -64,6 +66,9 @@ struct Difference {
   std::vector<Vertex> points_only_in_b = {};
   std::vector<Simplex> simplices_only_in_a = {};  // as that mesh lists them, in its order
   std::vector<Simplex> simplices_only_in_b = {};
+  // For each of these: the other mesh has it, but lists it less often.
+  std::vector<bool> b_has_too = {};
+  std::vector<bool> a_has_too = {};
 
   bool empty() const {
     return points_only_in_a.empty() && points_only_in_b.empty() && simplices_only_in_a.empty() &&

@@ -123,7 +123,12 @@ TEST_CASE("a simplex counts as often as it is listed, in any order of its vertic
   const ExactMesh b = square({0, 1, 2, 3}, {{0, 1, 2}, {2, 1, 0}});
   CHECK(difference(a, b).simplices_only_in_a.empty());
   CHECK(difference(a, b).simplices_only_in_b == std::vector<Simplex>{{2, 1, 0}});
+  CHECK(difference(a, b).a_has_too == std::vector<bool>{true});
   CHECK(difference(b, a).simplices_only_in_a == std::vector<Simplex>{{2, 1, 0}});
+  CHECK(difference(b, a).b_has_too == std::vector<bool>{true});
+  const ExactMesh c = square({0, 1, 2, 3}, {{1, 2, 3}});
+  CHECK(difference(c, b).a_has_too == std::vector<bool>{false, false});
+  CHECK(difference(b, c).b_has_too == std::vector<bool>{false, false});
   CHECK(difference(b, b).empty());
 }
 
