@@ -70,17 +70,17 @@ std::span<const std::pair<Vertex, Vertex>> MeshFaces::edges_at(Vertex v) const {
 }
 
 // ---- Images ----
-Images::Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions,
-               const Reaches& reaches, const MeshFaces& faces, Work& work)
+Images::Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, const Cells& cells,
+               const DomainPieces& pieces, const Regions& regions, const Reaches& reaches,
+               const MeshFaces& faces, Work& work)
     : mesh_(mesh),
+      rounded_(rounded),
       cells_(cells),
+      pieces_(pieces),
       regions_(regions),
       reaches_(reaches),
       faces_(faces),
       work_(work),
-      rounding_(cells.complex().points.points()),
-      rounded_(rounding_.points(mesh.points.points())),
-      rounded_domain_(rounding_.points(cells.complex().points.points())),
       places_(cells.complex().segments.size()),
       vertices_(cells.complex().points.size()),
       paths_(cells.complex().segments.size()),

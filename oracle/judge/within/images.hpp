@@ -63,7 +63,9 @@ inline tl::unexpected<std::shared_ptr<NoImage>> no_image(Rule rule, Witness witn
 class Images {
  public:
   // All must outlive this. In the plane `regions` are not looked at.
-  Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions, const Reaches& reaches,
+  // `rounded`: the points of the mesh.
+  Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, const Cells& cells,
+         const DomainPieces& pieces, const Regions& regions, const Reaches& reaches,
          const MeshFaces& faces, Work& work);
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
@@ -103,7 +105,7 @@ class Images {
   const std::vector<Place>& places_along(std::size_t segment) const;
 
   SeenFromAbove seen_from_above(std::size_t polygon) const {
-    return {cells_.complex(), rounded_domain_, polygon, mesh_.points, rounded_};
+    return {cells_.complex(), pieces_.rounded_points(), polygon, mesh_.points, rounded_};
   }
   bool has_image(Cell cell, const Rational& squared_reach) const;
   ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
@@ -111,13 +113,13 @@ class Images {
   ImageOr<Patch> found_patch(std::size_t polygon, const Rational& squared_reach) const;
 
   const ExactMesh& mesh_;
+  const std::vector<RoundedPoint>& rounded_;
   const Cells& cells_;
+  const DomainPieces& pieces_;
   const Regions& regions_;
   const Reaches& reaches_;
   const MeshFaces& faces_;
   Work& work_;
-  Rounding rounding_;
-  std::vector<RoundedPoint> rounded_, rounded_domain_;
   // The reaches that were asked about, and which was the last.
   mutable std::map<Rational, std::size_t> numbers_ = {{Rational(0), 0}};
   mutable std::map<Rational, std::size_t>::const_iterator last_ = numbers_.begin();
