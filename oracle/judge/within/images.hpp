@@ -71,7 +71,7 @@ class Images {
   Images& operator=(const Images&) = delete;
 
   // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs. An answer is
-  // kept until another reach is asked about.
+  // kept until a reach is asked about at which it may be another.
   // The one vertex of the mesh that a vertex of the domain carries.
   const ImageOr<Vertex>& vertex(std::size_t v, const Rational& squared_reach) const;
   // From the image of its first end to that of its second. Requires: the ends have images.
@@ -90,10 +90,17 @@ class Images {
   std::optional<Rational> next_reach(Cell cell, const Rational& squared_reach) const;
 
  private:
-  // An answer and the number of the reach that it is about.
+  // An answer, and the reaches that it is about: docs/theory/within.md, A.
   template <class Image>
-  using Known = std::optional<std::pair<std::size_t, ImageOr<Image>>>;
-  std::size_t number_of(const Rational& squared_reach) const;
+  struct Known {
+    ImageOr<Image> image;
+    Rational from;
+    std::optional<Rational> before;  // none: all that are larger
+
+    bool is_about(const Rational& squared_reach) const {
+      return from <= squared_reach && (!before || squared_reach < *before);
+    }
+  };
 
   // A vertex near a segment: where it projects on the line, and how far it is.
   struct Place {
@@ -120,13 +127,10 @@ class Images {
   const Reaches& reaches_;
   const MeshFaces& faces_;
   Work& work_;
-  // The reaches that were asked about, and which was the last.
-  mutable std::map<Rational, std::size_t> numbers_ = {{Rational(0), 0}};
-  mutable std::map<Rational, std::size_t>::const_iterator last_ = numbers_.begin();
   mutable std::vector<std::optional<std::vector<Place>>> places_;  // by segment
-  mutable std::vector<Known<Vertex>> vertices_;
-  mutable std::vector<Known<std::vector<Vertex>>> paths_;
-  mutable std::vector<Known<Patch>> patches_;
+  mutable std::vector<std::optional<Known<Vertex>>> vertices_;
+  mutable std::vector<std::optional<Known<std::vector<Vertex>>>> paths_;
+  mutable std::vector<std::optional<Known<Patch>>> patches_;
 };
 
 // ---- All images ----
