@@ -1,4 +1,4 @@
-// What is built and asked beside verdicts: references, predicates, comparisons, certificates.
+// Everything but verdicts: references, predicates, comparisons, certificates.
 #include <map>
 #include <memory>
 #include <new>
@@ -57,7 +57,7 @@ Triangulation canonical(const PointSet& points) {
                                           .location = delaunay::PointLocation::kWalking});
 }
 
-// Beyond so many vertices gift-wrapping, which always answers, takes longer than inserting polygons.
+// With more vertices, gift-wrapping, which always answers, takes longer than inserting polygons.
 constexpr std::size_t kFewVertices = 200;
 
 constrained::PlcTriangulation built(const PiecewiseLinearComplex& complex) {
@@ -221,7 +221,7 @@ struct circumspect_drawing {
 
   PointArray points;
   circumspect_mesh mesh = CIRCUMSPECT_MESH;
-  // Of a domain, whose dimension else is 0.
+  // For a domain, whose dimension is 0 otherwise.
   std::vector<std::int64_t> segments = {};
   std::vector<std::int64_t> polygon_starts = {0};
   std::vector<std::int64_t> line_starts = {0};
@@ -380,7 +380,7 @@ circumspect_status circumspect_certify(const char* claim, const circumspect_mesh
     if (!proof) throw c::Refusal{CIRCUMSPECT_NONE, proof.error()};
     std::ostringstream text;
     certificate::write(text, exact_mesh, *proof);
-    if (!text) throw std::bad_alloc();  // streams tell so where memory ends
+    if (!text) throw std::bad_alloc();  // how streams report that memory ran out
     *document = new circumspect_document{text.str()};
     *holds = verdict.holds() ? 1 : 0;
   });

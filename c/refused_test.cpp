@@ -1,4 +1,4 @@
-// Calls that are wrong, handles that are none, and memory that ends: every path is safe.
+// Wrong calls, null handles and exhausted memory: every path is safe.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -109,7 +109,7 @@ TEST_CASE("whatever the members hold, the answer is a status") {
         choices...};
     return all[random() % all.size()];
   };
-  // No count that is let pass is larger than the arrays are.
+  // No count that is accepted is larger than the arrays.
   const std::int64_t least = std::numeric_limits<std::int64_t>::min();
   const std::int64_t most = std::numeric_limits<std::int64_t>::max();
   const auto count = [&] {

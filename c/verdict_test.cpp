@@ -1,4 +1,4 @@
-// What the C interface says of meshes.
+// What the C interface says about meshes.
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -61,7 +61,7 @@ TEST_CASE("a mesh that fails, and its witness in numbers") {
   CHECK(violation.centre[1].nearest == 0.5);
   CHECK(std::string(violation.squared_radius->exact) == "1/2");
   REQUIRE(violation.value_count >= 1);
-  // The depth of 0.9's double in the ball, a fraction that no double is.
+  // The depth of the double 0.9 in the ball: a fraction that is not a double.
   CHECK(has(violation.values[0].exact, "/"));
   CHECK(std::isfinite(violation.values[0].nearest));
   CHECK(circumspect_verdict_violation(verdict, 1, &violation, sizeof violation) ==
@@ -91,7 +91,7 @@ TEST_CASE("wide indices, neighbours, weights, exact numbers and options") {
   mesh.neighbors = exchanged.data();
   CHECK(circumspect_verdict_holds(check("delaunay", &mesh).verdict.get()) == 0);
   mesh.neighbors = nullptr;
-  // The weight of the last point draws it out of the ball.
+  // The weight of the last point pulls it out of the ball.
   const std::vector<double> weights = {0, 0, 0, -1};
   mesh.weights = weights.data();
   CHECK(circumspect_verdict_holds(check("weighted-delaunay", &mesh).verdict.get()) == 0);
@@ -174,13 +174,13 @@ TEST_CASE("a domain, moved or not") {
   CHECK(check("cdt", &moved, &domain, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
   options.within = "1";
   CHECK(check("delaunay", &mesh, nullptr, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
-  // Crossing diagonals make no piecewise linear complex.
+  // Crossing diagonals do not form a piecewise linear complex.
   const std::vector<std::int64_t> crossing = {0, 2, 1, 3};
   domain.segment_count = 2;
   domain.segments = crossing.data();
   CHECK(check("cdt", &mesh, &domain).status == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "plc.crossing-segments"));
-  // Open: of which kind it is nobody can tell.
+  // It is open, so its kind cannot be told.
   domain.segment_count = 1;
   CHECK(check("cdt", &mesh, &domain).status == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "enclose nothing"));

@@ -1,4 +1,4 @@
-// circumspect._core: inputs, drawn from families and made small.
+// circumspect._core: draws inputs from families, and makes them small.
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -97,8 +97,8 @@ std::vector<std::string> generate_exact(const std::string& name, std::size_t dim
   return texts;
 }
 
-// A domain as the package has it: (points, segments, polygons as lists of lines, hole seeds, holes of polygons as
-// pairs of a polygon and a seed, fills the hull?)
+// A domain as the Python package represents it: (points, segments, polygons as lists of lines, hole
+// seeds, holes of polygons as pairs of a polygon and a seed, fills the hull?)
 py::tuple tuple_of(const PiecewiseLinearInput& input, std::size_t dimension) {
   py::list polygons;
   for (const PolygonLines& polygon : input.polygons) polygons.append(py::cast(polygon.lines));
@@ -149,8 +149,8 @@ py::tuple generate_domain(const std::string& name, std::size_t max_points, std::
   return tuple_of(drawn_domain(family, max_points, seed), family.dimension);
 }
 
-// Case number `index` of a run on domains, the families in turn; of no names all of the dimension: (family, seed,
-// domain).
+// Case number `index` of a run on domains, taking the families in turn; without names, all families
+// of the dimension: (family, seed, domain).
 py::tuple drawn_domain_case(const std::vector<std::string>& names, std::size_t dimension,
                             std::size_t max_points, std::uint64_t run_seed, std::uint64_t index) {
   std::vector<const generators::ComplexFamily*> chosen;
@@ -197,7 +197,7 @@ py::tuple minimized(const Doubles& points, const std::optional<Doubles>& weights
       dimension);
 }
 
-// The same of domains. Requires: a valid one.
+// The same for domains. Requires: a valid domain.
 py::tuple minimized_domain(const py::tuple& domain,
                            const std::function<bool(const py::object&)>& still_fails,
                            std::size_t tries, double seconds) {

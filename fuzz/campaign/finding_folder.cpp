@@ -40,7 +40,8 @@ void write_durably(const std::string& path, const std::string& text) {
   if (reason != 0) throw std::system_error(reason, std::generic_category(), path);
 }
 
-// Makes a folder in one that is there. A link or a file in its place is no folder, wherever it leads.
+// Makes a folder in one that is there. A link or a file in its place is not a folder, wherever it
+// leads.
 void make_folder(const std::string& path) {
   if (mkdir(path.c_str(), 0777) == 0 || (errno == EEXIST && is_folder(path))) return;
   throw std::system_error(errno == EEXIST ? ENOTDIR : errno, std::generic_category(), path);

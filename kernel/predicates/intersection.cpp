@@ -17,7 +17,7 @@ using Kernel = CGAL::Simple_cartesian<Rational>;
 Point ours(const Kernel::Point_2& p) { return {p.x(), p.y()}; }
 Point ours(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
-// CGAL's objects of one dimension under common names.
+// CGAL's types for one dimension under common names.
 struct Plane {
   using Vertex = Kernel::Point_2;
   using Segment = Kernel::Segment_2;

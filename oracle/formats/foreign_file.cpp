@@ -44,7 +44,7 @@ bool is_fluent(std::string_view first) {
   return first.size() > 1 && first[0] == '(' && is_digit(first[1]);
 }
 
-// The first line that is no comment is a keyword, "*Node". Comments begin with two asterisks.
+// The first line that is not a comment is a keyword, "*Node". Comments begin with two asterisks.
 bool is_abaqus(const Source& beginning) {
   Lines lines(beginning);
   while (lines.next()) {

@@ -109,9 +109,9 @@ struct MeshFile {
 // Reads a mesh and its points: files as programs write them at the speed of memory (read_plain_mesh), all
 // others by their own readers, which have the messages. `threads`: 0: as many as the machine has; the
 // answer is the same for any number.
-// Errors: a file that is missing or malformed; elements of second order, faces that are no triangles and
-// facets that are no simplices, none of which can be judged; neighbours of other simplices than these;
-// no weights where they are demanded.
+// Errors: a file that is missing or malformed; elements of second order, faces that are not
+// triangles and facets that are no simplices, none of which can be judged; neighbours of other
+// simplices than these; no weights where they are demanded.
 Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
 
 // The same, all by the readers that have the messages.

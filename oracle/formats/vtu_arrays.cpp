@@ -58,7 +58,7 @@ constexpr std::size_t kNumbersOfSmallFile = 100'000;
 constexpr std::size_t kNumbersPerByte = 1;
 constexpr std::size_t kNumbersPerPackedByte = 12;
 
-// Where the bytes stand that are no XML; none: begin is the end of the text.
+// Where the bytes stand that are not XML; none: begin is the end of the text.
 struct Appended {
   std::size_t begin = 0;
   std::size_t end = 0;

@@ -75,7 +75,7 @@ class VtuDocument {
   ByteOrder order_ = ByteOrder::kLittleEndian;
   std::size_t size_of_lengths_ = 4;  // of those in front of bytes
   bool is_compressed_ = false;
-  std::size_t most_numbers_ = 0;  // in all arrays that are no text
+  std::size_t most_numbers_ = 0;  // in all arrays that are not text
   std::size_t numbers_ = 0;       // so far
 };
 
