@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/judge/points/check.hpp"
@@ -115,14 +116,54 @@ certificate::ListedSegments listed_segments(const LoadedDomain& loaded) {
   return listed;
 }
 
-// A Steiner CDT, if it is not too large.
-std::optional<ExactMesh> meshed(const PiecewiseLinearComplex& complex) {
+// The corners of a box around the points that touches none of them.
+std::vector<Point> box_around(const PointSet& points) {
+  const std::size_t dimension = points.ambient_dimension();
+  std::vector<Point> corners = {{}};
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    Rational low = points[0][axis];
+    Rational high = low;
+    for (const Point& point : points.points()) {
+      low = std::min(low, point[axis]);
+      high = std::max(high, point[axis]);
+    }
+    const Rational margin = high - low + 1;
+    std::vector<Point> longer;
+    for (const Point& corner : corners) {
+      for (const Rational& end : {Rational(low - margin), Rational(high + margin)}) {
+        longer.push_back(corner);
+        longer.back().push_back(end);
+      }
+    }
+    corners = std::move(longer);
+  }
+  return corners;
+}
+
+// A Steiner CDT of the domain in a box, if it is not too large: of its simplices those in the domain, and the others.
+std::optional<certificate::FilledMesh> meshed(const PiecewiseLinearComplex& complex) {
   constexpr std::size_t kMostPoints = 1000;
   if (complex.points.size() > kMostPoints) return std::nullopt;
-  auto made =
-      constrained::steiner_cdt(complex, constrained::CdtAlgorithm::kPolygonFlips, kMostPoints);
+  const bool is_enclosed = complex.kind == DomainKind::kEnclosed;
+  PiecewiseLinearComplex boxed = complex;
+  if (is_enclosed) {
+    std::vector<Point> points = complex.points.points();
+    for (Point& corner : box_around(complex.points)) points.push_back(std::move(corner));
+    boxed.points = PointSet(std::move(points));
+    boxed.kind = DomainKind::kHull;
+    boxed.hole_seeds.clear();
+  }
+  const auto made =
+      constrained::steiner_cdt(boxed, constrained::CdtAlgorithm::kPolygonFlips, kMostPoints);
   if (!made || !made->triangulation.dangling.empty()) return std::nullopt;
-  return ExactMesh{made->complex.points, std::move(made->triangulation.simplices)};
+  const Regions regions(complex);
+  certificate::FilledMesh filled{{made->complex.points, {}}, {}};
+  for (const Simplex& simplex : made->triangulation.simplices) {
+    const Point centre = barycentre(coordinates(made->complex.points, simplex));
+    const bool is_kept = !is_enclosed || regions.locate(centre) == Where::kInside;
+    (is_kept ? filled.mesh.simplices : filled.rest).push_back(simplex);
+  }
+  return filled;
 }
 
 certificate::HullFillers fillers() {

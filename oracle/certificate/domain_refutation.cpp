@@ -115,6 +115,16 @@ class Finder {
     }
   }
 
+  // With fewer vertices it may dangle.
+  std::optional<Evidence> no_simplex() const {
+    for (std::size_t s = 0; s < mesh_.simplices.size(); ++s) {
+      const std::size_t size = mesh_.simplices[s].size();
+      if (size == 0 || size > points_.dimension + 1)
+        return Evidence{Rule::kWrongDimension, {to_integer(s) + 1}};
+    }
+    return std::nullopt;
+  }
+
   std::optional<Evidence> vertex_missing() const {
     for (Vertex v = 0; complex_.points.names(v); ++v) {
       if (!used_.contains(complex_.points[v]))
@@ -289,7 +299,9 @@ std::optional<Evidence> evidence_in(const ExactMesh& mesh, const ExactMesh& all,
     if (rule == Rule::kSegmentMissing) found = finder.segment_missing();
     if (rule == Rule::kVertexInEdge) found = finder.vertex_in_edge(verdict);
     if (rule == Rule::kNoEmptyBall) found = finder.no_empty_ball(verdict);
-    if (refutes(rule, verdict.claim())) {
+    if (rule == Rule::kWrongDimension) {
+      found = finder.no_simplex();
+    } else if (refutes(rule, verdict.claim())) {
       found = evidence_for(rule == Rule::kOverlap ? all : mesh, verdict, points, rule);
     }
     if (found) return found;
