@@ -2,6 +2,7 @@
 
 import copy
 import itertools
+import math
 from fractions import Fraction
 
 from domains import part, part_text, polygon_text, space_domain, triangle_polygon
@@ -139,6 +140,15 @@ ONE_TRIANGLE = {"kind": "enclosed", "scale": "1 1", "vertices": TETRAHEDRON[:3],
                 "candidates": [], "clauses": ["covers vertex 1"], "steps": ["0 1"]}
 
 
+def many_covers(vertices=24, covers=2500):
+    """A small file that asks for much: of these points, on a curve, any four may be chosen, and each clause lists a sixth of them."""
+    points = [(t, t ** 2, t ** 3) for t in range(1, vertices + 1)]
+    made = certificate("triangulation", points, mesh_of_hull(points, [(0, 1, 2, 3)]))
+    body = {"mesh": made, "part": part(made, len(made["simplices"]), set(range(vertices)), [], {}), "polygons": []}
+    return {"scale": "1 1", "vertices": points, "segments": [], "holes": [], "mesh": [body],
+            "candidates": ["free"] * math.comb(vertices, 4), "clauses": ["covers vertex 1"] * covers, "steps": ["0 1"]}
+
+
 def text(c):
     vertices, polygons = c.get("vertices", POINTS), c.get("polygons", [])
     lines = ["circumspect-impossibility 2 plc-triangulation 3 " + c.get("kind", "hull"), "scale " + c["scale"],
@@ -192,6 +202,7 @@ def files():
                        ("not-unit", ["0 2 4"]), ("a-later-clause", ["0 5"]), ("no-hints", ["0"]),
                        ("no-such-clause", ["0 9"])]:
         yield mutant("clauses-refuted--" + why, "steps", None, steps, "clauses-refuted")
+    yield "large--many-covers", text(many_covers()), "refused: "
     yield "mesh-of-the-domain--something-dangles", text(ONE_TRIANGLE), "rejected: mesh-of-the-domain"
 
     def another_scale(m):

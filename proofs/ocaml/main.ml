@@ -342,19 +342,24 @@ let () =
        | _ -> prerr_endline usage; exit 2)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in
+  let refused why = (Printf.sprintf "refused: %s %s: nothing is known of what it says" shown why, 3) in
   let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in
   let line, code =
-    match content (Text.of_string (read_file name)) with
+    let text = read_file name in
+    Limits.allow (String.length text);
+    match content (Text.of_string text) with
     | content ->
       (match answer content with
        | answer -> answer
        | exception Sys_error _ -> close_out_noerr stdout; exit 5
        | exception Stack_overflow -> malformed ": too large for the stack"
+       | exception Limits.Refused why -> refused why
        | exception Division_by_zero -> malformed ": the scale is zero")
     | exception Reading.Repeated_label label -> ("rejected: labels-different, label " ^ label, 1)
     | exception Text.Malformed (line, message) -> malformed (Printf.sprintf ":%d: %s" line message)
     | exception Sys_error message ->
       (Printf.sprintf "malformed: cannot read %s: %s" shown (String.escaped message), 3)
+    | exception Limits.Refused why -> refused why
     | exception Out_of_memory -> malformed ": too large for the memory of this machine"
     | exception Stack_overflow -> malformed ": a line is too long for the stack" in
   match print_endline line with
