@@ -4,6 +4,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "kernel/complex/simplex.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
@@ -217,9 +218,36 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
       path, [&](std::ostream& out) { certificate::write(out, mesh, *document); }, output);
 }
 
+std::string certificate_fault(const DomainOptions& said) {
+  if (!said.merged_slope) return "";
+  return "expected no --merge-coplanar for a certificate, found it: circumspect-verified compares "
+         "the polygons of the domain's file, as they are listed";
+}
+
+namespace {
+
+// Hole points that options gave the domain, as circumspect-verified is told of them.
+void note_further_holes(const LoadedDomain& loaded, Output& output) {
+  const std::vector<Point>& seeds = loaded.domain.complex.hole_seeds;
+  std::string words;
+  for (std::size_t i = loaded.listed_holes; i < seeds.size(); ++i) {
+    std::vector<std::string> numbers;
+    for (const Rational& x : seeds[i]) numbers.push_back(x.get_str());
+    words += fmt::format(" --hole {}", fmt::join(numbers, ","));
+  }
+  if (words.empty() || loaded.domain.complex.kind == DomainKind::kHull) return;
+  output.note(fmt::format(
+      "{}: the certificate has hole points that the file does not list; with your own files, also "
+      "tell circumspect-verified of them:{}",
+      loaded.name, words));
+}
+
+}  // namespace
+
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
+  note_further_holes(loaded, output);
   if (!verdict.holds()) {
     const auto refutation = certificate::domain_refutation_of(
         mesh, loaded.domain, listed_segments(loaded), verdict, fillers());

@@ -113,6 +113,7 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                       name, file.dimension, point.size())});
     }
   }
+  const std::size_t listed_holes = file.input.hole_seeds.size();
   file.input.hole_seeds.insert(file.input.hole_seeds.end(), said.holes.begin(), said.holes.end());
   // One more than is reported tells whether there are more.
   ValidityWatch validity{watch.progress};
@@ -126,6 +127,7 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   }
   if (watch.on_valid) watch.on_valid(*complex, file);
   LoadedDomain loaded{path, domain_of(std::move(*complex), file), std::move(file)};
+  loaded.listed_holes = listed_holes;
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
   auto chosen = choose_kind(loaded.domain, loaded.file.input, said, leak);

@@ -159,6 +159,11 @@ varied "rejected: another domain, varied-plane.poly:*: expected the segment from
 varied "rejected: another domain, varied-plane.poly:21: found the hole point (4 5), which is none*" 's/9\/2/5/' plane.poly
 varied "rejected: another domain, varied-plane.poly:*: expected the hole point (4 9/2), found none" \
   's/^1$/0/;/9\/2/d' plane.poly
+# Options may give the domain hole points that its file does not list.
+domain "verified*: plane.node plane.ele varied-plane.poly --hole 4,9/2" --hole 4,9/2 plane.node plane.ele varied-plane.poly
+domain "rejected: another domain, varied-plane.poly:0: found the hole point (4 5), which is none*" --hole 4,9/2 --hole 4,5 plane.node plane.ele varied-plane.poly
+domain "rejected: another domain, varied-plane.poly:*: expected the hole point (4 9/2), found none" --hole 99,0 plane.node plane.ele varied-plane.poly
+domain "" --hole 4,9/2,x plane.poly 2>/dev/null
 varied "verified*" '$s/$/\n2 9 9/;s/^1$/2/' plane.poly  # a hole point beyond all the mesh makes no hole
 varied "malformed: varied-plane.poly:11: expected a vertex of the file, found '12'" 's/^1 1 2/1 1 12/' plane.poly
 varied "malformed: varied-plane.poly:*: expected the end of the file, found 'and'" '$s/$/\n0\nand more/' plane.poly
@@ -183,6 +188,10 @@ printf '7 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 1/2\n5 1 1\n6 1/2 3/2\n' >dangling.
 printf '1 3\n0 0 1 2\n' >dangling.ele
 printf '3 1\n0 0 1 1\n1 6 1 0\n2 6 1 -1\n' >dangling.edge
 domain "verified: not steiner-cdt, complex.overlap; 1 dangling face; *: dangling.node dangling.ele dangling.edge" dangling.node dangling.ele
+[[ "$("$program" --mesh "$certificate")" == *'"faces": ['?'[6, 1]]}' ]] || {
+  echo "$certificate: --mesh leaves out what dangles" >&2
+  failures=$((failures + 1))
+}
 sed 's/^0 0 1/0 0 3/' dangling.edge >other.edge
 cp other.edge dangling.edge
 domain "rejected: another mesh, dangling.edge:2: found a triangle or an edge that is a face of no simplex*" dangling.node dangling.ele

@@ -7,13 +7,15 @@
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
+let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [--hole X,Y,Z] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote, or a proof that a domain has no\n\
 triangulation or CDT, which `circumspect inspect DOMAIN --refutations PREFIX` writes; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
 the simplices in their order; and whether the domain is: its vertices by their exact coordinates, its segments,\n\
 polygons and hole points. Decimals mean the nearest double, unless they are taken at their word.\n\
+--hole gives the domain a hole point that its file does not list, as `circumspect certify --hole` does. It may\n\
+be given several times.\n\
 --mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
 checks nothing."
 
@@ -108,7 +110,8 @@ let counts d points simplices =
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
 type content = {
   mesh : Users_mesh.mesh Lazy.t;
-  compare_domain : ((unit -> Users_domain.points) -> exactly:bool -> Text.t -> unit) option;  (* with a user's file *)
+  (* With a user's file, and hole points that it does not list. *)
+  compare_domain : ((unit -> Users_domain.points) -> further_holes:Users_domain.place list -> exactly:bool -> Text.t -> unit) option;
   verdict : unit -> string * int }
 
 (* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
@@ -270,7 +273,7 @@ let content source =
 
 (* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
    line if it is another.  It names every file that was read. *)
-let of_users_files ~exactly mesh poly content =
+let of_users_files ~exactly ~further_holes mesh poly content =
   let names_read = ref [] in
   let text_of name =
     let text = Text.of_string (read_file name) in
@@ -293,7 +296,7 @@ let of_users_files ~exactly mesh poly content =
           let source = text_of name in
           let points_elsewhere () =
             Users_domain.points ~exactly (text_of (Filename.remove_extension name ^ ".node")) in
-          compare_domain points_elsewhere ~exactly source) in
+          compare_domain points_elsewhere ~further_holes:(List.map snd further_holes) ~exactly source) in
   let ( let* ) = Result.bind in
   (* MESH.face and MESH.edge, those that there are, and what dangles in MESH.ele. *)
   let faces_beside ele mesh number_of short dangling =
@@ -320,9 +323,19 @@ let of_users_files ~exactly mesh poly content =
   | line, 0 -> (match same () with
       | Error answer -> answer
       | Ok () ->
-        let names = List.rev_map String.escaped !names_read in
+        let names = List.rev_map String.escaped !names_read @ List.map (fun (words, _) -> "--hole " ^ words) further_holes in
         (Printf.sprintf "%s: %s" line (String.concat " " names), 0))
   | answer -> answer
+
+(* A hole point: numbers with commas between them, at their word. *)
+let hole words =
+  let source = Text.of_string "" in
+  let numbers = String.split_on_char ',' words in
+  match List.map (Numbered_rows.number ~exactly:true source) numbers with
+  | [ _; _ ] | [ _; _; _ ] as place -> (words, place)
+  | _ | exception Text.Malformed _ ->
+    prerr_endline ("circumspect-verified: expected --hole X,Y,Z or, in the plane, X,Y, found " ^ String.escaped words);
+    exit 2
 
 let () =
   (* Little of what is read becomes garbage: collect seldom, and move nothing. *)
@@ -332,13 +345,15 @@ let () =
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print (Lazy.force content.mesh); exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
     | name :: files ->
-      let exactly, files = match files with
-        | "--coordinates" :: "decimal" :: files -> (true, files)
-        | files -> (false, files) in
+      let rec options exactly holes = function
+        | "--coordinates" :: "decimal" :: files -> options true holes files
+        | "--hole" :: words :: files -> options exactly (hole words :: holes) files
+        | files -> (exactly, List.rev holes, files) in
+      let exactly, further_holes, files = options false [] files in
       (match files with
-       | [ poly ] -> (of_users_files ~exactly None (Some poly), name)
-       | [ node; ele ] -> (of_users_files ~exactly (Some (node, ele)) None, name)
-       | [ node; ele; poly ] -> (of_users_files ~exactly (Some (node, ele)) (Some poly), name)
+       | [ poly ] -> (of_users_files ~exactly ~further_holes None (Some poly), name)
+       | [ node; ele ] when further_holes = [] -> (of_users_files ~exactly ~further_holes (Some (node, ele)) None, name)
+       | [ node; ele; poly ] -> (of_users_files ~exactly ~further_holes (Some (node, ele)) (Some poly), name)
        | _ -> prerr_endline usage; exit 2)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in

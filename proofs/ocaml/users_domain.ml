@@ -222,7 +222,7 @@ let compare_segments places corners expected domain source =
   renamed
 
 (* A refutation says of the domain which vertices and segments it has. *)
-let compare_refuted (c : domain_refutation) points_elsewhere ~exactly source =
+let compare_refuted (c : domain_refutation) points_elsewhere ~further_holes:_ ~exactly source =
   let domain = read ~exactly points_elsewhere source in
   let scale = (c.mesh_refuted.unit_numerator, c.mesh_refuted.unit_denominator) in
   let places = Array.of_list (List.map (fun site -> place_of scale site Big.one) c.vertices_given) in
@@ -232,8 +232,9 @@ let compare_refuted (c : domain_refutation) points_elsewhere ~exactly source =
       edge (j - 1) (k - 1)) c.segments_given) in
   ignore (compare_segments places (List.init n Fun.id) expected domain source : edge -> edge)
 
-let compare_domain mesh (c : domain_certificate) points_elsewhere ~exactly source =
+let compare_domain mesh (c : domain_certificate) points_elsewhere ~further_holes ~exactly source =
   let domain = read ~exactly points_elsewhere source in
+  let domain = { domain with holes = domain.holes @ List.map (fun hole -> (hole, 0)) further_holes } in
   let places = Array.map (fun site -> place_of mesh.unit site Big.one) mesh.sites in
   let corners = List.concat (List.mapi (fun k -> function Corner _ -> [ k ] | Steiner _ -> []) c.domain_part.roles) in
   let expected = Edges.of_list (List.map (fun s -> let u, v = ends s in edge u v) c.domain_part.segments) in
