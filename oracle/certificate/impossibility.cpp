@@ -10,6 +10,7 @@
 #include "kernel/exact/point.hpp"
 #include "kernel/predicates/in_ball.hpp"
 #include "kernel/predicates/intersection.hpp"
+#include "kernel/predicates/orientation.hpp"
 #include "kernel/predicates/place.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/certificate/domain_part.hpp"
@@ -441,8 +442,8 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, 
     }
     if (!search.add_overlaps(*decision->model)) {
       return tl::unexpected(
-          std::string("what is proved of every triangulation does not suffice: tetrahedra can be "
-                      "chosen that do not overlap"));
+          std::string("what is proved of every triangulation does not suffice: "
+                      "tetrahedra can be chosen that do not overlap"));
     }
   }
 }
