@@ -17,7 +17,6 @@
 
 namespace circumspect::certificate {
 namespace {
-
 struct Plane {
   Point normal;
   Rational offset;
