@@ -15,6 +15,7 @@
 #include "c/input.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/families.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "kernel/predicates/in_ball.hpp"
@@ -131,9 +132,7 @@ PiecewiseLinearInput drawn_domain(const char* family_name, std::int64_t points,
   const std::string name = required(family_name, "the name of a family");
   const generators::ComplexFamily* const family = properties::find_domain_family(name);
   if (family == nullptr) {
-    refuse_call(fmt::format(
-        "expected the name of a family of domains (`circumspect generate --list`), found '{}'",
-        on_one_line(name)));
+    refuse_call(generators::unknown_family_text("domains", on_one_line(name)));
   }
   return generators::in_doubles(generators::drawn(*family, how_many(points), seed)).input;
 }
@@ -143,13 +142,10 @@ PointArray drawn(const char* family_name, std::int64_t dimension, std::int64_t p
   const std::string name = required(family_name, "the name of a family");
   const generators::Family* const family = generators::find_family(name);
   if (family == nullptr) {
-    refuse_call(fmt::format(
-        "expected the name of a family of points (`circumspect generate --list`), found '{}'",
-        on_one_line(name)));
+    refuse_call(generators::unknown_family_text("points", on_one_line(name)));
   }
   if (dimension < 1 || !family->exists_in(static_cast<std::size_t>(dimension))) {
-    refuse_call(fmt::format("expected a dimension in which there are sets of {}, found {}", name,
-                            dimension));
+    refuse_call(generators::no_sets_text(name, generators::dimensions_text(*family), dimension));
   }
   const auto columns = static_cast<std::size_t>(dimension);
   const generators::PointsCase set =

@@ -180,7 +180,8 @@ TEST_CASE("drawings that cannot be made are refused") {
   refused("spheres", 3, 12, "found 'spheres'");
   refused("a\nb", 3, 12, "found 'a\\x0");
   refused("protected-solids", 3, 12, "a family of points");
-  refused("sphere", 1, 12, "in which there are sets of sphere, found 1");
+  refused("sphere", 1, 12,
+          "sphere exists in dimension 2 and above; expected such a dimension, found 1");
   refused("sphere", -1, 12, "found -1");
   refused("sphere", 3, 0, "from 1 to 1000000 points, found 0");
   refused("sphere", 3, std::numeric_limits<std::int64_t>::max(), "found 9223372036854775807");

@@ -18,6 +18,7 @@
 #include "fuzz/harness/cases.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/families.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
@@ -135,7 +136,7 @@ PiecewiseLinearInput input_of(const py::tuple& parts) {
 const generators::ComplexFamily& domain_family(const std::string& name) {
   const generators::ComplexFamily* const family = properties::find_domain_family(name);
   if (family != nullptr) return *family;
-  throw std::invalid_argument("expected the name of a family of domains, found '" + name + "'");
+  throw std::invalid_argument(generators::unknown_family_text("domains", name));
 }
 
 PiecewiseLinearInput drawn_domain(const generators::ComplexFamily& family, std::size_t max_points,
@@ -162,8 +163,8 @@ py::tuple drawn_domain_case(const std::vector<std::string>& names, std::size_t d
   if (chosen.empty()) throw std::invalid_argument("expected domains of the plane or of space");
   const generators::ComplexFamily& family = *chosen[index % chosen.size()];
   if (family.dimension != dimension) {
-    throw std::invalid_argument("the family '" + family.name + "' does not exist in dimension " +
-                                std::to_string(dimension));
+    throw std::invalid_argument(generators::no_sets_text(
+        family.name, std::to_string(family.dimension), static_cast<std::int64_t>(dimension)));
   }
   const std::uint64_t seed = harness::mixed_seed(run_seed, index);
   return py::make_tuple(family.name, seed,

@@ -10,6 +10,7 @@
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
+#include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
@@ -118,7 +119,8 @@ void build_triangulation(const BuildOptions& options, Output& output) {
   }
   output.notes(loaded->notes);
   const ExactMesh& mesh = loaded->mesh;
-  output.begin("triangulating " + options.points);
+  output.begin("triangulating " + options.points,
+               seconds_of_triangulating(mesh.points.size(), mesh.points.dimension()));
   delaunay::Statistics statistics;
   Steps steps(mesh);
   const bool has_steps = !options.html.empty() && mesh.points.size() <= kMostStepPoints;

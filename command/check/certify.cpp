@@ -13,6 +13,7 @@
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
+#include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
@@ -35,8 +36,6 @@ struct CertifyOptions {
   OutputOptions output;
   check::By by = check::By::kLemma;
   std::uint64_t threads = 0;  // 0: as many as the machine has
-
-  Claim claim() const { return asked.value_or(Claim::kDelaunay); }
 };
 
 void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& mesh,
@@ -81,10 +80,18 @@ void certify(const CertifyOptions& options, Output& output) {
     return;
   }
   const Domain* about = domain ? &domain->domain : nullptr;
+  // The claim may depend on which points there are.
+  const std::string fault =
+      domain ? settle_equal_points(*loaded, options.input.duplicates) : std::string();
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
+    return;
+  }
+  const Claim claim = options.asked.value_or(
+      about == nullptr ? Claim::kDelaunay : default_claim(loaded->mesh, *about));
   const check::Options judging = {.by = options.by, .threads = threads};
   output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));
-  const auto verdict =
-      judge_loaded(options.claim(), *loaded, options.input.duplicates, judging, about);
+  const auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, judging, about);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
     return;
@@ -102,14 +109,18 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  if (is_about_a_domain(options.claim())) {
-    if (options.domain) return domain_options_fault(options.said);
-    return fmt::format("expected --domain FILE for the claim {}, found none",
-                       name(options.claim()));
+  const bool about_domain = options.asked && is_about_a_domain(*options.asked);
+  if (about_domain && !options.domain) {
+    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.asked));
   }
-  if (!options.domain && !options.said.is_given()) return "";
-  return fmt::format("expected a claim about a domain beside {}, found {}",
-                     options.domain ? "--domain" : "an option of domains", name(options.claim()));
+  if (options.asked && !about_domain && options.domain) {
+    return fmt::format("expected no --domain for the claim {}, found one", name(*options.asked));
+  }
+  if (options.said.is_given() && !options.domain) {
+    return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
+  }
+  if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
+  return domain_options_fault(options.said);
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -128,7 +139,7 @@ ExitCode run(CertifyOptions& options) {
   if (options.domain) read.push_back(*options.domain);
   const std::string fault = overwriting_fault({{"the certificate", options.certificate}}, read);
   if (!fault.empty()) return usage_error(fault);
-  options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
+  options.input.weighted = options.asked == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
   options.input.for_certificate = true;
   Output output(spoken);
@@ -165,12 +176,11 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
                    "nothing else does")
       ->option_text("FILE")
       ->required();
-  add_claim_option(*command, options->asked,
-                   "The claim to judge (default: delaunay). Weights are read as check reads them")
+  add_claim_option(
+      *command, options->asked,
+      "The claim to judge (default: that of check). Weights are read as check reads them")
       ->option_text("CLAIM");
-  command
-      ->add_option("--domain", options->domain,
-                   "The domain of the mesh, for a claim about a domain")
+  command->add_option("--domain", options->domain, "The domain that the mesh must fill")
       ->option_text("FILE");
   add_domain_options(*command, options->said);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")

@@ -19,6 +19,7 @@
 #include "command/options/domain_options.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
+#include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/output/picture_output.hpp"
@@ -45,25 +46,6 @@ struct CheckOptions {
   std::uint64_t threads = 0;  // 0: as many as the machine has
   std::optional<std::uint64_t> memory;
 };
-
-// The same points, in whatever order?
-bool has_same_points(const Mesh& a, const PointSet& b) {
-  if (a.points() != b.size()) return false;
-  std::vector<Point> of_a = a.exact_points();
-  std::vector<Point> of_b = b.points();
-  std::sort(of_a.begin(), of_a.end());
-  std::sort(of_b.begin(), of_b.end());
-  return of_a == of_b;
-}
-
-// What is claimed where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
-// the domain; more of them, if they may have been moved.
-Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
-  if (options.claim) return *options.claim;
-  const PointSet& points = domain.domain.complex.points;
-  const bool same = options.within ? mesh.points() == points.size() : has_same_points(mesh, points);
-  return same ? Claim::kCdt : Claim::kSteinerCdt;
-}
 
 // What is said of how a mesh was read, at once, and what its verdict may be due to, beside the verdict: before the
 // witnesses, of which there may be many, nobody would see that.
@@ -176,7 +158,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     return;
   }
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
-  const Claim claim = claim_of(options, mesh, domain);
+  const Claim claim =
+      options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
   std::optional<Verdict> verdict;
   if (options.within) {
     const std::string equal = settle_equal_points(*loaded, options.input.duplicates);
@@ -215,6 +198,10 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);
+  if (options.certificate) {
+    output.end_watch();
+    write_domain_certificate(*options.certificate, path, exact(mesh), domain, *verdict, output);
+  }
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
@@ -229,11 +216,11 @@ void check_against_domain(const CheckOptions& options, Output& output) {
 // What a claim needs and did not get, or got and does not need; empty if all is well.
 std::string usage_fault(const CheckOptions& options) {
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
-  if (options.certificate && (about_domain || options.domain)) {
-    return fmt::format(
-        "expected no {} beside --certificate, found one: for meshes with a domain, circumspect "
-        "certify writes the certificates",
-        options.domain ? "--domain" : "claim about a domain");
+  if (options.certificate && options.within) {
+    return "expected no --within beside --certificate, found it: nothing is proved of it";
+  }
+  if (options.certificate) {
+    if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
   }
   if (about_domain && !options.domain) {
     return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.claim));

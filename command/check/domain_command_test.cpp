@@ -305,7 +305,7 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
   CHECK(run({"replay", prefix + "-cdt.cnf", wrong}).err ==
         "circumspect: " + wrong +
             ":2: expected literals and a 0, after d for a deletion, found 'x 0'\n");
-  CHECK(has(run({"replay", "--help"}).out,
+  CHECK(has(unbroken(run({"replay", "--help"}).out),
             "replay does not check that the formula encodes the domain"));
   CHECK(run({"replay", prefix + "-cdt.cnf"}).exit_code == 2);
 }

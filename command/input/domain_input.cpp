@@ -179,11 +179,13 @@ tl::expected<LoadedDomain, DomainFault> load_domain(
   const auto settled = in_dimension_of(file, asked);
   if (!settled) return tl::unexpected(DomainFault{path + ": " + settled.error()});
   const DomainOptions& said = *settled;
+  const std::size_t listed_holes = file.input.hole_seeds.size();
   file.input.hole_seeds.insert(file.input.hole_seeds.end(), said.holes.begin(), said.holes.end());
   auto complex = validated_complex(file, max_breaches, watch);
   if (!complex) return tl::unexpected(std::move(complex.error()));
   if (watch.on_valid) watch.on_valid(*complex, file);
   LoadedDomain loaded{path, domain_of(std::move(*complex), file), std::move(file)};
+  loaded.listed_holes = listed_holes;
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
   auto chosen = choose_kind(loaded.domain, loaded.file.input, loaded.file.faces, said, leak);
