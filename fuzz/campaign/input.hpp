@@ -50,11 +50,10 @@ bool is_domain_extension(const std::string& extension);
 //   .node, .qhull, .off, .json   as oracle/formats writes them
 //   .xyz                         a line of coordinates a point, and its weight, if there are any
 //   .case                        what workers read, docs/workers.md; counted from 0
-//                                of points that come and go: .node and the like hold the last ones
+//                                (of points that come and go, .node and the like hold the last)
 //   .poly                        of Triangle in the plane, of TetGen in space
-//   .geo                         Gmsh's: the surface of one volume (in the plane: of one surface, whose
-//                                outline is the first closed line), each segment one element long
-//
+//   .geo                         Gmsh's: the surface of one volume (in the plane: one surface,
+//                                outlined by the first closed line), each segment one element long
 //   .off, .obj, .ply             a surface in space, a face a polygon
 //   .stl, .msh                   the same of triangles alone; .msh is Gmsh's 2.2
 //

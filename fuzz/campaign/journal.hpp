@@ -34,8 +34,8 @@ struct FindingRecord {
 //
 //   circumspect-campaign 1
 //   setting ⇥ NAME ⇥ VALUE          all at the beginning
-//   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete, but for the
-//   minimised ⇥ SIGNATURE            smallest input, which comes with this line
+//   finding ⇥ SIGNATURE ⇥ CASE      before the line of the case; its folder is complete except for
+//   minimised ⇥ SIGNATURE            the smallest input, which comes with this line
 //   cut-off ⇥ SIGNATURE              or with this one, if there was no time to make it smaller
 //   case ⇥ NUMBER ⇥ FAMILY ⇥ holds|refused|skipped|flaky|known|finding ⇥ WHAT ⇥ POINTS
 //

@@ -36,9 +36,9 @@ enum class OutcomeKind {
   kKillsParent,   // it killed the process that started it, twice
   kDiffers,  // it refuses an input, and not the same one changed, or what another program takes; or
              // its mesh is another one than that program's where there is one right one
-  kJudgingLimit,  // its mesh could not be judged within the time or the memory that there is for that
+  kJudgingLimit,  // its mesh could not be judged within the limits on time and memory
   kNotRun,        // it could not be started, or the disk is full: not a fault of the program
-  kInterrupted,  // this process is to end
+  kInterrupted,   // this process is to end
 };
 
 struct Outcome {

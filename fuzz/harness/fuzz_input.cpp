@@ -1,14 +1,14 @@
 // The bytes of a fuzzer as a recipe for points. Five bytes a step, the rest is ignored:
 //
-//   kind a b c w      kind modulo 8 makes a point, from earlier ones (modulo their number) if it needs any
+//   kind a b c w      kind modulo 8 makes a point, perhaps from earlier ones (modulo their number)
 //   0  small          the integer point (a, b, c), each from −8 to 7
 //   1  integer        the same, each from −128 to 127
 //   2  round          a point of the sphere of radius 9 (circle of radius 65) around the origin: a
 //                     chooses one with integer coordinates, b the order and signs of them
-//   3  neighbour      an earlier point a, its coordinate b one unit in the last place up or down (c)
-//   4  parallelogram  p_a + p_b − p_c: coplanar with them, and on their sphere where it is a rectangle
+//   3  neighbour      an earlier point a, coordinate b one unit in the last place up or down (c)
+//   4  parallelogram  p_a + p_b − p_c: coplanar with them, and on their sphere if a rectangle
 //   5  scaled         p_a times 2^e, e from b: near or far by many orders of magnitude
-//   6  moved          p_a, its coordinate b moved by 2^c: beside coordinates that keep few bits for it
+//   6  moved          p_a, coordinate b moved by 2^c: beside coordinates that keep few bits for it
 //   7  mirrored       p_a with some of the signs (b) changed: on one sphere with it
 //
 // w is the weight, an eighth of a signed byte. A point that is there already, or not finite, is

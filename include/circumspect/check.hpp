@@ -3,7 +3,8 @@
 //   std::vector<double> points = …;            // x y z, x y z, …
 //   std::vector<std::int32_t> tetrahedra = …;  // four indices from 0 each
 //   circumspect::MeshArrays<std::int32_t> mesh{.coordinates = points, .simplices = tetrahedra};
-//   if (const auto found = circumspect::judge("delaunay", mesh); !found.holds) puts(found.report.c_str());
+//   const auto found = circumspect::judge("delaunay", mesh);
+//   if (!found.holds) puts(found.report.c_str());
 #pragma once
 
 #include <cstddef>

@@ -22,8 +22,9 @@ inline constexpr std::size_t kNoSimplex = static_cast<std::size_t>(-1);
 // The interface of a Triangulation; its numbers may be of any kind:
 //   size(), row_size(), points()   how many simplices, vertices of each of them, and points
 //   vertex(s, place)               the vertex of simplex s at that place
-//   side(s, place, point)          on which side of the facet opposite that vertex the point lies: positive
-//                                  on that of the simplex, negative on the other, 0 in its hyperplane
+//   side(s, place, point)          on which side of the facet opposite that vertex the point lies:
+//                                  positive on the side of the simplex, negative on the other, 0 in
+//                                  its hyperplane
 //   across(s, place)               the simplex beyond that facet, or kNoSimplex
 // Requires: sound simplices that are a triangulation of a convex set.
 template <class Triangulation>

@@ -14,10 +14,10 @@ namespace circumspect::formats {
 //
 //     $MeshFormat                                 version, 0 (text) or 1 (binary), 8
 //     $Nodes                                      each has a tag of its own, in any order
-//     $Elements                                   of all dimensions; the (first) physical group of each is
-//                                                 its label, 0 if it is in none
-//     $Entities                                   of version 4.1: to which physical groups each belongs
-//     $PhysicalNames, $NodeData, …                other sections are read over
+//     $Elements                                   of all dimensions; the (first) physical group of
+//                                                 each is its label, 0 if it is in none
+//     $Entities                                   of version 4.1: the physical groups of each
+//     $PhysicalNames, $NodeData, …                other sections are skipped
 //
 // Lines outside the sections are skipped, with a note. Numbers follow one another, wherever lines
 // end.
@@ -78,7 +78,7 @@ void write_vtu(std::ostream& out, const ElementFile& file);
 // Meshes of tetrahedra as the program CDT of Attene and Diazzi and others write them: .tet.
 //
 //     8 vertices
-//     6 tets                                      or: 6 inner tets, and on a line of its own 4 outer tets
+//     6 tets                                      or 6 inner tets, and on a line below 4 outer tets
 //     x y z                                       a line each; with option r, fractions
 //     4 v0 v1 v2 v3                               a line each, indices from 0
 //

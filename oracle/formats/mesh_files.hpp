@@ -28,8 +28,8 @@ struct RawPoints {
 // Which weights the points of a file have.
 enum class Weights {
   kNone,      // none, whatever the file has
-  kListed,    // what the file calls so: the key "weights" of JSON
-  kDemanded,  // these, or the first attributes of .node, as TetGen's option -w has it; it is an error
+  kListed,    // what the file names weights: the key "weights" of JSON
+  kDemanded,  // these, or the first attributes of .node, as with TetGen's option -w; it is an error
               // if there are none
 };
 

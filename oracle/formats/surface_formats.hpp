@@ -19,10 +19,10 @@ namespace circumspect::formats {
 //     OFF                      or COFF, NOFF, STOFF…: colours, normals, textures, which are skipped
 //     points faces edges       may stand on the line of the keyword; edges may be left out
 //     x y z                    one line a point
-//     k v0 … v(k-1) colour     one line a face, indices from 0; the colour is skipped; the vertices may go
-//                              on over further lines, behind which stands no colour
+//     k v0 … v(k-1) colour     one line a face, indices from 0; the colour is skipped; the vertices
+//                              may continue on further lines, without a colour after them
 //
-// `nOFF` puts the dimension on a line of its own (or behind the keyword) before the counts.
+// `nOFF` puts the dimension on a line of its own (or after the keyword) before the counts.
 
 struct OffFile {
   PointFile points;
