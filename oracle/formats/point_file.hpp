@@ -53,7 +53,7 @@ inline std::size_t size_of_each(const std::vector<Simplex>& simplices) {
 // Points alone, a line each: .xyz with blanks between the coordinates, .csv with commas.
 //
 //     0.5 1 2             x,y,z                   a first line may name the columns: those named x,
-//     3 4 5               0.5,1,2                 y and z (in any case; or Points:0 … as in ParaView)
+//     3 4 5               0.5,1,2                 y and z (in any case; or ParaView's Points:0 …)
 //     …                   3,4,5                   are the coordinates, and any others are skipped
 //
 // The number of coordinates of the first line is the dimension.
