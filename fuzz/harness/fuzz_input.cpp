@@ -11,7 +11,8 @@
 //   6  moved          p_a, its coordinate b moved by 2^c: beside coordinates that keep few bits for it
 //   7  mirrored       p_a with some of the signs (b) changed: on one sphere with it
 //
-// w is the weight, an eighth of a signed byte. A point that is there already, or not finite, is left out.
+// w is the weight, an eighth of a signed byte. A point that is there already, or not finite, is
+// left out.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +41,8 @@ using Place = std::array<double, 3>;
 double signed_byte(std::uint8_t byte) { return static_cast<std::int8_t>(byte); }
 double small_integer(std::uint8_t byte) { return (byte & 15) - 8; }
 
-// Integer points at distance 9 from the origin of space, 65 from that of the plane, up to order and sign.
+// Integer points at distance 9 from the origin of space, 65 from that of the plane, up to order and
+// sign.
 constexpr std::array<Place, 4> kOnSphere = {{{0, 0, 9}, {1, 4, 8}, {4, 4, 7}, {3, 6, 6}}};
 constexpr std::array<Place, 5> kOnCircle = {
     {{0, 65, 0}, {16, 63, 0}, {25, 60, 0}, {33, 56, 0}, {39, 52, 0}}};
@@ -135,7 +137,7 @@ std::uint8_t random_byte(Dice& dice) { return static_cast<std::uint8_t>(dice.bel
 RecipeStep random_step(Dice& dice) {
   RecipeStep step{};
   for (std::uint8_t& byte : step) byte = random_byte(dice);
-  // Degeneracies more often than chance brings them.
+  // Chosen so that degeneracies are more frequent than by chance.
   if (dice.below(2) == 0) step[0] = std::array<std::uint8_t, 4>{0, 2, 4, 7}[dice.below(4)];
   return step;
 }

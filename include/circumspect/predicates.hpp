@@ -17,8 +17,8 @@ namespace circumspect {
 //   in_sphere:   det(p_0⁺ − q⁺, …, p_d⁺ − q⁺), p⁺ = (p, |p|²): where p_0 … p_d are positively oriented,
 //                positive if q is inside their circumsphere, negative outside, 0 on it
 //                                                      Book: Section 3.1, InCircle and InSphere
-// Only the sign counts. These are the signs of Shewchuk's orient2d, orient3d, incircle and insphere;
-// CGAL's orientation and side_of_oriented_sphere have the opposite orientation in space.
+// Only the sign counts. These are the signs of Shewchuk's orient2d, orient3d, incircle and
+// insphere; CGAL's orientation and side_of_oriented_sphere have the opposite orientation in space.
 using Predicate = std::function<double(const double* coordinates)>;
 
 enum class PredicateKind { kOrientation, kInSphere };

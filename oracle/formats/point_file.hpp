@@ -16,7 +16,7 @@ namespace circumspect::formats {
 
 // ---- Point file ----
 
-// Points of more coordinates than this are refused.
+// Points with more coordinates than this are refused.
 inline constexpr std::size_t kLargestDimension = 16;
 
 struct PointFile {
@@ -32,9 +32,9 @@ struct PointFile {
 // ---- Simplex file ----
 
 struct SimplexFile {
-  std::vector<Simplex> simplices = {};  // indices of points exactly as in the file
-  std::vector<std::size_t> lines = {};  // the line on which each stands, for messages
-  std::vector<Vertex> labels = {};  // what the file says each belongs to; empty if it does not say
+  std::vector<Simplex> simplices = {};   // indices of points exactly as in the file
+  std::vector<std::size_t> lines = {};   // the line of each, for messages
+  std::vector<Vertex> labels = {};       // the label of each in the file; empty if there are none
   std::size_t vertices_per_simplex = 0;  // 0 if they differ
   Vertex first_index = 0;                // the user's index of the first simplex
 };

@@ -1,4 +1,5 @@
-// The formats of surfaces: what the files hold, and their readers and writers. PLY's are in ply.hpp.
+// The formats of surfaces: what the files hold, and their readers and writers. PLY's are in
+// ply.hpp.
 #pragma once
 
 #include <ostream>
@@ -70,10 +71,10 @@ void write_obj(std::ostream& out, const ElementFile& file);
 //
 // Words may be in any case. Normals are ignored, whatever they are.
 
-// STL repeats a point in every triangle that has it: equal corners become one point, which is noted.
-// What is left of a triangle with equal corners is a segment or a point; that is noted, too.
-// Points are counted from 0 in the order in which they first appear. A file is binary if it has a byte
-// 0 or does not begin with "solid".
+// STL repeats a point in every triangle that has it: equal corners become one point, which is
+// noted. A triangle with equal corners becomes a segment or a point; that is noted, too. Points are
+// counted from 0 in the order in which they first appear. A file is binary if it has a byte 0 or
+// does not begin with "solid".
 Result<DomainFile> read_stl(const Source& source, NumberReading reading);
 
 }  // namespace circumspect::formats
