@@ -92,6 +92,9 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
+  if (options.claim() == Claim::kComplex) {
+    return "expected a claim of which something is proved, found complex";
+  }
   if (is_about_a_domain(options.claim())) {
     if (options.domain) return domain_options_fault(options.said);
     return fmt::format("expected --domain FILE for the claim {}, found none",

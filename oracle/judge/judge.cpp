@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/fast/judge.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
@@ -167,6 +168,10 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
 tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
                                          const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
+  if (claim == Claim::kComplex) {
+    return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
+                         options.by == By::kDefinition, options.max_violations);
+  }
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
   if (domain == nullptr) {
@@ -187,10 +192,20 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
 }
 
 Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options) {
-  auto verdict = judge(claim, mesh, domain, options);
-  if (verdict) return std::move(*verdict);
+  if (claim != Claim::kComplex) {
+    auto verdict = judge(claim, mesh, domain, options);
+    if (verdict) return std::move(*verdict);
+  }
   merge_equal_points(mesh);
   return judge(claim, mesh, domain, options).value();
+}
+
+std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
+  std::size_t size = mesh.simplices.columns();
+  for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
+    size = std::max(size, mesh.simplices[i].size());
+  }
+  return fault_of_demands(demands, size, mesh.dimension());
 }
 
 std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,

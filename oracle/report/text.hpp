@@ -34,6 +34,10 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
                                                     const std::string& mesh_name);
 
+// For a note, of the claim `complex`: how many simplices were set apart, and whether the others form a complex. None if
+// none was.
+std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name);
+
 // Of a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and 1 more duplicate".
 // `count`: how many repeat an earlier one, of which the first is `again` and repeats `kept`, by the user's indices.
 std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count);

@@ -1,0 +1,22 @@
+// Do simplices of full dimension form a complex? Asked of their facets and of the boundary alone.
+#pragma once
+
+#include <vector>
+
+#include "kernel/complex/simplex.hpp"
+#include "kernel/predicates/configuration.hpp"
+
+namespace circumspect::check {
+
+// Three conditions, which docs/theory/complex.md proves to be the definition:
+// 1. each facet is in one or two simplices, and two are on opposite sides of it;
+// 2. the facets of one simplex, the boundary, form a complex;
+// 3. no simplex is just outside of the boundary, which is asked once of each class of facets that
+//    are joined by a ridge of two.
+// Requires: each of d + 1 vertices, affinely independent, no two with the same vertices, no two
+// points of theirs equal; `uses` are theirs, `positions` the points.
+bool is_complex_by_boundary(const Configuration& points, const std::vector<Point>& positions,
+                            const std::vector<Simplex>& simplices,
+                            const std::vector<FacetUse>& uses);
+
+}  // namespace circumspect::check
