@@ -12,6 +12,7 @@
 #include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -163,12 +164,23 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
   return verdict;
 }
 
+template <std::size_t kDimension, typename Index>
+OrReason<Verdict> held_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
+  if (options.by != By::kLemma) return because("judged by definition");
+  auto held = held_complex(view, options.complex, options.max_violations, threads_of(options));
+  if (!held) return because("something to be asked of exact numbers");
+  return std::move(*held);
+}
+
 }  // namespace
 
 tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
                                          const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
   if (claim == Claim::kComplex) {
+    const auto held = asked_of_rows<Verdict>(
+        mesh, false, [&](const auto& view) { return held_fast(view, options); });
+    if (held) return *held;
     return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
                          options.by == By::kDefinition, options.max_violations);
   }

@@ -1,8 +1,5 @@
 #include "oracle/judge/complex/by_boundary.hpp"
 
-#include <algorithm>
-#include <set>
-
 #include "kernel/piecewise_linear/disjoint_sets.hpp"
 #include "kernel/predicates/orientation.hpp"
 #include "oracle/judge/complex/carriers.hpp"
@@ -26,25 +23,16 @@ class Boundary {
 
   bool is_matched() const { return is_matched_; }
 
-  bool is_complex() const {
-    const std::vector<Box> boxes = boxes_around(positions_, facets_);
-    const BoxIndex tree(boxes);
-    for (std::size_t i = 0; i < facets_.size(); ++i) {
-      for (const std::size_t j : tree.meeting(boxes[i])) {
-        if (j > i && !carriers(points_, facets_[i], facets_[j]).are_proper()) return false;
-      }
-    }
-    return true;
-  }
+  bool is_complex() const { return form_a_complex(points_, positions_, facets_); }
 
   bool has_nothing_outside() const {
     const std::vector<Box> boxes = boxes_around(positions_, simplices_);
     const BoxIndex tree(boxes);
-    for (const std::size_t facet : one_of_each_class()) {
-      const Point centre = barycentre(corners(facets_[facet]));
-      const Box of_facet = boxes_around(positions_, {facets_[facet]}).front();
-      for (const std::size_t s : tree.meeting(of_facet)) {
-        if (has_just_outside(simplices_[s], facet, centre)) return false;
+    for (const std::size_t one : one_of_each_class(facets_)) {
+      const std::vector<Point> facet = corners(facets_[one]);
+      const Point& apex = positions_[static_cast<std::size_t>(apexes_[one])];
+      for (const std::size_t s : tree.meeting(boxes_around(positions_, {facets_[one]}).front())) {
+        if (has_just_outside(corners(simplices_[s]), facet, apex)) return false;
       }
     }
     return true;
@@ -68,38 +56,6 @@ class Boundary {
     return points;
   }
 
-  // Where a ridge is in two facets, nothing is between their outer sides.
-  std::set<std::size_t> one_of_each_class() const {
-    DisjointSets classes(facets_.size());
-    const bool has_ridges = !facets_.empty() && facets_.front().size() > 1;
-    for_each_facet(has_ridges ? facet_uses(facets_) : std::vector<FacetUse>(),
-                   [&](std::span<const FacetUse> group) {
-                     if (group.size() == 2) classes.unite(group[0].simplex, group[1].simplex);
-                   });
-    std::set<std::size_t> ones;
-    for (std::size_t i = 0; i < facets_.size(); ++i) ones.insert(classes.find(i));
-    return ones;
-  }
-
-  // Does the closed simplex hold the points next to the centre of the facet, away from its apex? On
-  // which side they are of one of its facets the centre says, or, if that is in its hyperplane, the
-  // apex: they are on the other side than it.
-  bool has_just_outside(const Simplex& simplex, std::size_t facet, const Point& centre) const {
-    std::vector<Point> few = corners(simplex);
-    few.push_back(centre);
-    few.push_back(positions_[static_cast<std::size_t>(apexes_[facet])]);
-    const Configuration points(few);
-    const Simplex own = first_subset(simplex.size());
-    const auto middle = static_cast<Vertex>(simplex.size());
-    const int inner = orientation(points, own);
-    for (std::size_t place = 0; place < own.size(); ++place) {
-      int side = orientation(points, with_vertex_replaced(own, place, middle));
-      if (side == 0) side = -orientation(points, with_vertex_replaced(own, place, middle + 1));
-      if (side * inner < 0) return false;
-    }
-    return true;
-  }
-
   const Configuration& points_;
   const std::vector<Point>& positions_;
   const std::vector<Simplex>& simplices_;
@@ -109,6 +65,52 @@ class Boundary {
 };
 
 }  // namespace
+
+bool form_a_complex(const Configuration& points, const std::vector<Point>& positions,
+                    const std::vector<Simplex>& facets) {
+  const std::vector<Box> boxes = boxes_around(positions, facets);
+  const BoxIndex tree(boxes);
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (const std::size_t j : tree.meeting(boxes[i])) {
+      if (j > i && !carriers(points, facets[i], facets[j]).are_proper()) return false;
+    }
+  }
+  return true;
+}
+
+// Where a ridge is in two facets, nothing is between their outer sides.
+std::vector<std::size_t> one_of_each_class(const std::vector<Simplex>& facets) {
+  DisjointSets classes(facets.size());
+  const bool has_ridges = !facets.empty() && facets.front().size() > 1;
+  for_each_facet(has_ridges ? facet_uses(facets) : std::vector<FacetUse>(),
+                 [&](std::span<const FacetUse> group) {
+                   if (group.size() == 2) classes.unite(group[0].simplex, group[1].simplex);
+                 });
+  std::vector<std::size_t> ones;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (classes.find(i) == i) ones.push_back(i);
+  }
+  return ones;
+}
+
+// On which side of a facet of the simplex the points are the centre says, or, if that is in its
+// hyperplane, the apex: they are on the other side than it.
+bool has_just_outside(const std::vector<Point>& simplex, const std::vector<Point>& facet,
+                      const Point& apex) {
+  std::vector<Point> few = simplex;
+  few.push_back(barycentre(facet));
+  few.push_back(apex);
+  const Configuration points(few);
+  const Simplex own = first_subset(simplex.size());
+  const auto middle = static_cast<Vertex>(simplex.size());
+  const int inner = orientation(points, own);
+  for (std::size_t place = 0; place < own.size(); ++place) {
+    int side = orientation(points, with_vertex_replaced(own, place, middle));
+    if (side == 0) side = -orientation(points, with_vertex_replaced(own, place, middle + 1));
+    if (side * inner < 0) return false;
+  }
+  return true;
+}
 
 bool is_complex_by_boundary(const Configuration& points, const std::vector<Point>& positions,
                             const std::vector<Simplex>& simplices,

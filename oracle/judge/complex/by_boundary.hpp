@@ -19,4 +19,18 @@ bool is_complex_by_boundary(const Configuration& points, const std::vector<Point
                             const std::vector<Simplex>& simplices,
                             const std::vector<FacetUse>& uses);
 
+// The parts of this that somebody else may ask, who knows the boundary.
+
+// Condition 2. `positions` are those of `points`.
+bool form_a_complex(const Configuration& points, const std::vector<Point>& positions,
+                    const std::vector<Simplex>& facets);
+
+// One facet of each class, by their places, ascending.
+std::vector<std::size_t> one_of_each_class(const std::vector<Simplex>& facets);
+
+// Does a closed simplex hold the points next to the centre of a facet that are on the other side
+// than `apex`? By their corners.
+bool has_just_outside(const std::vector<Point>& simplex, const std::vector<Point>& facet,
+                      const Point& apex);
+
 }  // namespace circumspect::check

@@ -79,6 +79,43 @@ TEST_CASE("orientations: one sign, a sign, and neighbours of a surface") {
   CHECK(broken(corner, {.oriented = Orientations::kPositive}).empty());
 }
 
+TEST_CASE("manifold: three triangles at an edge, and a ring of tetrahedra around a vertex") {
+  const ComplexDemands manifold{.manifold = true};
+  const std::vector<Point> book = {{0, 0, 0}, {0, 0, 4}, {3, 0, 2}, {-3, 1, 2}, {0, -3, 2}};
+  CHECK(broken({book, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}).empty());
+  CHECK(broken({book, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}, manifold) ==
+        Tallies{{Rule::kNotManifold, 1}});
+  const std::vector<Point> around = {{2, 2, 3},   {-2, 2, 3},   {-2, -2, 3}, {2, -2, 3}, {2, 2, -3},
+                                     {-2, 2, -3}, {-2, -2, -3}, {2, -2, -3}, {0, 0, 0}};
+  std::vector<Simplex> ring;
+  for (Vertex i = 0; i < 4; ++i) {
+    const Vertex next = (i + 1) % 4;
+    ring.push_back({8, i, next, i + 4});
+    ring.push_back({8, next, i + 4, next + 4});
+  }
+  CHECK(broken({around, ring}).empty());
+  CHECK(broken({around, ring}, manifold) == Tallies{{Rule::kNotManifold, 1}});
+  ring.pop_back();
+  ring.pop_back();
+  CHECK(broken({around, ring}, manifold).empty());
+  CHECK(broken({kSquare, {{0, 1, 5}, {0, 6, 3}}}, {.connected = true, .allow_unused = true}) ==
+        Tallies{{Rule::kNotConnected, 1}});
+}
+
+TEST_CASE("crossed diagonals are named once, unless a flat simplex has them") {
+  const std::vector<Point> points = {{1, 0, 0},  {0, 1, 0}, {-1, 0, 0},
+                                     {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<Simplex> halves = {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 5}, {1, 2, 3, 5}};
+  CHECK(broken({points, halves}) == Tallies{{Rule::kFacesCross, 1}});
+  const Verdict verdict = judge_complex({points, halves}, {}, false, 0);
+  const Witness& witness = verdict.violations().front().witness;
+  CHECK(witness.face == Simplex{0, 2});
+  CHECK(witness.vertices == std::vector<Vertex>{1, 3});
+  CHECK(witness.point == Point{0, 0, 0});
+  halves.push_back({0, 1, 2, 3});
+  CHECK(broken({points, halves}) == Tallies{{Rule::kDegenerateSimplex, 1}});
+}
+
 TEST_CASE("demands that make no sense of a mesh are said") {
   CHECK(fault_of_demands({}, 3, 2).empty());
   CHECK(fault_of_demands({}, 0, 2).find("found none") != std::string::npos);
