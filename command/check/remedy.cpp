@@ -54,7 +54,7 @@ std::optional<std::string> note_of_surface(const Verdict& verdict, const Mesh& m
 }
 
 // As many are judged as a complex in about a second.
-constexpr std::size_t kMostTriedAsComplex = 20'000;
+constexpr std::size_t kMostTriedAsComplex = 50'000;
 
 }  // namespace
 

@@ -68,7 +68,7 @@ class BoundaryOf {
     }
     std::vector<Point> points;
     for (const Index v : vertices_) points.push_back(exact(v));
-    return form_a_complex(Configuration(points), points, facets_);
+    return improper_facets(Configuration(points), points, facets_).empty();
   }
 
   std::vector<std::size_t> classes() const { return one_of_each_class(facets_); }

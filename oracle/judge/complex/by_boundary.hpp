@@ -13,17 +13,22 @@ namespace circumspect::check {
 // 2. the facets of one simplex, the boundary, form a complex;
 // 3. no simplex is just outside of the boundary, which is asked once of each class of facets that
 //    are joined by a ridge of two.
+// The simplices that are left out for the others to fulfil them: none if all form a complex. Every
+// two that do not meet as they should are at least one of these. There may be more than are needed,
+// and are all if many break a condition.
 // Requires: each of d + 1 vertices, affinely independent, no two with the same vertices, no two
-// points of theirs equal; `uses` are theirs, `positions` the points.
-bool is_complex_by_boundary(const Configuration& points, const std::vector<Point>& positions,
-                            const std::vector<Simplex>& simplices,
-                            const std::vector<FacetUse>& uses);
+// points of theirs equal; `positions` are the points.
+std::vector<std::size_t> left_out_of_complex(const Configuration& points,
+                                             const std::vector<Point>& positions,
+                                             const std::vector<Simplex>& simplices);
 
 // The parts of this that somebody else may ask, who knows the boundary.
 
-// Condition 2. `positions` are those of `points`.
-bool form_a_complex(const Configuration& points, const std::vector<Point>& positions,
-                    const std::vector<Simplex>& facets);
+// Condition 2: the facets that do not meet another as they should, by their places. `positions` are
+// those of `points`.
+std::vector<std::size_t> improper_facets(const Configuration& points,
+                                         const std::vector<Point>& positions,
+                                         const std::vector<Simplex>& facets);
 
 // One facet of each class, by their places, ascending.
 std::vector<std::size_t> one_of_each_class(const std::vector<Simplex>& facets);

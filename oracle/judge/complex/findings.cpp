@@ -122,10 +122,10 @@ Findings findings_by_lemma(const ListedComplex& listed, const ComplexDemands& de
   const std::vector<Simplex> simplices = compared(found.apart);
   const std::vector<FacetUse> uses = facet_uses(simplices);
   const bool is_full = size == dimension(listed) + 1;
-  const bool is_proper =
-      simplices.empty() ||
-      (is_full && is_complex_by_boundary(points, listed.points, simplices, uses));
-  if (!is_proper) found.improper = improper_pairs(points, listed, found.apart);
+  std::vector<std::size_t> among(simplices.size());
+  std::iota(among.begin(), among.end(), std::size_t{0});
+  if (is_full) among = left_out_of_complex(points, listed.points, simplices);
+  if (!among.empty()) found.improper = improper_pairs(points, listed, found.apart, among);
   found.open_facets = open_facets(uses);
   found.parts = parts(simplices, uses);
   if (is_full) {

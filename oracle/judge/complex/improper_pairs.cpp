@@ -48,7 +48,7 @@ bool meet_in_one_point(const Configuration& points, const Simplex& f, const Simp
 class Pairs {
  public:
   Pairs(const Configuration& points, const definition::ListedComplex& listed,
-        const definition::SetApart& apart)
+        const definition::SetApart& apart, const std::vector<std::size_t>& among)
       : points_(points), sorted_(apart.merged.size()) {
     std::vector<Simplex> compared;
     for (const std::size_t s : apart.compared) {
@@ -62,11 +62,14 @@ class Pairs {
     }
     const std::vector<Box> boxes = boxes_around(listed.points, compared);
     const BoxIndex tree(boxes);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (const std::size_t i : among) {
       for (const std::size_t j : tree.meeting(boxes[i])) {
-        if (j > i) compare(apart.compared[i], apart.compared[j]);
+        const bool comes_again = std::binary_search(among.begin(), among.end(), j);
+        if (j == i || (comes_again && j < i)) continue;
+        compare(apart.compared[std::min(i, j)], apart.compared[std::max(i, j)]);
       }
     }
+    std::sort(pairs_.overlaps.begin(), pairs_.overlaps.end());
   }
 
   ImproperPairs found() && {
@@ -136,8 +139,9 @@ class Pairs {
 }  // namespace
 
 ImproperPairs improper_pairs(const Configuration& points, const definition::ListedComplex& listed,
-                             const definition::SetApart& apart) {
-  return Pairs(points, listed, apart).found();
+                             const definition::SetApart& apart,
+                             const std::vector<std::size_t>& among) {
+  return Pairs(points, listed, apart, among).found();
 }
 
 }  // namespace circumspect::check

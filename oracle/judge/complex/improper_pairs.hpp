@@ -6,9 +6,11 @@
 
 namespace circumspect::check {
 
-// The answer of definition::improper_pairs. `points` are those of the list.
+// The answer of definition::improper_pairs. `points` are those of the list. Only those pairs are
+// looked at of which `among` has one: places in apart.compared, ascending.
 definition::ImproperPairs improper_pairs(const Configuration& points,
                                          const definition::ListedComplex& listed,
-                                         const definition::SetApart& apart);
+                                         const definition::SetApart& apart,
+                                         const std::vector<std::size_t>& among);
 
 }  // namespace circumspect::check
