@@ -41,6 +41,16 @@ inline Row row_of(const std::string& line) {
   }
   for (const std::string& word : words) {
     if (word == "--oriented") row.options.oriented = true;
+    if (word.starts_with("--oriented")) {
+      row.options.complex.oriented = word.ends_with("=positive")   ? Orientations::kPositive
+                                     : word.ends_with("=negative") ? Orientations::kNegative
+                                                                   : Orientations::kSame;
+    }
+    if (word == "--manifold") row.options.complex.manifold = true;
+    if (word == "--connected") row.options.complex.connected = true;
+    if (word == "--closed") row.options.complex.closed = true;
+    if (word == "hanging-vertex") row.options.complex.allow_hanging = true;
+    if (word == "--allow-unused") row.options.complex.allow_unused = true;
     if (word == "--neighbors") row.with_neighbors = true;
     if (word == "definition") row.options.by = check::By::kDefinition;
   }
@@ -69,6 +79,9 @@ inline Mesh read_mesh_of(const Row& row) {
   if (row.with_neighbors && !file->mesh.neighbors) throw std::runtime_error("no .neigh file");
   return std::move(file->mesh);
 }
+
+// Of a mesh alone the points may be equal, which they may not in an exact mesh.
+inline bool is_of_a_mesh_alone(const Row& row) { return row.claim == Claim::kComplex; }
 
 inline ExactMesh mesh_of(const Row& row) { return exact(read_mesh_of(row)); }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/check/certificate_output.hpp"
+#include "command/check/complex_options.hpp"
 #include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
@@ -41,6 +42,7 @@ struct CheckOptions {
   PictureOptions picture;
   std::shared_ptr<Pictures> pictures;
   check::Options check;
+  ComplexOptions complex;
   InputOptions input;
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
@@ -104,6 +106,13 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, loaded.error());
     return;
   }
+  if (options.claim == Claim::kComplex) {
+    const std::string fault = check::fault_of_demands(loaded->mesh, options.check.complex);
+    if (!fault.empty()) {
+      output.error(ExitCode::kInputFault, "mesh", path, path + ": " + fault);
+      return;
+    }
+  }
   output.begin("judging " + path, seconds_of_judging(loaded->mesh, options.check));
   const auto verdict = judge_loaded(options.claim.value_or(Claim::kDelaunay), *loaded,
                                     options.input.duplicates, options.check);
@@ -112,7 +121,10 @@ void check_alone(const std::string& path, const CheckOptions& options, Output& o
     output.error(ExitCode::kInputFault, "mesh", path, verdict.error());
     return;
   }
-  const Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
+  Notes notes{loaded->notes, notes_without_domain(*verdict, loaded->mesh, path)};
+  if (const auto note = note_of_complex(*verdict, loaded->mesh, path)) {
+    notes.of_verdict.push_back(*note);
+  }
   report_verdict(path, *verdict, loaded->mesh, notes, options, nullptr, output);
   if (options.certificate) {
     output.end_watch();
@@ -214,7 +226,17 @@ void check_against_domain(const CheckOptions& options, Output& output) {
 }
 
 // What a claim needs and did not get, or got and does not need; empty if all is well.
-std::string usage_fault(const CheckOptions& options) {
+std::string usage_fault(CheckOptions& options) {
+  std::string of_complex = settle_complex_options(options.complex, options.claim, options.check);
+  if (!of_complex.empty()) return of_complex;
+  if (options.claim == Claim::kComplex) {
+    for (const auto& [is_given, word] : std::initializer_list<std::pair<bool, const char*>>{
+             {options.certificate.has_value(), "--certificate"},
+             {options.input.neighbors, "--neighbors"},
+             {options.memory.has_value(), "--memory"}}) {
+      if (is_given) return fmt::format("expected no {} beside the claim complex, found it", word);
+    }
+  }
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
   if (options.certificate && options.within) {
     return "expected no --within beside --certificate, found it: nothing is proved of it";
@@ -364,8 +386,7 @@ void add_check(CLI::App& app, ExitCode& exit_code) {
                    "Also write a certificate or a refutation, as circumspect certify does")
       ->option_text("FILE");
   add_picture_options(*command, options->picture);
-  command->add_flag("--oriented", options->check.oriented,
-                    "Also demand that all simplices list their vertices with the same orientation");
+  add_complex_options(*command, options->complex);
   command->add_flag("--neighbors", options->input.neighbors,
                     "Also judge the .neigh file beside each .ele");
   command

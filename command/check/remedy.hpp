@@ -40,6 +40,11 @@ tl::expected<Verdict, check::NotJudged> judged_within(const Distance& distance, 
 std::vector<std::string> notes_without_domain(const Verdict& verdict, const Mesh& mesh,
                                               const std::string& path);
 
+// Whether the simplices fit together at least, of a mesh that does not fill the hull of its points: with how many
+// simplices that is tried is limited.
+std::optional<std::string> note_of_complex(const Verdict& verdict, const Mesh& mesh,
+                                           const std::string& path);
+
 // Polygons that bound nothing, and so are not in a mesh of what is enclosed; none if they are not what is missing.
 std::optional<std::string> note_of_lone_polygons(const Verdict& verdict,
                                                  const LoadedDomain& domain);

@@ -13,11 +13,12 @@ import domain_within
 import domain_written
 import domains
 import files
+import mesh_alone
 import reject
 import tables
 from inputs import inputs
 
-entries = [*accept.entries(), *reject.entries()]
+entries = [*accept.entries(), *reject.entries(), *mesh_alone.entries()]
 for entry in entries:
     files.write(entry)
 for name, _, points in inputs():

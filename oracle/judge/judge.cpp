@@ -9,8 +9,10 @@
 #include <utility>
 #include <variant>
 
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/fast/judge.hpp"
+#include "oracle/judge/held_complex.hpp"
 #include "oracle/judge/verdict_of_faults.hpp"
 #include "oracle/model/mesh.hpp"
 
@@ -162,11 +164,26 @@ Verdict judged_in_domain(Claim claim, const Mesh& mesh, const Domain& domain,
   return verdict;
 }
 
+template <std::size_t kDimension, typename Index>
+OrReason<Verdict> held_fast(const fast::MeshView<kDimension, Index>& view, const Options& options) {
+  if (options.by != By::kLemma) return because("judged by definition");
+  auto held = held_complex(view, options.complex, options.max_violations, threads_of(options));
+  if (!held) return because("something to be asked of exact numbers");
+  return std::move(*held);
+}
+
 }  // namespace
 
 tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Domain* domain,
                                          const Options& options) {
   assert((domain != nullptr) == is_about_a_domain(claim));
+  if (claim == Claim::kComplex) {
+    const auto held = asked_of_rows<Verdict>(
+        mesh, false, [&](const auto& view) { return held_fast(view, options); });
+    if (held) return *held;
+    return judge_complex({mesh.exact_points(), mesh.simplices.lists()}, options.complex,
+                         options.by == By::kDefinition, options.max_violations);
+  }
   std::string_view why_not_fast;
   std::optional<fast::SweptMesh> swept;
   if (domain == nullptr) {
@@ -187,10 +204,20 @@ tl::expected<Verdict, EqualPoints> judge(Claim claim, const Mesh& mesh, const Do
 }
 
 Verdict judge_merged(Claim claim, Mesh& mesh, const Domain* domain, const Options& options) {
-  auto verdict = judge(claim, mesh, domain, options);
-  if (verdict) return std::move(*verdict);
+  if (claim != Claim::kComplex) {
+    auto verdict = judge(claim, mesh, domain, options);
+    if (verdict) return std::move(*verdict);
+  }
   merge_equal_points(mesh);
   return judge(claim, mesh, domain, options).value();
+}
+
+std::string fault_of_demands(const Mesh& mesh, const ComplexDemands& demands) {
+  std::size_t size = mesh.simplices.columns();
+  for (std::size_t i = 0; size == 0 && i < mesh.simplices.size(); ++i) {
+    size = std::max(size, mesh.simplices[i].size());
+  }
+  return fault_of_demands(demands, size, mesh.dimension());
 }
 
 std::optional<fast::SimplexFacts> facts_of_simplices(Claim claim, const Mesh& mesh, DomainKind kind,

@@ -10,6 +10,7 @@ constexpr auto kClaims = std::to_array<ClaimEntry>({
     {Claim::kTriangulation, "triangulation", false},
     {Claim::kDelaunay, "delaunay", false},
     {Claim::kWeightedDelaunay, "weighted-delaunay", false},
+    {Claim::kComplex, "complex", false},
     {Claim::kPlcTriangulation, "plc-triangulation", true},
     {Claim::kSteinerTriangulation, "steiner-triangulation", true},
     {Claim::kCdt, "cdt", true},

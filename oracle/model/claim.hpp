@@ -10,6 +10,7 @@ enum class Claim {
   kTriangulation,
   kDelaunay,
   kWeightedDelaunay,
+  kComplex,  // nothing of a hull, of balls, of a domain
   // About a mesh and a domain.
   kPlcTriangulation,
   kSteinerTriangulation,

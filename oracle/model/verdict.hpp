@@ -104,6 +104,18 @@ struct Within {
   std::size_t not_compared = 0;
 };
 
+// For the claim `complex`: what the mesh is, of the simplices that were compared.
+struct ComplexFacts {
+  int dimension = -1;         // of its simplices
+  std::size_t set_apart = 0;  // flat, repeated, doubled and such
+  bool is_complex = false;    // do the others form one?
+  std::size_t parts = 0;      // that facets connect
+  std::size_t boundary_facets = 0;
+  std::size_t hanging_vertices = 0;
+  // How many have each sign of det[p_1 − p_0; …; p_d − p_0]; none if they have no full dimension.
+  std::size_t positive = 0, negative = 0;
+};
+
 class Verdict {
  public:
   Verdict(Claim claim, std::size_t max_violations)
@@ -149,6 +161,8 @@ class Verdict {
   // distance, with a square of at most this, at which every cell of the domain is a union of faces.
   std::optional<Within> within = {};
   std::optional<Rational> beyond = {};
+
+  std::optional<ComplexFacts> complex = {};
 
   std::size_t points = 0;
   std::size_t simplices = 0;

@@ -64,6 +64,17 @@ Json extra_vertices(const ExtraVertices& extra, const Mesh& mesh) {
       {"count", extra.count}, {"first", first}, {"truncated", extra.first.size() < extra.count}};
 }
 
+Json complex_facts(const ComplexFacts& facts) {
+  return {{"dimension", facts.dimension},
+          {"set_apart", facts.set_apart},
+          {"others_form_a_complex", facts.is_complex},
+          {"parts", facts.parts},
+          {"boundary_facets", facts.boundary_facets},
+          {"hanging_vertices", facts.hanging_vertices},
+          {"positive", facts.positive},
+          {"negative", facts.negative}};
+}
+
 Json violation(const Violation& broken, const Mesh& mesh, const Domain* domain) {
   Json object = {{"rule", identifier(broken.rule)}, {"meaning", meaning(broken.rule)}};
   object.update(witness(broken.witness, mesh, domain));
@@ -155,6 +166,7 @@ Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_n
         {"polygons_not_compared", verdict.within->not_compared}};
   }
   if (verdict.beyond) object["beyond"] = {{"squared_distance", value(*verdict.beyond)}};
+  if (verdict.complex) object["complex"] = complex_facts(*verdict.complex);
   if (verdict.unique) object["unique"] = *verdict.unique;
   if (verdict.canonical) object["canonical"] = *verdict.canonical;
   Json tallies = Json::array();

@@ -128,6 +128,19 @@ std::string moved_text(const Verdict& verdict) {
   return text;
 }
 
+// " 1 part 12 boundary-facets positive"
+std::string complex_text(const ComplexFacts& facts) {
+  std::string text = fmt::format(" {} {}", counted(facts.parts, "part"),
+                                 counted(facts.boundary_facets, "boundary-facet"));
+  if (facts.positive + facts.negative > 0) {
+    text += facts.negative == 0 ? " positive" : facts.positive == 0 ? " negative" : " mixed-signs";
+  }
+  if (facts.hanging_vertices > 0) {
+    text += " " + counted(facts.hanging_vertices, "hanging-vertex", "hanging-vertices");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
@@ -135,11 +148,13 @@ std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::st
   if (verdict.holds()) {
     // A mesh of a domain in space counts tetrahedra, even if it has none and all its points are in
     // a plane.
-    const int dimension = domain == nullptr ? verdict.dimension
-                                            : static_cast<int>(domain->complex.ambient_dimension());
+    const int dimension = domain != nullptr ? static_cast<int>(domain->complex.ambient_dimension())
+                          : verdict.complex ? verdict.complex->dimension
+                                            : verdict.dimension;
     std::string line = fmt::format("holds: {} {} {} {}", circumspect::name(verdict.claim()),
                                    on_one_line(mesh_name), counted(verdict.points, "point"),
                                    counted_simplices(verdict.simplices, dimension));
+    if (verdict.complex) line += complex_text(*verdict.complex);
     if (verdict.dangling > 0) line += fmt::format(" {} dangling", verdict.dangling);
     if (verdict.unique) line += *verdict.unique ? " unique" : " not-unique";
     if (verdict.canonical) line += *verdict.canonical ? " canonical" : " not-canonical";
@@ -190,6 +205,15 @@ std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, cons
       "{}: a triangulation of points fills their convex hull, and this mesh does not. A mesh of a "
       "domain, which need not be convex, is judged with --domain FILE: what its mesher was given",
       mesh_name);
+}
+
+std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name) {
+  if (!verdict.complex || verdict.complex->set_apart == 0) return std::nullopt;
+  const ComplexFacts& facts = *verdict.complex;
+  return fmt::format(
+      "{}: {} set apart: flat, listed twice, or no simplices; the others {} a complex", mesh_name,
+      counted_simplices(facts.set_apart, facts.dimension) + (facts.set_apart == 1 ? " is" : " are"),
+      facts.is_complex ? "form" : "do not form");
 }
 
 std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count) {

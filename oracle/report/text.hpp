@@ -35,6 +35,10 @@ std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* 
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
                                                     const std::string& mesh_name);
 
+// For a note, of the claim `complex`: how many simplices were set apart, and whether the others form a complex. None if
+// none was.
+std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name);
+
 // For a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and
 // 1 more duplicate". `count`: how many repeat an earlier point; the first of these is `again`,
 // which repeats `kept`, by the user's indices.

@@ -60,6 +60,21 @@ bool meet_in_one_point(const Points& a, const Points& b) {
          relative_interiors_meet(a, b);
 }
 
+// Do two simplices meet in the face of their common vertices, or not at all?
+bool meet_properly(const ListedComplex& listed, const Simplex& a, const Simplex& b) {
+  Simplex together = a;
+  for (const Vertex v : b) {
+    if (!contains(a, v)) together.push_back(v);
+  }
+  const auto places_of = [&](Simplex simplex) {
+    for (Vertex& v : simplex) {
+      v = std::find(together.begin(), together.end(), v) - together.begin();
+    }
+    return simplex;
+  };
+  return !improper_intersection(PointSet(at(listed, together)), places_of(a), places_of(b));
+}
+
 std::vector<Simplex> all_faces(const Simplex& simplex) {
   std::vector<Simplex> faces;
   for (std::size_t size = 1; size <= simplex.size(); ++size) {
@@ -142,6 +157,7 @@ ImproperPairs improper_pairs(const ListedComplex& listed, const SetApart& apart)
     for (const std::size_t j : apart.compared) {
       if (j <= i) continue;
       const Simplex &a = apart.merged[i], &b = apart.merged[j];
+      if (meet_properly(listed, a, b)) continue;
       if (relative_interiors_meet(at(listed, a), at(listed, b))) {
         pairs.overlaps.push_back({i, j});
         continue;

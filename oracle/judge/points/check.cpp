@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "oracle/judge/complex/judge_complex.hpp"
 #include "oracle/judge/definition/judge.hpp"
 #include "oracle/judge/points/delaunay.hpp"
 #include "oracle/judge/points/simplices.hpp"
@@ -102,6 +103,9 @@ Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options)
       return delaunay(mesh, options);
     case Claim::kWeightedDelaunay:
       return weighted_delaunay(mesh, options);
+    case Claim::kComplex:
+      return judge_complex({mesh.points.points(), mesh.simplices}, options.complex,
+                           options.by == By::kDefinition, options.max_violations);
     default:
       break;
   }

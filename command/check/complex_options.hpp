@@ -1,0 +1,28 @@
+// What can be demanded of a mesh alone, beside the claim `complex`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/judge/points/check.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace circumspect::cli {
+
+struct ComplexOptions {
+  ComplexDemands demands;
+  std::string oriented = {};              // "same", "positive", "negative"; empty: not asked
+  std::vector<std::string> allowed = {};  // --allow
+};
+
+void add_complex_options(CLI::App& command, ComplexOptions& options);
+
+// What the options demand of the claim, into `check`; what is wrong with them, empty if all is well.
+std::string settle_complex_options(const ComplexOptions& options, std::optional<Claim> claim,
+                                   check::Options& check);
+
+}  // namespace circumspect::cli

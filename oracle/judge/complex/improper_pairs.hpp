@@ -1,0 +1,16 @@
+// All pairs of simplices that do not meet as they should, by a tree of boxes.
+#pragma once
+
+#include "kernel/predicates/configuration.hpp"
+#include "oracle/judge/definition/complex.hpp"
+
+namespace circumspect::check {
+
+// The answer of definition::improper_pairs. `points` are those of the list. Only those pairs are
+// looked at of which `among` has one: places in apart.compared, ascending.
+definition::ImproperPairs improper_pairs(const Configuration& points,
+                                         const definition::ListedComplex& listed,
+                                         const definition::SetApart& apart,
+                                         const std::vector<std::size_t>& among);
+
+}  // namespace circumspect::check

@@ -1,0 +1,273 @@
+#include "oracle/judge/complex/judge_complex.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "kernel/complex/point_set.hpp"
+#include "kernel/piecewise_linear/disjoint_sets.hpp"
+#include "kernel/predicates/orientation.hpp"
+
+namespace circumspect::check {
+namespace {
+
+using definition::ListedComplex;
+
+NamedValue named(const char* name, std::size_t value) {
+  return {name, Rational(static_cast<long>(value))};
+}
+
+// Turns what was found into a verdict, whoever found it.
+class Said {
+ public:
+  Said(const ListedComplex& listed, const Findings& found, Verdict& verdict)
+      : listed_(listed), found_(found), verdict_(verdict) {}
+
+  void each_simplex(std::size_t size) {
+    const definition::SetApart& apart = found_.apart;
+    for (const auto& [kept, again] : apart.equal_points) {
+      verdict_.add(Rule::kPointsEqual, {.vertices = {kept, again}, .point = point(kept)});
+    }
+    for (const std::size_t s : apart.not_simplices) not_a_simplex(s, size);
+    for (const std::size_t s : apart.repeating) {
+      Witness witness = of_places({s});
+      const Simplex ascending = sorted(apart.merged[s]);
+      witness.vertices = {*std::adjacent_find(ascending.begin(), ascending.end())};
+      verdict_.add(Rule::kRepeatedVertex, witness);
+    }
+    for (const std::size_t s : apart.flat) verdict_.add(Rule::kDegenerateSimplex, of_places({s}));
+    std::map<Simplex, std::size_t> first;
+    if (!apart.doubled.empty()) {
+      for (const std::size_t s : apart.compared) first[sorted(apart.merged[s])] = s;
+    }
+    for (const std::size_t s : apart.doubled) {
+      verdict_.add(Rule::kDuplicateSimplex, of_places({first.at(sorted(apart.merged[s])), s}));
+    }
+  }
+
+  void vertex_set() {
+    for (const Vertex v : found_.apart.unused_points) {
+      verdict_.add(Rule::kUnusedPoint, {.vertices = {v}, .point = point(v)});
+    }
+  }
+
+  void pairs(bool hanging_is_allowed) {
+    for (const auto& [i, j] : found_.improper.overlaps) {
+      if (!verdict_.keeps_more()) {
+        verdict_.count(Rule::kOverlap);
+        continue;
+      }
+      Witness witness = of_places({i, j});
+      witness.point = common_point(merged(i), merged(j));
+      verdict_.add(Rule::kOverlap, witness);
+    }
+    for (const auto& [vertex, face] : found_.improper.hanging) {
+      if (hanging_is_allowed) break;
+      Witness witness = of_places({with(face), with({vertex})});
+      witness.face = face;
+      witness.vertices = {vertex};
+      verdict_.add(Rule::kHangingVertex, witness);
+    }
+    for (const auto& [first, second] : found_.improper.crossing) {
+      Witness witness = of_places({with(first), with(second)});
+      witness.face = first;
+      witness.vertices = second;
+      witness.point = common_point(first, second);
+      verdict_.add(Rule::kFacesCross, witness);
+    }
+  }
+
+  void orientations(Orientations demanded) {
+    if (demanded == Orientations::kAny) return;
+    for (const Simplex& facet : found_.inconsistent) {
+      Witness witness = of_places(all_with(facet));
+      witness.face = facet;
+      verdict_.add(Rule::kNotOriented, witness);
+    }
+    const auto positive = std::count(found_.signs.begin(), found_.signs.end(), 1);
+    const bool are_most = 2 * positive >= std::ssize(found_.signs);
+    const int of_most = are_most ? 1 : -1;
+    const auto example = std::find(found_.signs.begin(), found_.signs.end(), of_most);
+    for (std::size_t i = 0; i < found_.signs.size(); ++i) {
+      const std::size_t s = found_.apart.compared[i];
+      if (demanded != Orientations::kSame) {
+        if (found_.signs[i] == (demanded == Orientations::kPositive ? 1 : -1)) continue;
+        Witness witness = of_places({s});
+        witness.values = {{"determinant of the edges from the first vertex", determinant_of(s)}};
+        verdict_.add(Rule::kInverted, witness);
+      } else if (found_.signs[i] != of_most) {
+        const auto place = static_cast<std::size_t>(example - found_.signs.begin());
+        Witness witness = of_places({found_.apart.compared[place], s});
+        witness.values = {{"sign of most", of_most}, {"sign of the other", found_.signs[i]}};
+        verdict_.add(Rule::kOrientation, witness);
+      }
+    }
+  }
+
+  void boundary(const ComplexDemands& demands) {
+    if (demands.closed) {
+      for (const Simplex& facet : found_.open_facets) add_face(Rule::kNotClosed, facet);
+    }
+    for (const Simplex& facet : found_.not_manifold.facets) add_face(Rule::kNotManifold, facet);
+    for (const Simplex& ridge : found_.not_manifold.ridges) add_face(Rule::kNotManifold, ridge);
+    for (const Vertex v : found_.not_manifold.vertices) add_face(Rule::kNotManifold, {v});
+    if (!demands.connected || found_.parts < 2) return;
+    Witness witness = of_places(in_two_parts());
+    witness.values = {named("parts", found_.parts)};
+    verdict_.add(Rule::kNotConnected, witness);
+  }
+
+ private:
+  const Point& point(Vertex v) const { return listed_.points[static_cast<std::size_t>(v)]; }
+  const Simplex& merged(std::size_t s) const { return found_.apart.merged[s]; }
+
+  Witness of_places(const std::vector<std::size_t>& places) const {
+    Witness witness{.places = places};
+    for (const std::size_t s : places) witness.simplices.push_back(listed_.simplices[s]);
+    return witness;
+  }
+
+  void not_a_simplex(std::size_t s, std::size_t size) {
+    Witness witness = of_places({s});
+    const Simplex& simplex = listed_.simplices[s];
+    const auto names_none = [&](Vertex v) { return v < 0 || v >= std::ssize(listed_.points); };
+    const auto none = std::find_if(simplex.begin(), simplex.end(), names_none);
+    if (none != simplex.end()) {
+      witness.vertices = {*none};
+      verdict_.add(Rule::kUnknownVertex, witness);
+      return;
+    }
+    witness.values = {named("vertices", simplex.size()), named("vertices expected", size)};
+    verdict_.add(Rule::kWrongDimension, witness);
+  }
+
+  // The compared simplices with this face.
+  std::vector<std::size_t> all_with(const Simplex& face) {
+    if (at_vertex_.empty()) {
+      for (const std::size_t s : found_.apart.compared) {
+        for (const Vertex v : merged(s)) at_vertex_[v].push_back(s);
+      }
+    }
+    std::vector<std::size_t> found;
+    for (const std::size_t s : at_vertex_.at(face.front())) {
+      const auto has = [&](Vertex v) { return contains(merged(s), v); };
+      if (std::all_of(face.begin(), face.end(), has)) found.push_back(s);
+    }
+    return found;
+  }
+  std::size_t with(const Simplex& face) { return all_with(face).front(); }
+
+  void add_face(Rule rule, const Simplex& face) {
+    if (!verdict_.keeps_more()) {
+      verdict_.count(rule);
+      return;
+    }
+    Witness witness;
+    if (!face.empty()) witness = of_places(all_with(face));
+    witness.face = face;
+    verdict_.add(rule, witness);
+  }
+
+  // The first simplex, and the first that facets do not connect with it.
+  std::vector<std::size_t> in_two_parts() const {
+    std::vector<Simplex> simplices;
+    for (const std::size_t s : found_.apart.compared) simplices.push_back(merged(s));
+    DisjointSets joined(simplices.size());
+    for_each_facet(facet_uses(simplices), [&](std::span<const FacetUse> group) {
+      for (const FacetUse& use : group) joined.unite(use.simplex, group.front().simplex);
+    });
+    std::size_t other = 0;
+    while (joined.find(other) == joined.find(0)) ++other;
+    return {found_.apart.compared[0], found_.apart.compared[other]};
+  }
+
+  // A point of both that is not in their common face.
+  std::optional<Point> common_point(const Simplex& a, const Simplex& b) const {
+    std::vector<Point> points;
+    std::map<Vertex, Vertex> place;
+    const auto placed = [&](const Simplex& simplex) {
+      Simplex own;
+      for (const Vertex v : simplex) {
+        const auto [at, is_new] = place.emplace(v, static_cast<Vertex>(points.size()));
+        if (is_new) points.push_back(point(v));
+        own.push_back(at->second);
+      }
+      return own;
+    };
+    const Simplex own_a = placed(a), own_b = placed(b);
+    return improper_intersection(PointSet(std::move(points)), own_a, own_b);
+  }
+
+  Rational determinant_of(std::size_t s) const {
+    std::vector<Point> corners;
+    for (const Vertex v : merged(s)) corners.push_back(point(v));
+    const Configuration points(corners);
+    std::vector<std::size_t> axes;
+    for (std::size_t axis = 0; axis + 1 < corners.size(); ++axis) axes.push_back(axis);
+    const Rational of_last = orientation_determinant(points, axes, first_subset(corners.size()));
+    return axes.size() % 2 == 0 ? of_last : Rational(-of_last);
+  }
+
+  const ListedComplex& listed_;
+  const Findings& found_;
+  Verdict& verdict_;
+  std::map<Vertex, std::vector<std::size_t>> at_vertex_;
+};
+
+ComplexFacts facts_of(const Findings& found, const ComplexDemands& demands, std::size_t size) {
+  ComplexFacts facts;
+  facts.dimension = static_cast<int>(size) - 1;
+  facts.set_apart = found.apart.merged.size() - found.apart.compared.size();
+  facts.is_complex = found.improper.overlaps.empty() && found.improper.crossing.empty() &&
+                     (found.improper.hanging.empty() || demands.allow_hanging);
+  facts.parts = found.parts;
+  facts.boundary_facets = found.open_facets.size();
+  facts.hanging_vertices = found.improper.hanging.size();
+  facts.positive = static_cast<std::size_t>(std::count(found.signs.begin(), found.signs.end(), 1));
+  facts.negative = found.signs.size() - facts.positive;
+  return facts;
+}
+
+}  // namespace
+
+std::string fault_of_demands(const ComplexDemands& demands, std::size_t size,
+                             std::size_t dimension) {
+  if (size == 0) return "expected simplices, found none: a complex is made of some";
+  const std::string found = ", found simplices of dimension " + std::to_string(size - 1);
+  if (demands.manifold && size > 4) {
+    return "expected simplices of dimension 3 at most for --manifold" + found;
+  }
+  const bool asks_sign =
+      demands.oriented == Orientations::kPositive || demands.oriented == Orientations::kNegative;
+  if (asks_sign && size != dimension + 1) {
+    return "expected simplices of dimension " + std::to_string(dimension) +
+           ", as the points have, where their sign is demanded" + found +
+           "; --oriented=same asks whether they fit together";
+  }
+  if (demands.closed && size == dimension + 1) {
+    return "expected simplices of a lower dimension than the points for --closed" + found +
+           ": what they fill has a boundary";
+  }
+  return "";
+}
+
+Verdict judge_complex(const ListedComplex& listed, const ComplexDemands& demands,
+                      bool by_definition, std::size_t max_violations) {
+  const Findings found =
+      by_definition ? findings_by_definition(listed, demands) : findings_by_lemma(listed, demands);
+  const std::size_t size = size_of_simplices(listed);
+  Verdict verdict(Claim::kComplex, max_violations);
+  verdict.points = listed.points.size();
+  verdict.simplices = listed.simplices.size();
+  verdict.dimension = affine_hull(listed.points).dimension;
+  Said said(listed, found, verdict);
+  said.each_simplex(size);
+  said.pairs(demands.allow_hanging);
+  said.orientations(demands.oriented);
+  if (!demands.allow_unused) said.vertex_set();
+  said.boundary(demands);
+  verdict.complex = facts_of(found, demands, size);
+  return verdict;
+}
+
+}  // namespace circumspect::check

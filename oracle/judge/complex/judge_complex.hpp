@@ -1,0 +1,20 @@
+// Judges a mesh alone: do its simplices form a complex? docs/theory/complex.md says what that is.
+#pragma once
+
+#include <string>
+
+#include "oracle/judge/complex/findings.hpp"
+#include "oracle/model/verdict.hpp"
+
+namespace circumspect::check {
+
+// Why the demands make no sense of simplices of so many vertices (0: there are none) and points of
+// this dimension, one line; empty if they do.
+std::string fault_of_demands(const ComplexDemands& demands, std::size_t size,
+                             std::size_t dimension);
+
+// The answer is the same by definition and by lemma, but for the time that it takes.
+Verdict judge_complex(const definition::ListedComplex& listed, const ComplexDemands& demands,
+                      bool by_definition, std::size_t max_violations);
+
+}  // namespace circumspect::check

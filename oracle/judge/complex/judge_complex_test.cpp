@@ -1,0 +1,130 @@
+// The claim `complex`, by lemma and by definition: what each kind of fault is called, and what is
+// found where every facet and every ridge is as it should be.
+#include "oracle/judge/complex/judge_complex.hpp"
+
+#include <doctest/doctest.h>
+
+namespace circumspect::check {
+namespace {
+
+using definition::ListedComplex;
+
+// The tallies of both ways, which are the same.
+std::map<Rule, std::size_t> broken(const ListedComplex& mesh, const ComplexDemands& demands = {}) {
+  std::map<Rule, std::size_t> of_both[2];
+  for (const bool by_definition : {false, true}) {
+    const Verdict verdict = judge_complex(mesh, demands, by_definition, 0);
+    CHECK(verdict.holds() == verdict.tallies().empty());
+    for (const auto& [rule, tally] : verdict.tallies()) of_both[by_definition][rule] = tally.count;
+  }
+  CHECK(of_both[0] == of_both[1]);
+  return of_both[0];
+}
+using Tallies = std::map<Rule, std::size_t>;
+
+const std::vector<Point> kSquare = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 1}, {1, 2}};
+
+TEST_CASE("a triangle inside another breaks no condition of facets and ridges") {
+  CHECK(broken({kSquare, {{0, 1, 3}, {4, 5, 6}, {1, 2, 3}}}) == Tallies{{Rule::kOverlap, 1}});
+  // In its hole it is right.
+  const std::vector<Point> with_hole = {{0, 0},  {20, 0}, {0, 20}, {2, 2}, {12, 2},
+                                        {2, 12}, {4, 4},  {5, 4},  {4, 5}};
+  const std::vector<Simplex> frame = {{0, 1, 3}, {1, 4, 3}, {1, 2, 4},
+                                      {2, 5, 4}, {2, 0, 5}, {0, 3, 5}};
+  CHECK(broken({{with_hole.begin(), with_hole.begin() + 6}, frame}).empty());
+  std::vector<Simplex> filled = frame;
+  filled.push_back({6, 7, 8});
+  CHECK(broken({with_hole, filled}).empty());
+  filled.push_back({3, 4, 5});
+  CHECK(broken({with_hole, filled}) == Tallies{{Rule::kOverlap, 1}});
+}
+
+TEST_CASE("what is set apart is named, its vertices are used, and the others are judged") {
+  const ListedComplex mesh{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 0}, {4, 4}},
+                           {{0, 1, 2}, {2, 1, 0}, {0, 4, 1}, {0, 5, 3}, {0, 0, 3}, {0, 1, 9}}};
+  CHECK(broken(mesh) == Tallies{{Rule::kPointsEqual, 1},
+                                {Rule::kDuplicateSimplex, 1},
+                                {Rule::kDegenerateSimplex, 1},
+                                {Rule::kRepeatedVertex, 1},
+                                {Rule::kUnknownVertex, 1}});
+  const ComplexFacts facts = *judge_complex(mesh, {}, false, 0).complex;
+  CHECK(facts.set_apart == 4);
+  CHECK(facts.is_complex);
+  CHECK(facts.parts == 1);
+  CHECK(facts.boundary_facets == 4);
+  CHECK(facts.positive == 2);
+  CHECK(facts.negative == 0);
+}
+
+TEST_CASE("hanging vertices are allowed, and points of no simplex") {
+  const ListedComplex mesh{{{0, 0}, {4, 0}, {0, 4}, {4, 4}, {2, 2}, {9, 9}},
+                           {{0, 1, 4}, {0, 4, 2}, {1, 3, 2}}};
+  CHECK(broken(mesh) == Tallies{{Rule::kHangingVertex, 1}, {Rule::kUnusedPoint, 1}});
+  CHECK(broken(mesh, {.allow_hanging = true}) == Tallies{{Rule::kUnusedPoint, 1}});
+  CHECK(broken(mesh, {.allow_hanging = true, .allow_unused = true}).empty());
+  CHECK(judge_complex(mesh, {.allow_hanging = true}, false, 0).complex->hanging_vertices == 1);
+}
+
+TEST_CASE("orientations: one sign, a sign, and neighbours of a surface") {
+  const ListedComplex two{{kSquare.begin(), kSquare.begin() + 4}, {{0, 1, 2}, {0, 3, 2}}};
+  CHECK(broken(two, {.oriented = Orientations::kSame}) == Tallies{{Rule::kOrientation, 1}});
+  CHECK(broken(two, {.oriented = Orientations::kPositive}) == Tallies{{Rule::kInverted, 1}});
+  CHECK(broken(two, {.oriented = Orientations::kNegative}) == Tallies{{Rule::kInverted, 1}});
+  const ListedComplex surface{{{0, 0, 0}, {4, 0, 1}, {4, 4, 0}, {0, 4, 1}}, {{0, 1, 2}, {0, 3, 2}}};
+  CHECK(broken(surface, {.oriented = Orientations::kSame}) == Tallies{{Rule::kNotOriented, 1}});
+  const ListedComplex turned{surface.points, {{0, 1, 2}, {0, 2, 3}}};
+  CHECK(broken(turned, {.oriented = Orientations::kSame}).empty());
+  // The sign of a tetrahedron is that of det[p1 − p0; p2 − p0; p3 − p0].
+  const ListedComplex corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
+  CHECK(broken(corner, {.oriented = Orientations::kPositive}).empty());
+}
+
+TEST_CASE("manifold: three triangles at an edge, and a ring of tetrahedra around a vertex") {
+  const ComplexDemands manifold{.manifold = true};
+  const std::vector<Point> book = {{0, 0, 0}, {0, 0, 4}, {3, 0, 2}, {-3, 1, 2}, {0, -3, 2}};
+  CHECK(broken({book, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}).empty());
+  CHECK(broken({book, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}, manifold) ==
+        Tallies{{Rule::kNotManifold, 1}});
+  const std::vector<Point> around = {{2, 2, 3},   {-2, 2, 3},   {-2, -2, 3}, {2, -2, 3}, {2, 2, -3},
+                                     {-2, 2, -3}, {-2, -2, -3}, {2, -2, -3}, {0, 0, 0}};
+  std::vector<Simplex> ring;
+  for (Vertex i = 0; i < 4; ++i) {
+    const Vertex next = (i + 1) % 4;
+    ring.push_back({8, i, next, i + 4});
+    ring.push_back({8, next, i + 4, next + 4});
+  }
+  CHECK(broken({around, ring}).empty());
+  CHECK(broken({around, ring}, manifold) == Tallies{{Rule::kNotManifold, 1}});
+  ring.pop_back();
+  ring.pop_back();
+  CHECK(broken({around, ring}, manifold).empty());
+  CHECK(broken({kSquare, {{0, 1, 5}, {0, 6, 3}}}, {.connected = true, .allow_unused = true}) ==
+        Tallies{{Rule::kNotConnected, 1}});
+}
+
+TEST_CASE("crossed diagonals are named once, unless a flat simplex has them") {
+  const std::vector<Point> points = {{1, 0, 0},  {0, 1, 0}, {-1, 0, 0},
+                                     {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<Simplex> halves = {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 5}, {1, 2, 3, 5}};
+  CHECK(broken({points, halves}) == Tallies{{Rule::kFacesCross, 1}});
+  const Verdict verdict = judge_complex({points, halves}, {}, false, 0);
+  const Witness& witness = verdict.violations().front().witness;
+  CHECK(witness.face == Simplex{0, 2});
+  CHECK(witness.vertices == std::vector<Vertex>{1, 3});
+  CHECK(witness.point == Point{0, 0, 0});
+  halves.push_back({0, 1, 2, 3});
+  CHECK(broken({points, halves}) == Tallies{{Rule::kDegenerateSimplex, 1}});
+}
+
+TEST_CASE("demands that make no sense of a mesh are said") {
+  CHECK(fault_of_demands({}, 3, 2).empty());
+  CHECK(fault_of_demands({}, 0, 2).find("found none") != std::string::npos);
+  CHECK(fault_of_demands({.manifold = true}, 5, 4).find("--manifold") != std::string::npos);
+  CHECK(fault_of_demands({.oriented = Orientations::kPositive}, 3, 3).find("--oriented=same") !=
+        std::string::npos);
+  CHECK(fault_of_demands({.closed = true}, 4, 3).find("--closed") != std::string::npos);
+  CHECK(fault_of_demands({.manifold = true, .closed = true}, 3, 3).empty());
+}
+
+}  // namespace
+}  // namespace circumspect::check

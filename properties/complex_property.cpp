@@ -1,0 +1,219 @@
+// The claim `complex`: by lemma and by definition the same is said, word for word, of whole meshes,
+// of parts of them, and of those in which faults were planted. Proof: docs/theory/complex.md.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "inputs/dice.hpp"
+#include "oracle/judge/complex/judge_complex.hpp"
+#include "oracle/judge/definition/simplicial_complex.hpp"
+#include "oracle/judge/judge.hpp"
+#include "oracle/model/mesh.hpp"
+#include "oracle/report/text.hpp"
+#include "properties/arguments/run.hpp"
+#include "reference/delaunay/bowyer_watson.hpp"
+
+namespace circumspect::properties {
+namespace {
+
+using definition::ListedComplex;
+using generators::Dice;
+
+// Few coordinates, so that much is degenerate.
+Point small_point(Dice& dice, std::size_t d, long most) {
+  Point point;
+  for (std::size_t axis = 0; axis < d; ++axis) point.push_back(dice.within(0L, most));
+  return point;
+}
+
+ListedComplex triangulated(Dice& dice, std::size_t d) {
+  std::set<Point> points;
+  const std::size_t count = d + 1 + dice.below(4);
+  while (points.size() < count) points.insert(small_point(dice, d, d == 1 ? 9 : 3));
+  const PointSet set({points.begin(), points.end()});
+  return {set.points(), delaunay::bowyer_watson(set).simplices()};
+}
+
+Simplex& any(Dice& dice, std::vector<Simplex>& simplices) {
+  return simplices[dice.below(simplices.size())];
+}
+void erase_any(Dice& dice, std::vector<Simplex>& simplices) {
+  simplices.erase(simplices.begin() + static_cast<std::ptrdiff_t>(dice.below(simplices.size())));
+}
+Vertex any_vertex(Dice& dice, const ListedComplex& mesh) {
+  return static_cast<Vertex>(dice.below(mesh.points.size()));
+}
+
+// Two halves of an octahedron above and below a square, which each cuts along another diagonal.
+ListedComplex meshed_apart() {
+  return {{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+          {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 5}, {1, 2, 3, 5}}};
+}
+
+// One more part, which may touch the others, lie in them or cross them.
+void add_part(Dice& dice, ListedComplex& mesh) {
+  const std::size_t d = mesh.points.front().size(), size = mesh.simplices.front().size();
+  ListedComplex other = d == 3 && dice.below(3) == 0 ? meshed_apart() : triangulated(dice, d);
+  if (size <= d) other.simplices = definition::faces_of(other.simplices, size);
+  const auto first = static_cast<Vertex>(mesh.points.size());
+  const Point moved = small_point(dice, d, 3);
+  for (const Point& point : other.points) {
+    mesh.points.push_back(point);
+    for (std::size_t axis = 0; axis < point.size(); ++axis) mesh.points.back()[axis] += moved[axis];
+  }
+  for (Simplex simplex : other.simplices) {
+    for (Vertex& v : simplex) v += first;
+    mesh.simplices.push_back(simplex);
+  }
+}
+
+// Cuts one of the simplices at the middle of an edge, whether others have the edge or not.
+void cut_one(Dice& dice, ListedComplex& mesh) {
+  Simplex& simplex = any(dice, mesh.simplices);
+  if (simplex.size() < 2 || simplex[0] == simplex[1]) return;
+  const auto at = [&](Vertex v) -> const Point& {
+    return mesh.points.at(static_cast<std::size_t>(v));
+  };
+  const Point middle = barycentre({at(simplex[0]), at(simplex[1])});
+  const auto v = static_cast<Vertex>(mesh.points.size());
+  Simplex half = simplex;
+  half[0] = v;
+  simplex[1] = v;
+  mesh.points.push_back(middle);
+  mesh.simplices.push_back(half);
+}
+
+void break_once(Dice& dice, ListedComplex& mesh) {
+  if (mesh.simplices.empty()) return;
+  const std::size_t d = mesh.points.front().size();
+  switch (dice.below(9)) {
+    case 0:
+      mesh.points[dice.below(mesh.points.size())] = small_point(dice, d, 3);
+      return;
+    case 1:
+      return cut_one(dice, mesh);
+    case 2:
+      mesh.simplices.push_back(Simplex(any(dice, mesh.simplices)));
+      std::reverse(mesh.simplices.back().begin(), mesh.simplices.back().end());
+      return;
+    case 3: {
+      Simplex& simplex = any(dice, mesh.simplices);
+      simplex[dice.below(simplex.size())] = any_vertex(dice, mesh);
+      return;
+    }
+    case 4: {  // one corner comes to stand for itself
+      Simplex& simplex = any(dice, mesh.simplices);
+      Vertex& corner = simplex[dice.below(simplex.size())];
+      mesh.points.push_back(mesh.points.at(static_cast<std::size_t>(corner)));
+      corner = static_cast<Vertex>(mesh.points.size()) - 1;
+      return;
+    }
+    case 5: {
+      Simplex& simplex = any(dice, mesh.simplices);
+      std::swap(simplex.front(), simplex.back());
+      return;
+    }
+    case 6: {
+      Simplex added = any(dice, mesh.simplices);
+      for (Vertex& v : added) v = any_vertex(dice, mesh);
+      mesh.simplices.push_back(added);
+      return;
+    }
+    case 7:
+      return add_part(dice, mesh);
+    default:
+      erase_any(dice, mesh.simplices);
+  }
+}
+
+// A mesh of simplices of k + 1 vertices, with up to two faults.
+ListedComplex drawn(Dice& dice, std::size_t d, std::size_t k) {
+  ListedComplex mesh = triangulated(dice, d);
+  if (k < d) mesh.simplices = definition::faces_of(mesh.simplices, k + 1);
+  while (mesh.simplices.size() > 10) erase_any(dice, mesh.simplices);
+  for (std::size_t faults = dice.below(3); faults > 0; --faults) break_once(dice, mesh);
+  std::erase_if(mesh.simplices, [k](const Simplex& simplex) { return simplex.size() != k + 1; });
+  while (mesh.simplices.size() > 14) erase_any(dice, mesh.simplices);
+  return mesh;
+}
+
+ComplexDemands drawn_demands(Dice& dice) {
+  ComplexDemands demands;
+  demands.manifold = dice.below(2) == 0;
+  demands.connected = dice.below(4) == 0;
+  demands.closed = dice.below(4) == 0;
+  demands.oriented = static_cast<Orientations>(dice.below(4));
+  demands.allow_hanging = dice.below(8) == 0;
+  demands.allow_unused = dice.below(2) == 0;
+  return demands;
+}
+
+Mesh in_arrays(const ListedComplex& listed) {
+  Mesh mesh;
+  mesh.coordinates = numbers_of(listed.points, listed.points.front().size());
+  mesh.simplices = IndexLists(listed.simplices);
+  return mesh;
+}
+
+std::string text(const Verdict& verdict, const Mesh& mesh) {
+  const ComplexFacts& facts = *verdict.complex;
+  return report::explanation(verdict, mesh) + report::verdict_line(verdict, mesh, "m") +
+         report::note_of_set_apart(verdict, "m").value_or("") + std::to_string(facts.parts) + " " +
+         std::to_string(facts.boundary_facets) + " " + std::to_string(facts.hanging_vertices) +
+         " " + std::to_string(facts.positive) + " " + std::to_string(verdict.dimension);
+}
+
+// What comes up.
+struct Seen {
+  std::map<Rule, std::size_t> broken = {};
+  std::size_t held = 0, held_fast = 0;
+};
+
+void compare(std::size_t d, std::size_t k, int inputs, Seen& seen) {
+  CHECK(holds("by lemma as by definition, and as by the judge of arrays", inputs, [&, d, k] {
+    Dice dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    const ListedComplex listed = drawn(dice, d, k);
+    const ComplexDemands demands = drawn_demands(dice);
+    const Verdict by_lemma = check::judge_complex(listed, demands, false, 0);
+    const Verdict by_definition = check::judge_complex(listed, demands, true, 0);
+    const Mesh mesh = in_arrays(listed);
+    RC_ASSERT(text(by_lemma, mesh) == text(by_definition, mesh));
+    const Verdict of_arrays =
+        check::judge(Claim::kComplex, mesh, nullptr, {.complex = demands, .max_violations = 0})
+            .value();
+    RC_ASSERT(text(of_arrays, mesh) == text(by_lemma, mesh));
+    seen.held += by_lemma.holds() ? 1 : 0;
+    seen.held_fast += of_arrays.course.fast ? 1 : 0;
+    for (const auto& [rule, tally] : by_lemma.tallies()) ++seen.broken[rule];
+  }));
+}
+
+void check_all_kinds(int inputs_in_plane, int inputs_in_space) {
+  Seen seen;
+  compare(2, 2, inputs_in_plane, seen);
+  compare(3, 3, inputs_in_space, seen);
+  CHECK(occurs(seen.held_fast));
+  compare(1, 1, inputs_in_plane / 4, seen);
+  compare(2, 1, inputs_in_plane / 4, seen);
+  compare(3, 2, inputs_in_space, seen);
+  compare(3, 1, inputs_in_plane / 4, seen);
+  CHECK(occurs(seen.held));
+  // The property says nothing of a rule that never comes up.
+  for (const Rule rule :
+       {Rule::kPointsEqual, Rule::kHangingVertex, Rule::kFacesCross, Rule::kOverlap,
+        Rule::kNotManifold, Rule::kNotOriented, Rule::kNotClosed, Rule::kNotConnected,
+        Rule::kInverted, Rule::kOrientation, Rule::kDegenerateSimplex, Rule::kRepeatedVertex,
+        Rule::kDuplicateSimplex, Rule::kUnusedPoint}) {
+    CAPTURE(identifier(rule));
+    CHECK(occurs(seen.broken[rule]));
+  }
+}
+
+TEST_CASE("complex: by lemma and by definition the same is said of every mesh") {
+  check_all_kinds(5000, 5000);
+}
+
+}  // namespace
+}  // namespace circumspect::properties
