@@ -44,7 +44,9 @@ void add_complex_options(CLI::App& command, ComplexOptions& options) {
                 "Also demand that all simplices list their vertices with the same orientation. For "
                 "the claim complex, --oriented=positive and --oriented=negative demand a sign of "
                 "det[p1-p0; ...; pd-p0]")
-      ->transform(CLI::Validator(orientation_word, ""));
+      ->transform(CLI::Validator(orientation_word, ""))
+      ->type_name("SIGN")
+      ->option_text("[=same|positive|negative]");
   ComplexDemands& demands = options.demands;
   command.add_flag("--manifold", demands.manifold,
                    "With the claim complex: demand that the mesh is a manifold with boundary");
