@@ -21,15 +21,16 @@ export PYTHONDONTWRITEBYTECODE := 1
 TEST_RC_PARAMS := $(or $(RC_PARAMS),seed=20260101)
 TEST_ONE_INPUT := CIRCUMSPECT_ONE_INPUT_IN=$(or $(CIRCUMSPECT_ONE_INPUT_IN),4)
 
-.PHONY: build demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
+.PHONY: build verified demo build-demo docs page proofs check test test-style test-browser test-proofs test-release \
         test-sanitize test-sanitize-beside build-release build-sanitize soak soak-sanitize soak-fuzz build-fuzz-fuzz build-fuzz-sanitize soak-hunt mutants mutants-generated tsan \
-        coverage bench format clean deb dist fresh-root web web-soak deps deps-build deps-docs deps-proofs deps-test deps-deb \
-        deps-bench deps-web
+        coverage bench format clean deb dist fresh-root ports web web-soak deps deps-build deps-docs deps-proofs deps-verified deps-test \
+        deps-deb deps-bench deps-web
 
 deps: ; @cmake/packages.sh build demo proofs test browser bench web
 deps-build: ; @cmake/packages.sh build
 deps-docs: ; @cmake/packages.sh docs
 deps-proofs: ; @cmake/packages.sh proofs
+deps-verified: ; @cmake/packages.sh verified
 deps-test: ; @cmake/packages.sh build proofs test browser
 deps-deb: ; @cmake/packages.sh build deb
 deps-bench: ; @cmake/packages.sh build bench
@@ -40,6 +41,12 @@ deps-web: ; @cmake/packages.sh build web
 build: deps-build
 	@test -f build/release/build.ninja || $(CONFIGURE) --preset release -DCIRCUMSPECT_BUILD_TESTS=OFF
 	@cmake --build --preset release --target circumspect_cli circumspect_archive -j $(JOBS)
+
+# The checker of certificates, extracted from its Coq proof: of the proof, only what the program is made of is compiled, in ten
+# seconds. Where it is found, `cmake --install` installs it beside the command.
+verified: deps-verified
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED)
+	@echo "built $(VERIFIED)"
 
 # Each step before the demonstration prints one line; a log has the rest. The demonstration judges small meshes, so
 # its command is built in half the time: by Clang, which does not optimize it, in a folder of its own.
@@ -79,15 +86,21 @@ deb: deps-deb
 
 # The command as one file for any Linux, in an archive with its man pages and all licences, in build/dist. Where the
 # sources lie is not in it.
-dist: deps-build
+dist: deps-build deps-verified
 	@$(CONFIGURE) -S . -B build/static -G Ninja -DCMAKE_BUILD_TYPE=Release -DCIRCUMSPECT_BUILD_TESTS=OFF \
 	  -DCIRCUMSPECT_STATIC=ON -DCMAKE_CXX_FLAGS=-ffile-prefix-map=$(CURDIR)=.
 	@cmake --build build/static -j $(JOBS) --target circumspect_cli
-	@cmake/dist.sh build/static build/dist
+	@$(MAKE) --no-print-directory -C proofs -j $(JOBS) $(VERIFIED)-static
+	@cmake/dist.sh build/static build/dist $(VERIFIED)-static
 
 # Installs both into a bare Debian 12 and judges there: for `make soak`.
 fresh-root: deps-deb
 	@debian/fresh_root_test.sh build/deb build/dist/circumspect-*-linux-*.tar.gz
+
+# Builds in a bare Debian 13, judges the corpus there, and cross-compiles for arm64: for `make soak`.
+ports:
+	@cmake/packages.sh ports
+	@JOBS=$(JOBS) cmake/ports.sh build/ports
 
 # The Coq proofs, and the program that is extracted from them.
 proofs: deps-proofs
@@ -124,8 +137,9 @@ test:
 	done
 
 test-style:
-	@$(SOURCES) | xargs -r -d '\n' $(CLANG_FORMAT) --dry-run -Werror || \
-	  { echo "the layout differs from .clang-format: run 'make format'" >&2; exit 1; }
+	@if command -v $(CLANG_FORMAT) >/dev/null; then $(SOURCES) | xargs -r -d '\n' $(CLANG_FORMAT) --dry-run -Werror || \
+	    { echo "the layout differs from .clang-format: run 'make format'" >&2; exit 1; }; \
+	  else echo "the layout is that of $(CLANG_FORMAT), which this release of Debian does not have: not checked"; fi
 	@python3 tidy/tidy.py
 	@python3 tidy/tidy_test.py
 	@python3 tidy/links.py

@@ -1,4 +1,5 @@
-"""Builds the extension circumspect._core by CMake. All else is in pyproject.toml.
+"""Builds the extension circumspect._core by CMake, and collects the licences of what is compiled into it. All else is
+in pyproject.toml.
 
 CIRCUMSPECT_BUILD names a build that has been configured with -DCIRCUMSPECT_BUILD_PYTHON=ON, which is then used.
 """
@@ -43,6 +44,14 @@ class BuildByCMake(build_ext):
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(built, target)
         subprocess.run(["strip", "--strip-unneeded", target], check=True)
+        self.collect_licences(target.parent / "licences")
+
+    def collect_licences(self, folder):
+        """Puts the licences of what is compiled into the extension beside it."""
+        made = subprocess.run([ROOT / "cmake" / "licences.sh", "wheel", folder], check=False)
+        if made.returncode != 0:
+            shutil.rmtree(folder, ignore_errors=True)
+            print("warning: this build lacks the licences of its libraries, so it is not to be passed on", file=sys.stderr)
 
 
 if "sdist" not in sys.argv:

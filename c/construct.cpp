@@ -1,4 +1,4 @@
-// What is built and asked beside verdicts: references, predicates, comparisons, certificates.
+// Everything but verdicts: references, predicates, comparisons, certificates.
 #include <map>
 #include <memory>
 #include <new>
@@ -15,6 +15,7 @@
 #include "c/input.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/families.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "kernel/predicates/in_ball.hpp"
@@ -56,7 +57,7 @@ Triangulation canonical(const PointSet& points) {
                                           .location = delaunay::PointLocation::kWalking});
 }
 
-// Beyond so many vertices gift-wrapping, which always answers, takes longer than inserting polygons.
+// With more vertices, gift-wrapping, which always answers, takes longer than inserting polygons.
 constexpr std::size_t kFewVertices = 200;
 
 constrained::PlcTriangulation built(const PiecewiseLinearComplex& complex) {
@@ -131,9 +132,7 @@ PiecewiseLinearInput drawn_domain(const char* family_name, std::int64_t points,
   const std::string name = required(family_name, "the name of a family");
   const generators::ComplexFamily* const family = properties::find_domain_family(name);
   if (family == nullptr) {
-    refuse_call(fmt::format(
-        "expected the name of a family of domains (`circumspect generate --list`), found '{}'",
-        on_one_line(name)));
+    refuse_call(generators::unknown_family_text("domains", on_one_line(name)));
   }
   return generators::in_doubles(generators::drawn(*family, how_many(points), seed)).input;
 }
@@ -143,13 +142,10 @@ PointArray drawn(const char* family_name, std::int64_t dimension, std::int64_t p
   const std::string name = required(family_name, "the name of a family");
   const generators::Family* const family = generators::find_family(name);
   if (family == nullptr) {
-    refuse_call(fmt::format(
-        "expected the name of a family of points (`circumspect generate --list`), found '{}'",
-        on_one_line(name)));
+    refuse_call(generators::unknown_family_text("points", on_one_line(name)));
   }
   if (dimension < 1 || !family->exists_in(static_cast<std::size_t>(dimension))) {
-    refuse_call(fmt::format("expected a dimension in which there are sets of {}, found {}", name,
-                            dimension));
+    refuse_call(generators::no_sets_text(name, generators::dimensions_text(*family), dimension));
   }
   const auto columns = static_cast<std::size_t>(dimension);
   const generators::PointsCase set =
@@ -225,7 +221,7 @@ struct circumspect_drawing {
 
   PointArray points;
   circumspect_mesh mesh = CIRCUMSPECT_MESH;
-  // Of a domain, whose dimension else is 0.
+  // For a domain, whose dimension is 0 otherwise.
   std::vector<std::int64_t> segments = {};
   std::vector<std::int64_t> polygon_starts = {0};
   std::vector<std::int64_t> line_starts = {0};
@@ -384,7 +380,7 @@ circumspect_status circumspect_certify(const char* claim, const circumspect_mesh
     if (!proof) throw c::Refusal{CIRCUMSPECT_NONE, proof.error()};
     std::ostringstream text;
     certificate::write(text, exact_mesh, *proof);
-    if (!text) throw std::bad_alloc();  // streams tell so where memory ends
+    if (!text) throw std::bad_alloc();  // how streams report that memory ran out
     *document = new circumspect_document{text.str()};
     *holds = verdict.holds() ? 1 : 0;
   });

@@ -103,7 +103,7 @@ TEST_CASE("a polygon has the holes that seeds say, and a program of an earlier v
   CHECK(tetrahedra() == around_the_pit);
   domain.exact_polygon_hole_seeds = nullptr;
   domain.polygon_hole_seeds = seeds.data();
-  // The members of the first version end before the holes of polygons; what lies behind is not read.
+  // The members of the first version end before the holes of polygons; later members are not read.
   domain.struct_size = offsetof(circumspect_domain, polygon_hole_count);
   CHECK(tetrahedra() == around_the_pit + 1);  // the pit is the tetrahedron 4 5 6 7
   domain.struct_size = sizeof domain;

@@ -1,4 +1,5 @@
-// From the struct of <circumspect/circumspect.h> to a valid domain, and what of it is filled.
+// Makes a valid domain of the struct of <circumspect/circumspect.h>, and determines which part of
+// it is filled.
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -11,10 +12,10 @@
 #include "c/guard.hpp"
 #include "c/input.hpp"
 #include "kernel/exact/number.hpp"
-#include "kernel/piecewise_linear/coplanar_polygons.hpp"
-#include "kernel/piecewise_linear/filling.hpp"
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
+#include "oracle/domain/coplanar_polygons.hpp"
+#include "oracle/domain/filling.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/report/text.hpp"
 
@@ -132,7 +133,7 @@ std::vector<Point> seeds_of_empty(const circumspect_domain& domain,
       report::joined(regions.walls().simplices()[seeds.error()])));
 }
 
-// Polygons are called by their places, joined ones by that of the first.
+// Polygons are named by their places, joined ones by the place of the first.
 Domain with_names(PiecewiseLinearComplex complex,
                   const std::vector<std::vector<std::size_t>>& members) {
   Domain domain{std::move(complex)};

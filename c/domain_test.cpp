@@ -1,4 +1,4 @@
-// What of a domain is filled, and which of its polygons are one.
+// Which part of a domain is filled, and which of its polygons are joined.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -55,7 +55,7 @@ TEST_CASE("what is filled is as the kind says, or the regions") {
   domain.region_seeds = nullptr;
   domain.exact_region_seeds = between;
   CHECK(triangles_of(domain) == 8);
-  // Who was compiled before there were regions has none.
+  // A program compiled before there were regions has none.
   domain.struct_size = offsetof(circumspect_domain, region_count);
   CHECK(triangles_of(domain) == 10);
 }
@@ -99,7 +99,7 @@ TEST_CASE("kinds and regions that make no sense are refused") {
 }
 
 TEST_CASE("polygons of one plane are one, where that is asked for") {
-  // A tetrahedron, one side of which is cut from the middle of an edge.
+  // A tetrahedron with a side that is cut from the middle of an edge.
   const std::vector<double> points = {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 1, 1, 0};
   const std::vector<std::int64_t> starts = {0, 1, 2, 3, 4, 5};
   const std::vector<std::int64_t> lines = {0, 3, 6, 9, 12, 16};

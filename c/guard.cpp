@@ -12,17 +12,17 @@
 namespace circumspect::c {
 namespace {
 
-// What circumspect_end_calls_after() has said.
+// The arguments of circumspect_end_calls_after().
 thread_local std::chrono::duration<double> most_seconds{0};
 thread_local const std::int32_t* stop_of_calls = nullptr;
 
-// Of a fixed size, so that there is one where no memory is left.
+// Its size is fixed, so that it exists even when no memory is left.
 constexpr std::size_t kLongestMessage = 2000;
 thread_local char last_error[kLongestMessage + 1] = "";
 
 void keep(std::string_view message) noexcept {
   std::size_t length = std::min(message.size(), kLongestMessage);
-  if (length < message.size()) {  // no character of several bytes is cut in two
+  if (length < message.size()) {  // never cuts a multibyte character in two
     while (length > 0 && (static_cast<unsigned char>(message[length]) & 0xC0U) == 0x80U) --length;
   }
   std::memcpy(last_error, message.data(), length);
@@ -31,7 +31,7 @@ void keep(std::string_view message) noexcept {
 
 constexpr std::string_view kNoMemory = "expected more memory than there is";
 
-// What is said may quote a text of the caller's, which holds any bytes.
+// The message may quote text of the caller, which may hold any bytes.
 circumspect_status failed(circumspect_status status, std::string_view message) noexcept {
   try {
     keep(on_one_line(message));
@@ -60,7 +60,7 @@ void forget_last_error() noexcept { last_error[0] = '\0'; }
 Interruption interruption_of_call() noexcept {
   using Clock = std::chrono::steady_clock;
   Interruption interruption{stop_of_calls};
-  // Beyond a year the sum with the clock's time need not fit it.
+  // Beyond a year, the sum with the clock's time may overflow.
   constexpr std::chrono::duration<double> kYear = std::chrono::hours(24 * 365);
   if (most_seconds.count() > 0) {
     interruption.deadline =
@@ -98,7 +98,7 @@ circumspect_status status_of_exception() noexcept {
 const char* circumspect_last_error(void) { return circumspect::c::last_error; }
 
 void circumspect_end_calls_after(double seconds, const int32_t* stop) {
-  // NaN is no limit either.
+  // NaN sets no limit either.
   circumspect::c::most_seconds = std::chrono::duration<double>(seconds > 0 ? seconds : 0);
   circumspect::c::stop_of_calls = stop;
 }

@@ -1,4 +1,4 @@
-// What keeps exceptions and C++ types on this side of <circumspect/circumspect.h>.
+// Keeps exceptions and C++ types on this side of <circumspect/circumspect.h>.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void require_memory_for_json();
 circumspect_status status_of_exception() noexcept;
 // Nothing has failed yet.
 void forget_last_error() noexcept;
-// What ends a call of this thread that begins now.
+// The limit for a call that this thread begins now.
 Interruption interruption_of_call() noexcept;
 
 template <class Action>
@@ -57,8 +57,8 @@ Pointer* required(Pointer* pointer, const char* what) {
   return pointer;
 }
 
-// A copy of a struct of the header, `begun` being what its macro makes. Programs that were compiled when it had
-// fewer members hand in fewer bytes: the sizes that it had are `earlier`.
+// A copy of a struct of the header; `begun` is what its macro makes. Programs that were compiled
+// when the struct had fewer members pass fewer bytes; `earlier` lists the sizes that it has had.
 template <class Struct>
 Struct of_any_version(const Struct& given, Struct begun, std::initializer_list<std::size_t> earlier,
                       const char* macro) {

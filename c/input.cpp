@@ -40,7 +40,7 @@ Rows<Rational> exact_rows(std::span<const char* const> texts, std::size_t column
   return rows;
 }
 
-// Doubles where they lie, or texts; doubles of texts that are all of them doubles.
+// Doubles in place, or texts; texts become doubles if all of them are doubles.
 Numbers numbers(const double* doubles, const char* const* texts, std::size_t size,
                 std::size_t columns, const char* what) {
   if (doubles != nullptr || texts == nullptr) {

@@ -1,4 +1,4 @@
-// From the structs of <circumspect/circumspect.h> to what is judged and built.
+// Converts the structs of <circumspect/circumspect.h> to what is judged and built.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ std::size_t product(std::int64_t a, std::int64_t b, const char* what);
 void require_count(std::int64_t count, const char* what);
 void require_dimension(std::int64_t dimension, std::int64_t least, std::int64_t most);
 
-// An array of that many entries: empty where there are none, whatever the pointer.
+// An array of that many entries; empty if the number is 0, whatever the pointer.
 template <class Value>
 std::span<const Value> array(const Value* values, std::size_t size, const char* what) {
   if (size == 0) return {};
@@ -34,19 +34,19 @@ std::span<const Value> array(const Value* values, std::size_t size, const char* 
 void take_faces(const std::int64_t* indices, std::int64_t count, std::int64_t vertices,
                 const char* what, std::vector<Simplex>& faces);
 
-// On the memory of the arrays, where these are doubles. `weighted`: the weights count. All of these refuse
-// what is not as the header says.
+// Uses the memory of the arrays if these are doubles. `weighted`: the weights count. All of these
+// functions refuse anything that the header does not allow.
 Mesh mesh_of(const circumspect_mesh& mesh, bool weighted);
 
-// Refuses a mesh without points and simplices: a program wrote nothing.
+// Refuses a mesh without points and simplices: usually a program wrote nothing.
 void refuse_empty(const Mesh& mesh, const char* what_to_do = "");
 // Refuses a mesh that has equal points, which are `repeated`.
 void refuse_equal_points(const std::vector<Duplicate>& repeated, const char* what_to_do = "");
 
-// Requires the word of a claim that is about a domain or not, as asked.
+// Requires the name of a claim that is, or is not, about a domain, as asked.
 Claim claim_of(const char* text, bool has_domain);
 
-// A valid complex, and what of it is filled (domain.cpp).
+// A valid complex, and the part of it that is filled (domain.cpp).
 Domain domain_of(const circumspect_domain& domain);
 
 // Points by either array.

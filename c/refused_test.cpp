@@ -1,4 +1,4 @@
-// Calls that are wrong, handles that are none, and memory that ends: every path is safe.
+// Wrong calls, null handles and exhausted memory: every path is safe.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -109,7 +109,7 @@ TEST_CASE("whatever the members hold, the answer is a status") {
         choices...};
     return all[random() % all.size()];
   };
-  // No count that is let pass is larger than the arrays are.
+  // No count that is accepted is larger than the arrays.
   const std::int64_t least = std::numeric_limits<std::int64_t>::min();
   const std::int64_t most = std::numeric_limits<std::int64_t>::max();
   const auto count = [&] {
@@ -180,7 +180,8 @@ TEST_CASE("drawings that cannot be made are refused") {
   refused("spheres", 3, 12, "found 'spheres'");
   refused("a\nb", 3, 12, "found 'a\\x0");
   refused("protected-solids", 3, 12, "a family of points");
-  refused("sphere", 1, 12, "in which there are sets of sphere, found 1");
+  refused("sphere", 1, 12,
+          "sphere exists in dimension 2 and above; expected such a dimension, found 1");
   refused("sphere", -1, 12, "found -1");
   refused("sphere", 3, 0, "from 1 to 1000000 points, found 0");
   refused("sphere", 3, std::numeric_limits<std::int64_t>::max(), "found 9223372036854775807");

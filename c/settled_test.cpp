@@ -1,4 +1,4 @@
-// What the C interface refuses unless it is asked to let it pass, and what ends its calls.
+// What the C interface refuses unless an option allows it, and what ends its calls.
 #include <atomic>
 #include <chrono>
 #include <limits>
@@ -14,7 +14,7 @@
 namespace circumspect::c {
 namespace {
 
-// A square of two triangles that share no vertex, as of a mesher that forgets to.
+// A square of two triangles that share no vertex, as made by a mesher that forgets to share them.
 const std::vector<double> kTorn = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 1};
 const std::vector<std::int32_t> kSeam = {0, 1, 2, 4, 5, 3};
 
@@ -137,7 +137,8 @@ TEST_CASE("starts that no array can have are refused") {
   CHECK(has(circumspect_last_error(), "expected fewer polygon_starts"));
 }
 
-// A mesh that takes minutes by definition: points in convex position on a line of a parabola's kind, as a fan.
+// A mesh that takes minutes by definition: a fan over points in convex position, on a curve like a
+// parabola.
 struct LongWork {
   LongWork() {
     constexpr std::int32_t kPointsOfFan = 2000;
@@ -168,7 +169,7 @@ TEST_CASE("a limit or another thread ends a long call") {
   circumspect_end_calls_after(0.05, nullptr);
   CHECK(work.judged() == CIRCUMSPECT_UNDECIDED);
   CHECK(has(circumspect_last_error(), "within the time limit"));
-  // A call that takes no time is not late, nor are those after it.
+  // A call that takes no time is not late, and neither are the calls after it.
   const circumspect_mesh mesh = mesh_of(kPoints, kRight);
   CHECK(check("delaunay", &mesh).status == CIRCUMSPECT_OK);
   std::int32_t stop = 0;

@@ -1,4 +1,4 @@
-// Judging, and what a verdict holds.
+// Judging, and the contents of a verdict.
 #include <charconv>
 #include <cstddef>
 #include <limits>
@@ -26,7 +26,7 @@
 
 namespace circumspect::c {
 
-// Texts and indices that the pointers of a circumspect_violation lead to.
+// The texts and indices that the pointers of a circumspect_violation point to.
 struct KeptViolation {
   std::vector<std::string> texts = {};
   std::vector<std::int64_t> simplex_starts = {0};
@@ -81,7 +81,7 @@ std::unique_ptr<KeptViolation> kept_violation(const Violation& violation, const 
   }
   if (named.face) kept->face = *named.face;
   for (const Vertex v : witness.vertices) kept->vertices.push_back(mesh.label(v));
-  // The texts stay where they are: the pointers into them are handed out.
+  // The texts must not move, because callers hold pointers into them.
   const std::size_t coordinates = (witness.point ? witness.point->size() : 0) +
                                   (witness.ball ? witness.ball->centre.size() + 1 : 0);
   kept->texts.reserve(2 * (coordinates + witness.values.size()));
@@ -135,6 +135,7 @@ check::Options options_of(const circumspect_options& asked) {
   }
   return {.by = asked.by_definition != 0 ? check::By::kDefinition : check::By::kLemma,
           .oriented = asked.oriented != 0,
+          .complex = {.oriented = asked.oriented != 0 ? Orientations::kSame : Orientations::kAny},
           .max_violations = static_cast<std::size_t>(asked.max_violations),
           .threads = static_cast<unsigned>(asked.threads)};
 }
@@ -172,6 +173,12 @@ Verdict judged(Claim claim, Mesh& mesh, const Domain* domain, const circumspect_
     if (domain == nullptr) refuse_call("expected a domain beside `within`, found NULL");
     settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
     return judged_within(asked.within, claim, mesh, *domain, options);
+  }
+  if (claim == Claim::kComplex) {
+    const std::string fault = check::fault_of_demands(mesh, options.complex);
+    if (!fault.empty()) refuse_input(fault);
+    // Otherwise equal points break a rule of this claim.
+    if (are_merged) settle_equal_points(equal_points(mesh), are_merged, mesh, notes);
   }
   auto verdict = check::judge(claim, mesh, domain, options);
   if (verdict) return std::move(*verdict);
@@ -295,7 +302,7 @@ circumspect_status circumspect_verdict_page(const circumspect_verdict* verdict,
     c::require_memory_for_json();
     std::ostringstream text;
     kept->write(text);
-    if (!text) throw std::bad_alloc();  // streams tell so where memory ends
+    if (!text) throw std::bad_alloc();  // how streams report that memory ran out
     *page = new circumspect_document{text.str()};
   });
 }

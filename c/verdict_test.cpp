@@ -1,4 +1,4 @@
-// What the C interface says of meshes.
+// What the C interface says about meshes.
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -28,6 +28,27 @@ TEST_CASE("a mesh that holds, and its facts") {
         "holds: delaunay mesh 4 points 2 triangles unique canonical\n");
   CHECK(has(circumspect_verdict_json(found.verdict.get()), "\"verdict\": \"holds\""));
   CHECK(circumspect_verdict_unique(check("triangulation", &mesh).verdict.get()) == -1);
+}
+
+TEST_CASE("a mesh alone: equal points break a rule, unless they are merged") {
+  const std::vector<double> points = {0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 4, 4};
+  const std::vector<std::int32_t> apart = {0, 1, 2, 3, 5, 4};
+  const circumspect_mesh mesh = mesh_of(points, apart);
+  const Checked found = check("complex", &mesh);
+  REQUIRE(found.status == CIRCUMSPECT_OK);
+  std::int64_t count = 0;
+  REQUIRE(circumspect_verdict_rule_count(found.verdict.get()) == 1);
+  CHECK(std::string(circumspect_verdict_rule(found.verdict.get(), 0, &count)) ==
+        "complex.points-equal");
+  CHECK(count == 2);
+  circumspect_options options = CIRCUMSPECT_OPTIONS;
+  options.merge_equal_points = 1;
+  options.oriented = 1;
+  const Checked merged = check("complex", &mesh, nullptr, &options);
+  REQUIRE(merged.status == CIRCUMSPECT_OK);
+  CHECK(has(circumspect_verdict_text(merged.verdict.get()), "1 part 4 boundary-facets positive"));
+  const circumspect_mesh none = mesh_of(points, {});
+  CHECK(check("complex", &none).status == CIRCUMSPECT_INPUT_FAULT);
 }
 
 TEST_CASE("a mesh that fails, and its witness in numbers") {
@@ -61,7 +82,7 @@ TEST_CASE("a mesh that fails, and its witness in numbers") {
   CHECK(violation.centre[1].nearest == 0.5);
   CHECK(std::string(violation.squared_radius->exact) == "1/2");
   REQUIRE(violation.value_count >= 1);
-  // The depth of 0.9's double in the ball, a fraction that no double is.
+  // The depth of the double 0.9 in the ball: a fraction that is not a double.
   CHECK(has(violation.values[0].exact, "/"));
   CHECK(std::isfinite(violation.values[0].nearest));
   CHECK(circumspect_verdict_violation(verdict, 1, &violation, sizeof violation) ==
@@ -91,7 +112,7 @@ TEST_CASE("wide indices, neighbours, weights, exact numbers and options") {
   mesh.neighbors = exchanged.data();
   CHECK(circumspect_verdict_holds(check("delaunay", &mesh).verdict.get()) == 0);
   mesh.neighbors = nullptr;
-  // The weight of the last point draws it out of the ball.
+  // The weight of the last point pulls it out of the ball.
   const std::vector<double> weights = {0, 0, 0, -1};
   mesh.weights = weights.data();
   CHECK(circumspect_verdict_holds(check("weighted-delaunay", &mesh).verdict.get()) == 0);
@@ -174,13 +195,13 @@ TEST_CASE("a domain, moved or not") {
   CHECK(check("cdt", &moved, &domain, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
   options.within = "1";
   CHECK(check("delaunay", &mesh, nullptr, &options).status == CIRCUMSPECT_INVALID_ARGUMENT);
-  // Crossing diagonals make no piecewise linear complex.
+  // Crossing diagonals do not form a piecewise linear complex.
   const std::vector<std::int64_t> crossing = {0, 2, 1, 3};
   domain.segment_count = 2;
   domain.segments = crossing.data();
   CHECK(check("cdt", &mesh, &domain).status == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "plc.crossing-segments"));
-  // Open: of which kind it is nobody can tell.
+  // It is open, so its kind cannot be told.
   domain.segment_count = 1;
   CHECK(check("cdt", &mesh, &domain).status == CIRCUMSPECT_INPUT_FAULT);
   CHECK(has(circumspect_last_error(), "enclose nothing"));

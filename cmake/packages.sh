@@ -1,7 +1,8 @@
 #!/bin/bash
 # Installs the Debian packages that a purpose needs and that are missing:
-#   cmake/packages.sh build|demo|docs|proofs|test|coverage|mutants|browser|web|deb|hunt|bench...
-# When nothing is missing it touches neither the network nor the system.
+#   cmake/packages.sh build|demo|verified|docs|proofs|test|coverage|mutants|browser|web|deb|ports|hunt|bench...
+# When nothing is missing it touches neither the network nor the system. A|B is the first of the two that this release of
+# Debian has; with a question mark behind it, what it does not have is left out.
 set -euo pipefail
 
 # Whatever compiles the command compiles it with these.
@@ -48,9 +49,9 @@ libopenmpi-dev        compiles circumspect-mpi
 openmpi-bin           starts its ranks
 topcom                a second opinion on the number of triangulations, in tests only
 pkg-config            tests the installed circumspect.pc
-clang-format-14       checks the layout of the sources
+clang-format-14?      checks the layout of the sources, which is that of this version
 clang                 compiles the fuzz targets
-libclang-rt-14-dev    libFuzzer and Clang's sanitizers
+libclang-rt-14-dev|libclang-rt-dev  libFuzzer and Clang's sanitizers
 python3-dev           compiles the Python module (the file Python.h)
 pybind11-dev          binds it to Python
 python3-numpy         arrays, which the Python package takes
@@ -75,7 +76,7 @@ gcovr                 says which lines and branches the tests run
 END
       ;;
     mutants) cat <<'END'
-python3-clang-14      finds the places that mutants change
+python3-clang-14|python3-clang  finds the places that mutants change
 END
       ;;
     browser) cat <<'END'
@@ -92,10 +93,13 @@ nodejs                bundles the page, and runs its tests
 npm                   fetches the modules for that, as package-lock.json names them
 END
       ;;
-    proofs) cat <<'END'
+    verified) cat <<'END'
 coq                   checks the proofs and extracts the certificate checker
 ocaml-nox             compiles it
 libzarith-ocaml-dev   its integers
+END
+      ;;
+    proofs) needed_for verified; cat <<'END'
 gappa                 proves the error bounds of the floating-point filters
 python3               makes the mutants of certificates; in tests, runs tidy/tidy.py
 END
@@ -114,6 +118,11 @@ lintian               looks for faults in the packages
 debootstrap           makes the bare Debian in which they are tried (make soak)
 END
       ;;
+    ports) cat <<'END'
+debootstrap           makes the bare Debian in which the project is built
+binutils              reads for which machine a program is
+END
+      ;;
     docs) cat <<'END'
 mkdocs-material       makes a site of the pages in docs
 python3               checks the links of all pages
@@ -124,7 +133,7 @@ libboost-dev          Boost.Polygon: this and all below are hunted (hunt)
 libgts-dev            GTS
 libjts-java           JTS
 octave                its delaunay
-openjdk-17-jdk-headless  compiles the adapter of JTS
+default-jdk-headless  compiles the adapter of JTS
 pkg-config            finds GTS
 python3-matplotlib    its triangulation of the plane
 python3-netgen        Netgen's mesher of volumes
@@ -143,7 +152,7 @@ END
 tetgen                its own check is timed beside ours, on the meshes that it makes
 END
       ;;
-    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, docs, proofs, test, coverage, mutants, browser, web, deb, hunt or bench" >&2; exit 2 ;;
+    *) echo "cmake/packages.sh: unknown purpose '$1'; give build, demo, verified, docs, proofs, test, coverage, mutants, browser, web, deb, ports, hunt or bench" >&2; exit 2 ;;
   esac
 }
 
@@ -158,16 +167,37 @@ if ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 
+is_installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]
+}
+
+# Does this release of Debian have it? apt's lists say so, if there are any yet.
+is_known() {
+  apt-cache policy "$1" 2>/dev/null | grep 'Candidate: [^(]' >/dev/null
+}
+
+# name_missing PACKAGE WHY
+name_missing() {
+  [ ${#missing[@]} -gt 0 ] || echo "Missing packages, which are installed now:"
+  printf '  %-20s  %s\n' "${1%%|*}" "$2"
+  missing+=("$1")
+}
+
 missing=()
+if_known=()
 while read -r package why; do
   [ -n "$package" ] || continue
   # Node that is not Debian's has npm in it, and Debian's npm does not go with it.
   if [ "$package" = npm ] && command -v npm >/dev/null; then continue; fi
-  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
-  if [ "$status" != installed ]; then
-    [ ${#missing[@]} -gt 0 ] || echo "Missing packages, which are installed now:"
-    printf '  %-20s  %s\n' "$package" "$why"
-    missing+=("$package")
+  for one in $(tr '|' ' ' <<<"${package%\?}"); do
+    if is_installed "$one"; then continue 2; fi
+  done
+  if [[ $package != *\? ]]; then
+    name_missing "$package" "$why"
+  elif is_known "${package%\?}"; then
+    name_missing "${package%\?}" "$why"
+  else
+    if_known+=("${package%\?}")
   fi
 done <<<"$list"
 [ ${#missing[@]} -gt 0 ] || exit 0
@@ -176,7 +206,7 @@ as_root=()
 if [ "$(id -u)" -ne 0 ]; then
   if ! command -v sudo >/dev/null; then
     echo "error: installing packages needs root or sudo. As root, run:" >&2
-    echo "  apt-get update && apt-get install -y --no-install-recommends ${missing[*]}" >&2
+    echo "  apt-get update && apt-get install -y --no-install-recommends ${missing[*]%%|*}" >&2
     exit 1
   fi
   as_root=(sudo)
@@ -184,4 +214,15 @@ fi
 apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive
      apt-get -q -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300)
 "${apt[@]}" update
-"${apt[@]}" install -y --no-install-recommends "${missing[@]}"
+chosen=()
+for package in "${missing[@]}"; do
+  name=${package%%|*}
+  for one in $(tr '|' ' ' <<<"$package"); do
+    if is_known "$one"; then name=$one; break; fi
+  done
+  chosen+=("$name")
+done
+for package in ${if_known[@]+"${if_known[@]}"}; do
+  if is_known "$package"; then chosen+=("$package"); fi
+done
+"${apt[@]}" install -y --no-install-recommends "${chosen[@]}"

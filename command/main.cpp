@@ -19,6 +19,7 @@
 
 #include "command/options/domain_options.hpp"
 #include "command/options/help.hpp"
+#include "command/options/words.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "kernel/exact/number.hpp"
@@ -68,19 +69,26 @@ constexpr auto kSubcommands = std::to_array<Subcommand>({
 #endif
     {"compare", circumspect::cli::add_compare},
     {"rule", circumspect::cli::add_rule},
+    {"help", circumspect::cli::add_help},
 #ifndef __EMSCRIPTEN__
     {"command-pages", circumspect::cli::add_command_pages},
 #endif
 });
 
 // The one that the first word names: the options of all take longer to make than a small mesh to judge. All of them
-// if it names none, as --help lists them, and for command-pages, which describes them.
+// if it names none, as --help lists them, and for help and command-pages, which describe them.
 std::span<const Subcommand> called(int argc, char** argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   const auto found = std::find_if(kSubcommands.begin(), kSubcommands.end(),
                                   [&](const Subcommand& one) { return one.name == word; });
-  if (found == kSubcommands.end() || word == "command-pages") return kSubcommands;
+  if (found == kSubcommands.end() || word == "help" || word == "command-pages") return kSubcommands;
   return {found, 1};
+}
+
+ExitCode say_usage(const std::string& text) {
+  circumspect::cli::say(circumspect::on_one_line(text) +
+                        "\nRun with --help for more information.\n");
+  return ExitCode::kUsage;
 }
 
 // Something is missing, or too much: most often since a word was mistyped. It may be a word of another subcommand.
@@ -90,16 +98,14 @@ ExitCode usage_fault(CLI::App& app, const CLI::ParseError& error, ExitCode& exit
     if (app.get_subcommands(is_it).empty()) subcommand.add(app, exit_code);
   }
   const std::string text = circumspect::cli::unknown_word_text(app);
-  circumspect::cli::say(circumspect::on_one_line(text.empty() ? error.what() : text) +
-                        "\nRun with --help for more information.\n");
-  return ExitCode::kUsage;
+  return say_usage(text.empty() ? error.what() : text);
 }
 
 ExitCode run(int argc, char** argv) {
   CLI::App app{
       "The exact oracle for Delaunay triangulations: judges any mesh, exactly, with a witness."};
   app.name("circumspect");
-  app.set_version_flag("--version", version());
+  app.set_version_flag("-V,--version", version());
   app.require_subcommand(1);
   app.footer(
       "Example:\n"
@@ -113,7 +119,7 @@ ExitCode run(int argc, char** argv) {
   app.failure_message(CLI::FailureMessage::simple);
   ExitCode exit_code = ExitCode::kHolds;
   for (const Subcommand& subcommand : called(argc, argv)) subcommand.add(app, exit_code);
-  circumspect::cli::let_options_take_one_word(app);
+  circumspect::cli::deal_words_to_options(app);
   circumspect::cli::lay_out_help(app);
   try {
     std::vector<std::string> words = circumspect::cli::with_angles_joined(argc, argv);
@@ -123,6 +129,9 @@ ExitCode run(int argc, char** argv) {
     return usage_fault(app, error, exit_code);
   } catch (const CLI::ExtrasError& error) {
     return usage_fault(app, error, exit_code);
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string text = circumspect::cli::value_text(app, error.what());
+    return say_usage(text.empty() ? error.what() : text);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
       app.exit(error);

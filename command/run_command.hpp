@@ -28,6 +28,14 @@ inline std::string contents(const std::string& path) {
   return text.str();
 }
 
+// A text with one blank between two words: lines of --help end where there is room.
+inline std::string unbroken(const std::string& text) {
+  std::istringstream words(text);
+  std::string joined;
+  for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
+  return joined;
+}
+
 // Runs circumspect with some arguments and some text on its standard input.
 inline Run run(std::vector<std::string> arguments, const std::string& in = "") {
   const ScratchFolder folder;

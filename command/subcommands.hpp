@@ -20,6 +20,7 @@ void add_minimize(CLI::App& app, ExitCode& exit_code);
 void add_generate(CLI::App& app, ExitCode& exit_code);
 void add_compare(CLI::App& app, ExitCode& exit_code);
 void add_rule(CLI::App& app, ExitCode& exit_code);
+void add_help(CLI::App& app, ExitCode& exit_code);
 void add_command_pages(CLI::App& app, ExitCode& exit_code);
 
 // Subcommands of build.

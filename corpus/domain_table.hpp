@@ -11,6 +11,7 @@
 #include "kernel/piecewise_linear/regions.hpp"
 #include "kernel/piecewise_linear/validity.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/judge/within/judge_within.hpp"
 
 namespace circumspect::corpus {
@@ -69,8 +70,9 @@ inline std::vector<DomainRow> domain_rows() {
 // its convex hull if it has no walls. Throws if the file holds no valid complex, or one whose kind has
 // to be said.
 inline Domain domain_of(const std::string& path, std::optional<DomainKind> kind = {}) {
-  const auto file = formats::read_domain(path, NumberReading::kDouble);
+  auto file = formats::read_domain(path, NumberReading::kDouble);
   if (!file) throw std::runtime_error(file.error().to_string());
+  file = formats::as_it_stands(std::move(*file));
   auto complex = validated(file->input);
   if (!complex) {
     throw std::runtime_error(path + ": " + std::string(identifier(complex.error().front().kind)));

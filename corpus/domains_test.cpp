@@ -44,7 +44,7 @@ std::map<std::string, std::set<std::string>> expected_breaches() {
 std::set<std::string> breaches_of(const std::string& path) {
   const auto file = formats::read_domain(path, NumberReading::kDouble);
   if (!file) return {file.error().to_string()};
-  const auto complex = validated(file->input);
+  const auto complex = validated(formats::as_it_stands(*file).input);
   if (complex) return {"valid"};
   std::set<std::string> breaches;
   for (const Breach& breach : complex.error()) breaches.emplace(identifier(breach.kind));

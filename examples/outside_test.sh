@@ -35,6 +35,20 @@ cp -r "$examples" "$work/examples"
 echo "the command, as README.md installs it"
 quietly cmake --install "$build" --component command --prefix "$work/local"
 "$work/local/bin/circumspect" --version >/dev/null || fail "the installed command does not run"
+# Its section "Believe nobody" runs with what its section "Install" installs, where that has been built.
+verified=$(sed -n 's/^CIRCUMSPECT_VERIFIED:FILEPATH=//p' "$build/CMakeCache.txt")
+grep -q "^make verified" "$examples/../README.md" || fail "expected that README.md builds circumspect-verified by make verified"
+make -n -C "$(dirname "$examples")" verified >"$work/make" 2>/dev/null || fail "make -n verified failed"
+grep -q "build/proofs/circumspect-verified" "$work/make" ||
+  fail "expected make verified to build what cmake --install installs"
+if [ -x "$verified" ]; then
+  mkdir "$work/believes"
+  ln -s "$(dirname "$examples")/corpus" "$work/believes/corpus"
+  awk '/^### Believe nobody/ { found = 1; next } /^##/ { found = 0 } found && sub(/^\$ /, "")' "$examples/../README.md" >"$work/commands"
+  [ "$(wc -l <"$work/commands")" -ge 2 ] || fail "expected two commands in README.md, Believe nobody"
+  quietly env -C "$work/believes" PATH="$work/local/bin:/usr/bin:/bin" bash -euc "$(cat "$work/commands")"
+  grep -q "^verified: delaunay" "$work/log" || fail "expected a verified certificate from README.md's own words"
+fi
 
 echo "judge, by find_package"
 quietly cmake -S "$work/examples/judge" -B "$work/judge" -DCMAKE_PREFIX_PATH="$work/installed"

@@ -100,7 +100,7 @@ TEST_CASE("in space: triangles that each have their own vertices get common ones
   const auto result = valid_arrangement(soup);
   CHECK(result.points == kCorners);
   CHECK(result.polygons[3].lines == Lines{{1, 2, 3}});
-  // One whose vertices are not three is no polygon, which the arrangement does not hide.
+  // One whose vertices are not three is not a polygon, which the arrangement does not hide.
   soup.points[2] = soup.points[1];
   CHECK(arranged(soup).polygons[0].lines == Lines{{0, 1}});
   CHECK(validated(arranged(soup), 1).error().front().kind == BreachKind::kDegeneratePolygon);

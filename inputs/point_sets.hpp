@@ -78,7 +78,7 @@ PointsCase lifted_to_parallel_planes(Dice& dice, std::size_t dimension, Count co
 
 // The corners of a simplex (as many as there is room for) and integer points of its interior, about half of
 // which have a weight so low that they are submerged below the lifted simplex, far from its facets:
-// they are no vertices of the weighted Delaunay triangulation.
+// they are not vertices of the weighted Delaunay triangulation.
 PointsCase submerged_points(Dice& dice, std::size_t dimension, Count count);
 
 // Integer points within 3 of the origin, some of them twice or more often; never without a duplicate if

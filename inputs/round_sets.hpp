@@ -1,6 +1,6 @@
-// Point sets on spheres, circles, cylinders and regular polytopes, exactly: where Delaunay subdivisions
-// have cells that are no simplices, and where the perturbation decides (Book: Sections 2.9 and 4.2).
-// As in point_sets.hpp: distinct points, as many as `count` says.
+// Point sets on spheres, circles, cylinders and regular polytopes, exactly: where Delaunay
+// subdivisions have cells that are not simplices, and where the perturbation decides (Book:
+// Sections 2.9 and 4.2). As in point_sets.hpp: distinct points, as many as `count` says.
 #pragma once
 
 #include <cstddef>

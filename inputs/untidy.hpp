@@ -1,4 +1,4 @@
-// Domains that are no piecewise linear complexes, for programs that promise to make some of them.
+// Domains that are not piecewise linear complexes, for programs that promise to make some of them.
 #pragma once
 
 #include <set>

@@ -9,7 +9,7 @@
 From Coq Require Import Rbase Rfunctions List.
 From Circumspect Require Import Definitions Domains DomainRules.
 From Circumspect Require Perturbation EveryPointSet Halfspaces LiftingMap BookLemma Uniqueness
-  Existence Optimality ConstrainedLemma PolygonEdges ConstrainedOptimality.
+  Existence Optimality Solid ConstrainedLemma PolygonEdges ConstrainedOptimality.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -119,16 +119,16 @@ Theorem proposition_4_7 S T U : delaunay_triangulation S T -> fills S U ->
 Proof. apply Optimality.proposition_4_7. Qed.
 
 (** Lemma 4.10, the Constrained Delaunay Lemma, of what walls enclose: the three statements are equivalent.  The vertices [V] are those
-    of the mesh; of a triangulation without Steiner points they are those of the domain.  (Nothing dangles.  The domain need not be
+    of the mesh; of a triangulation without Steiner points they are those of the domain.  ([solid]: nothing dangles.  The domain need not be
     a piecewise linear complex.) *)
 Theorem constrained_delaunay_lemma P (T : list (simplex d)) V : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Enclosed ->
-  steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  steiner_triangulation P T -> solid T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   ((forall t, In t T -> constrained_delaunay V P t) <->
    (forall f, facet T f -> in_no_wall P f -> constrained_delaunay V P f)) /\
   ((forall t, In t T -> constrained_delaunay V P t) <->
    (forall f, facet T f -> in_no_wall P f -> locally_delaunay T f)).
 Proof.
-  intros D Pr K St Ve.
+  intros D Pr K Steiner So Ve. pose proof (proj2 (Solid.solid_steiner P T) (conj Steiner So)) as St.
   pose proof (ConstrainedLemma.constrained_local D P T V Pr St Ve) as A.
   pose proof (ConstrainedLemma.local_constrained D P T V Pr St Ve K) as B.
   pose proof (ConstrainedLemma.local_facets D P T V Pr St Ve K) as C.
@@ -140,30 +140,38 @@ Qed.
     first does not contain v2, so none does: in the plane of the triangle all have the same part.  (That this local property makes
     the triangles in a polygon constrained Delaunay in its plane is Lemma 4.10 there, and is not stated.) *)
 Theorem proposition_4_11_at_edges (P : domain 3) (T : list (simplex 3)) V f a b v1 v2 : proper_domain P -> piecewise_linear_complex P ->
-  steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  steiner_triangulation P T -> solid T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   (forall t, In t T -> constrained_delaunay V P t) -> In f (domain_polygons P) ->
   (forall p q, In (p, q) (domain_segments P) -> ~ within (conv [a; b]) (conv [p; q])) ->
   faces_of T [a; b; v1] -> within (conv [a; b; v1]) (polygon_points f) ->
   faces_of T [a; b; v2] -> within (conv [a; b; v2]) (polygon_points f) ->
   exists c r2, circumball [a; b; v1] c r2 /\ ~ dist2 c v2 < r2.
-Proof. apply PolygonEdges.polygon_edge_local. Qed.
+Proof.
+  intros Pr Plc St So. apply PolygonEdges.polygon_edge_local; try assumption. now apply Solid.solid_steiner.
+Qed.
 
-(** Proposition 4.12: a generic domain has at most one constrained Delaunay triangulation. *)
+(** Proposition 4.12: a generic domain has at most one constrained Delaunay triangulation, of those in which nothing dangles. *)
 Theorem proposition_4_12 P (T U : list (simplex d)) : (2 <= d)%nat -> proper_domain P -> generic (domain_vertices P) ->
-  cdt P T -> cdt P U -> same_simplices T U.
-Proof. intros D Pr. now apply ConstrainedOptimality.proposition_4_12. Qed.
+  cdt P T -> solid T -> cdt P U -> solid U -> same_simplices T U.
+Proof.
+  intros D Pr G CT ST CU SU. apply (ConstrainedOptimality.proposition_4_12 D P Pr T U G); now apply Solid.solid_cdts.
+Qed.
 
-(** Proposition 4.13, of the criteria of Propositions 4.5 and 4.7: among all triangulations of the domain a CDT has at every point
+(** Proposition 4.13, of the criteria of Propositions 4.5 and 4.7: among all triangulations of the domain (in none of which anything dangles) a CDT has at every point
     the least interpolation error, *)
 Theorem proposition_4_13 P (T U : list (simplex d)) p e e' : (2 <= d)%nat -> proper_domain P ->
-  cdt P T -> plc_triangulation P U ->
+  cdt P T -> solid T -> plc_triangulation P U -> solid U ->
   interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> e <= e'.
-Proof. intros D Pr. now apply ConstrainedOptimality.proposition_4_13_error. Qed.
+Proof.
+  intros D Pr CT ST PU SU. apply (ConstrainedOptimality.proposition_4_13_error D P Pr); [now apply Solid.solid_cdts|now apply Solid.solid_plc].
+Qed.
 (** and for each of its simplices every triangulation has one with a min-containment ball that is no smaller. *)
 Theorem proposition_4_13_balls P (T U : list (simplex d)) t c r2 : (2 <= d)%nat -> proper_domain P ->
-  cdt P T -> plc_triangulation P U -> In t T -> min_containment_ball t c r2 ->
+  cdt P T -> solid T -> plc_triangulation P U -> solid U -> In t T -> min_containment_ball t c r2 ->
   exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
-Proof. intros D Pr. now apply ConstrainedOptimality.proposition_4_13_balls. Qed.
+Proof.
+  intros D Pr CT ST PU SU. apply (ConstrainedOptimality.proposition_4_13_balls D P Pr); [now apply Solid.solid_cdts|now apply Solid.solid_plc].
+Qed.
 
 (** The convex hull by convex combinations is the convex hull by half-spaces. *)
 Theorem conv_halfspaces S T : (1 <= d)%nat -> fills S T -> T <> [] -> forall q, conv S q <->

@@ -362,7 +362,8 @@ Definition repeated_vertex L : Prop := exists (r : list (option (point d))) i j 
   i <> j /\ nth_error r i = Some (Some p) /\ nth_error r j = Some (Some p).
 Definition degenerate L : Prop := exists s, listed L s /\ ~ affinely_independent s.
 Definition duplicate_simplex L : Prop := exists L1 L2 L3 s t,
-  L = (L1 ++ map Some s :: L2 ++ map Some t :: L3)%list /\ same s t.
+  L = (L1 ++ map Some s :: L2 ++ map Some t :: L3)%list /\
+  length s = Datatypes.S d /\ length t = Datatypes.S d /\ same s t.
 (** A facet of three different simplices. *)
 Definition facet_overused L : Prop := exists s t u f,
   listed L s /\ listed L t /\ listed L u /\ ~ same s t /\ ~ same t u /\ ~ same s u /\

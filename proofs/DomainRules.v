@@ -117,30 +117,13 @@ Section Rules.
 Context {d : nat}.
 Implicit Types (P : domain d) (L : list (list (option (point d)))).
 
-(** Definition 4.5 where something may dangle: the d-simplices [T], triangles and edges (vertices, too) [U], and their
-    faces are the complex.  With no [U] it is [steiner_triangulation]. *)
-Definition steiner_triangulation_with P (T U : list (simplex d)) : Prop :=
-  (forall t, In t T -> NoDup t /\ length t = S d) /\ (forall u, In u U -> NoDup u /\ u <> [] /\ (length u <= d)%nat) /\
-  ForallOrdPairs (fun s t => ~ same s t) T /\
-  simplicial_complex (faces_of (T ++ U)) /\
-  (forall v, In v (domain_vertices P) -> exists t, In t (T ++ U) /\ In v t) /\
-  (forall X, In X (cells P) -> union_of_simplices (T ++ U) X) /\
-  (forall q, underlying P q <-> exists t, In t (T ++ U) /\ conv t q).
-(** Definition 4.4, and Definition 4.7: every d-simplex is constrained Delaunay, and every triangle that dangles. *)
-Definition only_given P (T : list (simplex d)) : Prop := forall t v, In t T -> In v t -> In v (domain_vertices P).
-Definition constrained_with V P (T U : list (simplex d)) : Prop := forall t,
-  In t T \/ In t U /\ length t = 3%nat /\ (forall s, In s T -> ~ incl t s) -> constrained_delaunay V P t.
-(** What is claimed: all vertices are known, and of the simplices [L] and what dangles, [M], the claim holds. *)
+(** What is claimed: all vertices are known, and of the simplices [L] and what dangles, [M], the claim holds.  (Which of the rows
+    stand in which file is no matter: a triangle or an edge may stand among the simplices.) *)
 Definition claims_of_domain (c : domain_claim) P L M : Prop :=
-  exists T U, L = map (map Some) T /\ M = map (map Some) U /\ steiner_triangulation_with P T U /\
-  match c with
-  | PlcTriangulation => only_given P (T ++ U)
-  | SteinerTriangulation => True
-  | ConformingDelaunay => forall t, In t (T ++ U) -> delaunay (concat (T ++ U)) t
-  | Cdt => only_given P (T ++ U) /\ constrained_with (domain_vertices P) P T U
-  | SteinerCdt => constrained_with (concat (T ++ U)) P T U
-  end.
+  exists K, (L ++ M)%list = map (map Some) K /\ holds_of_complex c P K.
 
+(** A row lists no vertex, or more than a simplex has.  (If it lists fewer than d+1, it may dangle.) *)
+Definition no_simplex L : Prop := exists r : list (option (point d)), In r L /\ (r = [] \/ (S d < length r)%nat).
 (** A vertex of the domain is a vertex of no simplex. *)
 Definition vertex_missing P L : Prop := exists v, In v (domain_vertices P) /\
   forall r : list (option (point d)), In r L -> ~ In (Some v) r.
@@ -190,7 +173,7 @@ Definition no_empty_ball P L M : Prop := exists s, listed M s /\ affinely_indepe
     circumdisk.  It is visible from a point inside: the way there is in a polygon, and none of it but its end is in another polygon,
     in a segment or a vertex. *)
 Definition dangling_not_delaunay P L M : Prop := exists s v x f, listed M s /\ length s = 3%nat /\ affinely_independent s /\
-  (forall t, listed L t -> ~ incl s t) /\ In v (entries (L ++ M)) /\ strictly_inside s x /\
+  (forall t, listed (L ++ M) t -> length t = S d -> ~ incl s t) /\ In v (entries (L ++ M)) /\ strictly_inside s x /\
   In f (domain_polygons P) /\ (forall e, 0 <= e <= 1 -> polygon_points f (between x v e)) /\
   (forall X e, In X (low_cells P) -> 0 <= e < 1 -> X (between x v e) -> X = polygon_points f) /\
   forall c r2, circumball s c r2 -> dist2 c v < r2.
@@ -211,6 +194,7 @@ Definition broken_of_domain P L M (r : domain_rule) : Prop :=
   | cdt_facet_not_local => constrained_facet_not_local P L
   | cdt_visible_vertex_in_ball => visible_vertex_in_ball P L
   | cdt_dangling_not_delaunay => dangling_not_delaunay P L M
+  | mesh_rule simplex_wrong_dimension => no_simplex L
   | mesh_rule complex_overlap => overlap (L ++ M)
   | mesh_rule delaunay_vertex_in_ball => vertex_in_ball (entries (L ++ M) ++ domain_vertices P) L
   | mesh_rule r => broken Delaunay norm2 (entries (L ++ M)) L r
@@ -258,5 +242,7 @@ Definition literal := (bool * positive)%type.
 Definition clause := list literal.
 (** A clause that follows from others, by their numbers. *)
 Record proof_step := ProofStep { derived : clause; hints : list positive }.
+(** And a mesh of the same domain, with vertices of its own, in which nothing dangles. *)
 Record impossibility := Impossibility {
-  about : domain_certificate; fates : list fate; reasons : list reason; steps : list proof_step }.
+  about : domain_certificate; some_mesh : domain_certificate;
+  fates : list fate; reasons : list reason; steps : list proof_step }.

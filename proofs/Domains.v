@@ -205,27 +205,31 @@ Record piecewise_linear_complex (P : domain) : Prop := {
 
 (** ** Triangulations of domains
 
-    [T] lists the d-simplices of the complex; there are no others that are not faces of these: nothing
-    dangles. *)
-Definition union_of_simplices (T : list (simplex d)) (X : point d -> Prop) : Prop :=
-  exists F, (forall s, In s F -> faces_of T s) /\ forall q, X q <-> exists s, In s F /\ conv s q.
+    [K] lists simplices of any dimension, which with their faces are the complex: all of it, whatever dangles.  (A list
+    also says how often.  The d-simplices are listed once.) *)
+Definition union_of_simplices (K : list (simplex d)) (X : point d -> Prop) : Prop :=
+  exists F, (forall s, In s F -> faces_of K s) /\ forall q, X q <-> exists s, In s F /\ conv s q.
 
-(** Definition 4.5. *)
-Definition steiner_triangulation (P : domain) (T : list (simplex d)) : Prop :=
-  (forall t, In t T -> NoDup t /\ length t = S d) /\
-  ForallOrdPairs (fun s t => ~ same s t) T /\
-  simplicial_complex (faces_of T) /\
-  (forall v, In v (domain_vertices P) -> exists t, In t T /\ In v t) /\
-  (forall X, In X (cells P) -> union_of_simplices T X) /\
-  (forall q, underlying P q <-> exists t, In t T /\ conv t q).
+(** Definition 4.5: a Steiner triangulation of P is a simplicial complex that contains every vertex of P, and possibly more;
+    every linear cell of P is a union of simplices of the complex, and these fill |P|. *)
+Definition steiner_triangulation (P : domain) (K : list (simplex d)) : Prop :=
+  (forall s, In s K -> NoDup s /\ s <> [] /\ (length s <= S d)%nat) /\
+  ForallOrdPairs (fun s t => length s = S d -> ~ same s t) K /\
+  simplicial_complex (faces_of K) /\
+  (forall v, In v (domain_vertices P) -> exists s, In s K /\ In v s) /\
+  (forall X, In X (cells P) -> union_of_simplices K X) /\
+  (forall q, underlying P q <-> exists s, In s K /\ conv s q).
 
-(** Definition 4.4: it has no vertices but those of the domain. *)
-Definition plc_triangulation (P : domain) (T : list (simplex d)) : Prop :=
-  steiner_triangulation P T /\ forall t v, In t T -> In v t -> In v (domain_vertices P).
+(** Definition 4.4: in a triangulation of P, P and the complex have the same vertices. *)
+Definition plc_triangulation (P : domain) (K : list (simplex d)) : Prop :=
+  steiner_triangulation P K /\ forall s v, In s K -> In v s -> In v (domain_vertices P).
 
-(** Definition 4.5: all its simplices are Delaunay, with respect to its vertices. *)
-Definition conforming_delaunay (P : domain) (T : list (simplex d)) : Prop :=
-  steiner_triangulation P T /\ forall t, In t T -> delaunay (concat T) t.
+(** Definition 4.5: in a conforming Delaunay triangulation every simplex is Delaunay, with respect to the vertices of the complex. *)
+Definition conforming_delaunay (P : domain) (K : list (simplex d)) : Prop :=
+  steiner_triangulation P K /\ forall s, In s K -> delaunay (concat K) s.
+
+(** Nothing dangles: each simplex is a face of a d-simplex, for only these are listed. *)
+Definition solid (K : list (simplex d)) : Prop := forall s, In s K -> length s = S d.
 
 (** ** Constrained Delaunay *)
 
@@ -246,11 +250,26 @@ Definition constrained_delaunay (V : list (point d)) (P : domain) (s : simplex d
   exists c r2, circumball s c r2 /\ forall v x, In v V -> strictly_inside s x -> visible P x v ->
     ~ dist2 c v < r2.
 
-(** Definition 4.7, where nothing dangles; and a Steiner CDT. *)
-Definition cdt (P : domain) (T : list (simplex d)) : Prop :=
-  plc_triangulation P T /\ forall t, In t T -> constrained_delaunay (domain_vertices P) P t.
-Definition steiner_cdt (P : domain) (T : list (simplex d)) : Prop :=
-  steiner_triangulation P T /\ forall t, In t T -> constrained_delaunay (concat T) P t.
+(** Definition 4.7: a CDT is a triangulation of P in which every tetrahedron is constrained Delaunay, and every dangling triangle, one
+    that is not a face of any tetrahedron.  (In the plane: every triangle.)  And a Steiner CDT. *)
+Definition has_to_be_constrained_delaunay (K : list (simplex d)) (s : simplex d) : Prop :=
+  length s = S d \/ length s = 3%nat /\ forall t, In t K -> length t = S d -> ~ incl s t.
+Definition cdt (P : domain) (K : list (simplex d)) : Prop :=
+  plc_triangulation P K /\
+  forall s, In s K -> has_to_be_constrained_delaunay K s -> constrained_delaunay (domain_vertices P) P s.
+Definition steiner_cdt (P : domain) (K : list (simplex d)) : Prop :=
+  steiner_triangulation P K /\
+  forall s, In s K -> has_to_be_constrained_delaunay K s -> constrained_delaunay (concat K) P s.
+
+(** What a claim says of a domain and a complex. *)
+Definition holds_of_complex (c : domain_claim) : domain -> list (simplex d) -> Prop :=
+  match c with
+  | PlcTriangulation => plc_triangulation
+  | SteinerTriangulation => steiner_triangulation
+  | ConformingDelaunay => conforming_delaunay
+  | Cdt => cdt
+  | SteinerCdt => steiner_cdt
+  end.
 End Book.
 Arguments polygon d : clear implicits.
 Arguments domain d : clear implicits.

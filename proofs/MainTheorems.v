@@ -14,7 +14,8 @@
     - that each point in your list is a vertex, if the claim is about a domain: only simplices are looked at;
     - anything within a tolerance: nothing is proved of [check --within], which moves points; what is
       verified is of the coordinates in the file, as they are;
-    - anything of a mesh in which something dangles, unless it is refuted: no certificate is about one;
+    - anything of a mesh in which something dangles, unless it is refuted: no certificate is about one, nor is a domain in which
+      something dangles said to have no triangulation;
     - that some domain has a CDT: Theorem 4.9 (the CDT Theorem) is not stated, and of Proposition 4.11,
       that a CDT induces CDTs of the polygons, only what it says at their edges ([BookTheorems.v]);
     - that a domain has a triangulation, where no proof is found that it has none: none is for a room
@@ -78,18 +79,16 @@ Theorem verified_rule D c w : refute D c = true ->
 Proof. apply RefutationSound.refute_breach. Qed.
 
 (** An accepted certificate about a domain: its kept simplices are what it claims of the domain that
-    its vertices, segments, polygons and hole points describe. *)
+    its vertices, segments, polygons and hole points describe, and nothing dangles. *)
 Theorem verified_domain D c : check_domain D c = Accepted ->
   let P := domain_of_certificate (dimension_of D) c in
   let T := mesh_of_domain (dimension_of D) c in
-  match domain_claimed c with
-  | PlcTriangulation => plc_triangulation P T
-  | SteinerTriangulation => steiner_triangulation P T
-  | ConformingDelaunay => conforming_delaunay P T
-  | Cdt => cdt P T
-  | SteinerCdt => steiner_cdt P T
-  end.
-Proof. apply DomainSound.check_domain_sound. Qed.
+  solid T /\ holds_of_complex (domain_claimed c) P T.
+Proof.
+  intros A. pose proof (DomainSound.check_domain_sound D c A) as H. cbv zeta in *. destruct (domain_claimed c);
+    [apply Solid.solid_plc in H|apply Solid.solid_steiner in H|apply Solid.solid_conforming in H|apply Solid.solid_cdts in H
+    |apply Solid.solid_steiner_cdts in H]; now destruct H.
+Qed.
 
 (** And if the certificate says so ([plc]), this domain is a piecewise linear complex (Definition 4.3). *)
 Theorem verified_complex D c x : check_domain D c = Accepted -> check_complex D c x = Accepted ->
@@ -150,17 +149,16 @@ Proof.
 Qed.
 
 (** What is accepted as a proof that a domain in space has no triangulation (Definition 4.4), or no CDT
-    (Definition 4.7): it has none. *)
+    (Definition 4.7): it has none, whatever dangles. *)
 Theorem verified_impossible x : check_impossible x = Accepted ->
   let P := domain_of_certificate 3 (about x) in
   match domain_claimed (about x) with
-  | Cdt => forall T, ~ cdt P T
-  | _ => forall T, ~ plc_triangulation P T
+  | Cdt => forall K, ~ cdt P K
+  | _ => forall K, ~ plc_triangulation P K
   end.
 Proof.
-  intros A. cbv zeta. pose proof (fun T => ImpossibleSound.check_impossible_sound x T A) as H.
-  destruct (domain_claimed (about x)); intros T; try (intros Tr; apply (H T Tr); discriminate).
-  intros [Tr Cd]. now apply (H T Tr).
+  intros A. cbv zeta. pose proof (fun K => ImpossibleSound.check_impossible_sound x K A) as H.
+  destruct (domain_claimed (about x)); intros K Tr; try (apply (H K Tr); discriminate). now apply (H K (proj1 Tr)).
 Qed.
 
 (** What is printed beside the claim if the certificate says so: [unique] and [canonical]. The order

@@ -52,6 +52,32 @@ while IFS=$'\t' read -r mesh domain claim verdict; do
   fi
   if [ "${#own[@]}" -gt 0 ]; then compared=$((compared + 1)); fi
 done <expected.tsv
+# No recursion is as deep as a list is long: a stack of 256 kB is enough.
+for dimension in 2 3; do
+  "$circumspect" generate uniform --dimension "$dimension" --points 8000 -o "$scratch/many.node" --quiet
+  "$circumspect" build delaunay "$scratch/many.node" -o "$scratch/many.ele" --quiet
+  "$circumspect" certify "$scratch/many.ele" -o "$scratch/certificate" --quiet
+  found=$(ulimit -s 256 && "$verified" "$scratch/certificate" "$scratch"/many.{node,ele}) || true
+  [[ "$found" == "verified: delaunay, 8000 points, "* ]] || { echo "dimension $dimension: found '$found'" >&2; exit 1; }
+done
+# Whether the domain is a complex is asked in no more time than the mesh takes: 25,000 tetrahedra in 8 s of a slow processor.
+cp two-rooms.poly "$scratch"
+(cd "$scratch" && tetgen -pqQa0.0016 two-rooms.poly >/dev/null)
+"$circumspect" certify "$scratch/two-rooms.1.ele" --domain two-rooms.poly --claim steiner-triangulation --quiet -o "$scratch/certificate"
+found=$(ulimit -t 8 && "$verified" "$scratch/certificate" "$scratch"/two-rooms.1.{node,ele} two-rooms.poly) || true
+[[ "$found" == "verified: steiner-triangulation, "*"domain: enclosed, plc, 12 vertices, "* ]] || { echo "many polygons: found '$found'" >&2; exit 1; }
+# Triangles in space without a tetrahedron dangle, also where they stand in MESH.ele.
+printf '4 3\n0 0 0 0\n1 3 0 0\n2 0 3 0\n3 0 0 3\n' >"$scratch/open.node"
+printf '1 3\n0 0 1 2\n' >"$scratch/open.ele"
+printf '0 3\n2\n1\n3 0 1 2\n1\n3 0 1 3\n0\n' >"$scratch/open.poly"
+"$circumspect" certify "$scratch/open.ele" --domain "$scratch/open.poly" --claim cdt --fill enclosed --quiet \
+  -o "$scratch/certificate" || [ $? -eq 1 ]
+for mesh in "verified: not cdt, domain.segment-missing; 1 dangling face; *:0 1 2" "rejected: another mesh, *open.ele:0: *:0 1 3"; do
+  printf '1 3\n0 %s\n' "${mesh##*:}" >"$scratch/open.ele"
+  found=$("$verified" "$scratch/certificate" "$scratch"/open.{node,ele,poly}) || true
+  # shellcheck disable=SC2053  # a pattern
+  [[ "$found" == ${mesh%:*} ]] || { echo "triangles in space: expected '${mesh%:*}', found '$found'" >&2; exit 1; }
+done
 # Domains without a triangulation or a CDT, and what does not show it: a piece or a point elsewhere, a candidate
 # that is said to be free, another vertex, planes left out, the other claim.
 for none in triangulation:figure-4-10-schonhardt triangulation:exercise-5-5-closed \

@@ -126,7 +126,7 @@ def test_what_functions_make_of_domains():
         circumspect.minimize(lambda domain: 1 / 0, crossing)
     for options, message in (({"claim": "delaunay"}, "expected the claim plc-triangulation"),
                              ({"families": ["sphere"]}, "a family of domains, found 'sphere'"),
-                             ({"families": ["planar-grid"], "dimension": 3}, "does not exist in dimension 3"),
+                             ({"families": ["planar-grid"], "dimension": 3}, "planar-grid exists in dimension 2; expected such a dimension, found 3"),
                              ({"dimension": 4}, "of the plane or of space"), ({"within": -1}, "at least 0")):
         with pytest.raises(ValueError, match=message):
             circumspect.campaign(lambda domain: [], domains=True, cases=1, **options)

@@ -1,4 +1,4 @@
-// circumspect._core: inputs, drawn from families and made small.
+// circumspect._core: draws inputs from families, and makes them small.
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -18,6 +18,7 @@
 #include "fuzz/harness/cases.hpp"
 #include "inputs/cases.hpp"
 #include "inputs/families.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/minimise.hpp"
 #include "inputs/triangulated/domain_families.hpp"
@@ -96,8 +97,8 @@ std::vector<std::string> generate_exact(const std::string& name, std::size_t dim
   return texts;
 }
 
-// A domain as the package has it: (points, segments, polygons as lists of lines, hole seeds, holes of polygons as
-// pairs of a polygon and a seed, fills the hull?)
+// A domain as the Python package represents it: (points, segments, polygons as lists of lines, hole
+// seeds, holes of polygons as pairs of a polygon and a seed, fills the hull?)
 py::tuple tuple_of(const PiecewiseLinearInput& input, std::size_t dimension) {
   py::list polygons;
   for (const PolygonLines& polygon : input.polygons) polygons.append(py::cast(polygon.lines));
@@ -135,7 +136,7 @@ PiecewiseLinearInput input_of(const py::tuple& parts) {
 const generators::ComplexFamily& domain_family(const std::string& name) {
   const generators::ComplexFamily* const family = properties::find_domain_family(name);
   if (family != nullptr) return *family;
-  throw std::invalid_argument("expected the name of a family of domains, found '" + name + "'");
+  throw std::invalid_argument(generators::unknown_family_text("domains", name));
 }
 
 PiecewiseLinearInput drawn_domain(const generators::ComplexFamily& family, std::size_t max_points,
@@ -148,8 +149,8 @@ py::tuple generate_domain(const std::string& name, std::size_t max_points, std::
   return tuple_of(drawn_domain(family, max_points, seed), family.dimension);
 }
 
-// Case number `index` of a run on domains, the families in turn; of no names all of the dimension: (family, seed,
-// domain).
+// Case number `index` of a run on domains, taking the families in turn; without names, all families
+// of the dimension: (family, seed, domain).
 py::tuple drawn_domain_case(const std::vector<std::string>& names, std::size_t dimension,
                             std::size_t max_points, std::uint64_t run_seed, std::uint64_t index) {
   std::vector<const generators::ComplexFamily*> chosen;
@@ -162,8 +163,8 @@ py::tuple drawn_domain_case(const std::vector<std::string>& names, std::size_t d
   if (chosen.empty()) throw std::invalid_argument("expected domains of the plane or of space");
   const generators::ComplexFamily& family = *chosen[index % chosen.size()];
   if (family.dimension != dimension) {
-    throw std::invalid_argument("the family '" + family.name + "' does not exist in dimension " +
-                                std::to_string(dimension));
+    throw std::invalid_argument(generators::no_sets_text(
+        family.name, std::to_string(family.dimension), static_cast<std::int64_t>(dimension)));
   }
   const std::uint64_t seed = harness::mixed_seed(run_seed, index);
   return py::make_tuple(family.name, seed,
@@ -196,7 +197,7 @@ py::tuple minimized(const Doubles& points, const std::optional<Doubles>& weights
       dimension);
 }
 
-// The same of domains. Requires: a valid one.
+// The same for domains. Requires: a valid domain.
 py::tuple minimized_domain(const py::tuple& domain,
                            const std::function<bool(const py::object&)>& still_fails,
                            std::size_t tries, double seconds) {

@@ -21,9 +21,9 @@ namespace {
   while (true) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
-// Takes back the interpreter's lock. Where the interpreter has ended meanwhile, nobody gets it: Python before 3.14
-// then ends the thread by an exception that the interpreter's own C++ does not let pass, which ends the process. As
-// from 3.14 on, this thread waits instead.
+// Takes back the interpreter's lock. If the interpreter has ended meanwhile, no thread can get it:
+// Python before 3.14 then ends the thread by an exception that cannot pass through C++ code, which
+// ends the process. This thread waits instead, as Python does from 3.14 on.
 void take_lock_back(PyThreadState* state) {
   try {
     PyEval_RestoreThread(state);
@@ -51,7 +51,7 @@ class Calls {
     for (std::int32_t* const stop : stops_) ask_to_stop(stop);
     changed_.wait(lock, [this] { return stops_.empty(); });
   }
-  // Is the interpreter ending, in another thread than this?
+  // Is the interpreter ending, in a thread other than this one?
   bool is_over() {
     const std::lock_guard lock(mutex_);
     return is_over_here();
@@ -68,14 +68,15 @@ class Calls {
       {};  // the thread that ends the interpreter, which may make calls yet
 };
 
-// They live until the process ends. A process that was forked off has none of the threads that make calls.
+// They live until the process ends. A forked process has none of the threads that make calls.
 Calls* calls_of_process = new Calls;
 [[maybe_unused]] const int is_fork_known =
     pthread_atfork(nullptr, nullptr, [] { calls_of_process = new Calls; });
 
 Calls& all_calls() { return *calls_of_process; }
 
-// A thread that nobody waits for ends with the interpreter, and learns nothing of a call that was stopped for that.
+// A thread without a waiting caller ends with the interpreter; nothing reports the call that was
+// stopped.
 void return_to_python(PyThreadState* state) {
   if (all_calls().is_over()) wait_for_end_of_process();
   take_lock_back(state);

@@ -35,7 +35,7 @@ struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The C interface names its own options; the package's are called otherwise.
+// The C interface names its own options; the package names them differently.
 std::string in_words_of_python(std::string message) {
   for (const auto& [own, word] : {std::pair{"set merge_equal_points", "give duplicates=\"merge\""},
                                   std::pair{"set allow_empty", "give allow_empty=True"}}) {
@@ -80,7 +80,7 @@ class NumberList {
     } else {
       texts_ = numbers.cast<std::vector<std::string>>();
       for (const std::string& text : texts_) pointers_.push_back(text.c_str());
-      pointers_.push_back(nullptr);  // so that there is an array, if an empty one
+      pointers_.push_back(nullptr);  // so that there is an array, even if it is empty
     }
   }
   const double* doubles() const { return doubles_ ? doubles_->data() : nullptr; }
@@ -95,7 +95,7 @@ class NumberList {
   std::vector<const char*> pointers_ = {};
 };
 
-// What the package hands over of a mesh: (dimension, coordinates, weights, simplices, neighbors,
+// A mesh as the package passes it: (dimension, coordinates, weights, simplices, neighbors,
 // triangles, edges), each but the first two may be None; coordinates are flat.
 class MeshArgument {
  public:
@@ -134,7 +134,7 @@ class MeshArgument {
   circumspect_mesh mesh_ = CIRCUMSPECT_MESH;
   NumberList coordinates_;
   NumberList weights_;
-  py::tuple arrays_;  // which live as long as this
+  py::tuple arrays_;  // these live as long as this
 };
 
 // (dimension, coordinates, segments, polygon_starts, line_starts, corners, hole_seeds, kind, polygons_of_holes,
@@ -194,8 +194,9 @@ std::string page_of(const circumspect_verdict* verdict) {
   return circumspect_document_text(page);
 }
 
-// (holds, unique, canonical, text, json, rules, notes, page), facts −1 where they are not said; `page` is a function
-// without arguments that returns HTML, or None. `brief`: neither JSON nor page, and a mesh that is soon judged.
+// (holds, unique, canonical, text, json, rules, notes, page), with −1 for facts that are not known;
+// `page` is a function without arguments that returns HTML, or None. `brief`: neither JSON nor
+// page, for a mesh that is judged quickly.
 py::tuple check(const std::string& claim, const py::tuple& mesh,
                 const std::optional<py::tuple>& domain, std::int64_t threads,
                 std::int64_t max_violations, bool by_definition, bool oriented, bool merge,

@@ -114,10 +114,12 @@ def test_command(tmp_path):
     np.savez(tmp_path / "torn.npz", points=np.array(TORN), simplices=np.array(SEAM))
     refused = run("check", tmp_path / "torn.npz")
     assert refused.returncode == 3 and not refused.stdout and "torn.npz: expected distinct points" in refused.stderr
+    assert "add --duplicates merge" in refused.stderr
     merged = run("check", tmp_path / "torn.npz", "--duplicates", "merge")
     assert merged.returncode == 0 and merged.stdout.startswith("holds") and "note: points 0 and 4" in merged.stderr
     np.savez(tmp_path / "none.npz", points=np.zeros((0, 2)), simplices=np.zeros((0, 3), int))
-    assert run("check", tmp_path / "none.npz").returncode == 3
+    refused = run("check", tmp_path / "none.npz")
+    assert refused.returncode == 3 and "add --allow-empty" in refused.stderr
     assert run("check", tmp_path / "none.npz", "--allow-empty").returncode == 0
     np.savez(tmp_path / "long.npz", points=circumspect.generate("uniform", points=3000, dimension=6),
              simplices=np.arange(3000 - 6)[:, None] + np.arange(7))

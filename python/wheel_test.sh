@@ -18,6 +18,9 @@ quietly() {
 mkdir "$work/sources"
 cp -r "$root/python" "$root/pyproject.toml" "$root/setup.py" "$root/README.md" "$root/LICENSE" "$root/CMakeLists.txt" \
   "$work/sources/"
+mkdir -p "$work/sources/cmake" "$work/sources/oracle/picture/page"
+cp "$root/cmake/licences.sh" "$work/sources/cmake/"
+cp "$root/oracle/picture/page/page.built.html" "$work/sources/oracle/picture/page/"
 export CIRCUMSPECT_BUILD=$build
 unset PYTHONPATH  # what is installed is asked, and nothing else
 cd "$work/sources"
@@ -45,6 +48,9 @@ assert pathlib.Path(circumspect.__file__).is_relative_to(pathlib.Path.cwd() / "c
 assert importlib.metadata.version("circumspect") == circumspect.__version__
 files = {file.name for file in importlib.metadata.files("circumspect")}
 assert {"py.typed", "_core.pyi", "__main__.py"} <= files, files
+licences = {file.name for file in importlib.metadata.files("circumspect") if "licences" in file.parts}
+assert {"libgmp-dev", "libmpfr-dev", "libcgal-dev", "libfmt-dev", "nlohmann-json3-dev", "GPL-3", "LGPL-3", "three.js"} <= licences, licences
+assert "LICENSE" in files, files
 assert "circumspect.pytest_plugin" in {point.value for point in importlib.metadata.entry_points(group="pytest11")}
 print(circumspect.check(scipy.spatial.Delaunay(circumspect.generate("uniform", points=100))))
 PYTHON

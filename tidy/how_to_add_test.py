@@ -25,7 +25,10 @@ PAGE = (ROOT / "docs" / "how-to-add.md").read_text(encoding="utf-8")
 RULE, FAMILY = "triangulation.index-of-none", "axes"
 # The issue of a stranger: how many files have to be found and changed by hand.
 MOST_PLACES = {"A rule": 6, "A family of inputs": 4}
-TESTS = {"A rule": ["judge_points_test", "picture_test", "corpus_test"], "A family of inputs": ["inputs_test"]}
+# What is built, and the names of the tests in it.
+TESTS = {"A rule": (["judge_points_test", "picture_test", "corpus_test"],
+                    "^(oracle/judge/points|oracle/picture)/[a-z]+_test$|^corpus/corpus_test$"),
+         "A family of inputs": (["inputs_test"], "^inputs/[a-z]+_test$")}
 CACHED = re.compile(r"^((?:CMAKE_(?:CXX_COMPILER|CXX_COMPILER_LAUNCHER|BUILD_TYPE)|CIRCUMSPECT_QUICK_BUILD):\w+=.*)$", re.MULTILINE)
 
 
@@ -57,16 +60,17 @@ def change(root, path, lines):
     file.write_text(text.replace("\n" + old, "\n" + new), encoding="utf-8")
 
 
-def copied(folder):
-    """A copy of the project, without what was built."""
-    root = pathlib.Path(folder) / "copy"
+def copied(root):
+    """A copy of the project, without what was built; of an older copy only that stays."""
+    for old in root.glob("*"):
+        if old.is_dir() and old.name != "build":
+            shutil.rmtree(old)
     for path in tidy.files(str(ROOT)):
-        if path.startswith(("docs/findings/", "docs/images/")) and not path.endswith(".md"):
+        if path.startswith("docs/images/"):
             continue
         target = root / path
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(ROOT / path, target)
-    return root
 
 
 def run(root, *words):
@@ -78,14 +82,21 @@ def run(root, *words):
 
 class Followed(unittest.TestCase):
     """What the page says, done."""
+    place = None
 
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.root = copied(cls.folder.name)
+        cls.root = cls.place or pathlib.Path(cls.folder.name)
+        copied(cls.root)
+        cls.golden = cls.golden_rows()
         for title in MOST_PLACES:
             for path, lines in changes(section(title)):
                 change(cls.root, path, lines)
+
+    @classmethod
+    def golden_rows(cls):
+        return (cls.root / "corpus/golden.tsv").read_text(encoding="utf-8").splitlines()
 
     @classmethod
     def tearDownClass(cls):
@@ -126,6 +137,7 @@ class Followed(unittest.TestCase):
 class Built(Followed):
     """And built: the commands of the page run, the tests of what was added pass, and nothing else has changed."""
     cache = None
+    place = ROOT / "build" / "how-to-add"  # ccache knows the sources there by their paths from the build
 
     def test_the_copy_builds_and_passes(self):
         root = self.root
@@ -133,14 +145,14 @@ class Built(Followed):
         run(root, "cmake", "--preset", "release", "-DCIRCUMSPECT_BUILD_TESTS=ON", *cache)
         for line in re.search(r"^```sh\n(.*?)^```$", section("A rule"), re.MULTILINE | re.DOTALL)[1].splitlines():
             run(root, "bash", "-c", line)
-        for title, tests in TESTS.items():
-            run(root, "cmake", "--build", "--preset", "release", "--target", *tests)
+        for title, (targets, tests) in TESTS.items():
+            run(root, "cmake", "--build", "--preset", "release", "--target", *targets)
             with self.subTest(title):
-                run(root, "ctest", "--test-dir", "build/release", "-R", "^(" + "|".join(tests) + ")", "--no-tests=error")
+                run(root, "ctest", "--test-dir", "build/release", "-R", tests, "--no-tests=error")
         command = str(root / "build/release/bin/circumspect")
         run(root, "python3", "tidy/rule_pages.py", command)
         self.assertTrue(run(root, command, "generate", FAMILY, "--seed", "1"))
-        was, now = ((where / "corpus/golden.tsv").read_text(encoding="utf-8").splitlines() for where in (ROOT, root))
+        was, now = self.golden, self.golden_rows()
         self.assertEqual([row for row in was if row not in now], [], "golden rows of before are to stay")
         self.assertEqual({row.split("\t")[0].removesuffix(" --format json") for row in now if row not in was},
                          {f"check reject/{RULE}.ele --claim delaunay"})

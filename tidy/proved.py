@@ -2,6 +2,8 @@
 """Every rule of the program and every claim is among what is proved, or among what is said not to be: docs/certificates.md has the tables.
 
     proved.py             what is not as it should be, one line each; exit 1 if there is something
+
+Every notion of the book in proofs/Definitions.v and proofs/Domains.v stands in docs/theory/definitions.md.
     proved.py --update    write the table of rules anew
 
 A rule is proved of points or of domains if proofs/mutants/ has a refutation that circumspect-verified must accept.
@@ -108,6 +110,24 @@ def faults_of_claims(lines):
         yield f"{PAGE}: no table has the theorem {name}"
 
 
+def notions():
+    """What the definitions of the book are called, up to the rules."""
+    for path, begin, end in (("proofs/Definitions.v", "Section Book.", "(** ** Rules that a mesh may break"),
+                             ("proofs/Domains.v", "Section Book.", "End Book.")):
+        book = text(path).split(begin, 1)[1].split(end, 1)[0]
+        yield from re.findall(r"^(?:Definition|Inductive|Record|Fixpoint) (\w+)", book, re.MULTILINE)
+
+
+def faults_of_notions():
+    page = "docs/theory/definitions.md"
+    listed = [name for line in text(page).splitlines() if line.startswith("| `")
+              for name in re.findall(r"`(\w+)`", line.split("|")[1])]
+    for name in sorted(set(notions()) - set(listed)):
+        yield f"{page}: the notion {name} is left out"
+    for name in sorted(set(listed) - set(notions())):
+        yield f"{page}: {name} is no notion of proofs/Definitions.v or proofs/Domains.v"
+
+
 def main(arguments):
     lines = text(PAGE).splitlines()
     theorems = shown()
@@ -115,7 +135,7 @@ def main(arguments):
     if arguments == ["--update"]:
         lines[begin:end] = rows(theorems)
         (ROOT / PAGE).write_text("\n".join(lines) + "\n", encoding="utf-8")
-    found = [*faults_of_rules(theorems), *faults_of_claims(lines)]
+    found = [*faults_of_rules(theorems), *faults_of_claims(lines), *faults_of_notions()]
     if lines[begin:end] != rows(theorems) and not arguments:
         found.append(f"{PAGE}: the table of rules is another: run tidy/proved.py --update")
     print("\n".join(found) if found else "every rule and every claim is proved, or said not to be")

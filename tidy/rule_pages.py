@@ -23,6 +23,7 @@ BREACHES_BEHIND = "theory/decisions.md#piecewise-linear-complexes"
 # Readers of files refuse these, so that no file shows them.
 OF_ARRAYS = {"plc.index-out-of-range", "plc.degenerate-segment"}
 EXAMPLE = re.compile(r"^\$ circumspect (.*)$", re.MULTILINE)
+OPTIONS = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
 LEAST, MOST = 20, 45  # lines without what the example prints
 
 
@@ -52,6 +53,12 @@ def faults_of_text(entry, text):
         yield f"expected {'no image' if entry.identifier in OF_ARRAYS else 'the image ' + image[2:-1]}"
     if not EXAMPLE.search(text):
         yield "expected an example behind '$ circumspect', found none"
+    for path in re.findall(r"`(corpus/[^`]*)`", text):
+        if not (ROOT / path).exists():
+            yield f"expected a file of the corpus, found {path}"
+    for option in re.findall(r"`(--[a-z-]+)", text):
+        if not re.search(rf"^  (-\w,)?{option}\b", OPTIONS, re.MULTILINE):
+            yield f"expected an option of the command, found {option}"
     length = len(re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL).splitlines())
     if not LEAST <= length <= MOST:
         yield f"expected {LEAST} to {MOST} lines beside the example, found {length}"

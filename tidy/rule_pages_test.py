@@ -3,6 +3,7 @@
 import importlib.util
 import pathlib
 import tempfile
+import types
 import unittest
 
 import rule_pages
@@ -40,6 +41,10 @@ class Pages(unittest.TestCase):
         self.assertRegex(self.faults(RULE, "../images/rules/complex.overlap.svg", "none.svg")[0], "expected the image")
         self.assertRegex(self.faults(RULE, "$ circumspect", "$ other")[0], "expected an example")
 
+    def test_a_file_and_an_option_that_are_not_there(self):
+        self.assertRegex(self.faults(RULE, "t-junction-2d.ele`", "t-junction.ele`")[0], "a file of the corpus, found corpus/reject/")
+        self.assertRegex(self.faults(RULE, "`-q`", "`--quick`")[0], "an option of the command, found --quick")
+
     def test_too_long_and_too_short(self):
         self.assertRegex(self.faults(RULE, "## How to mend it\n", "## How to mend it\n" + "\nMore.\n" * 20)[0], "expected 20 to 45 lines")
 
@@ -63,13 +68,27 @@ class Table(unittest.TestCase):
         self.assertEqual(self.rows("// BREACH(number, name)\n"), [])
 
 
-class Menu(unittest.TestCase):
+def site_of_docs():
+    """tidy/site.py, by its path: the standard library has a `site` too."""
+    spec = importlib.util.spec_from_file_location("site_of_docs", pathlib.Path(rule_pages.__file__).parent / "site.py")
+    site = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(site)
+    return site
+
+
+class Site(unittest.TestCase):
+    def test_a_picture_to_turn_stands_below_the_image_of_a_rule(self):
+        site = site_of_docs()
+        page = types.SimpleNamespace(file=types.SimpleNamespace(src_path="rules/complex.overlap.md"))
+        image = '<p><img alt="a" src="../images/rules/complex.overlap.svg" /></p>'
+        content = site.on_page_content(f"<h1>a</h1>{image}<p>b</p>", page=page)
+        self.assertIn(f'{image}<details class="seen"', content)
+        self.assertIn('data-src="../pictures/complex.overlap.html"', content)
+        self.assertEqual(site.PLACED, {"complex.overlap"})
+        self.assertEqual(site.of_rules()["complex.overlap"], ["check", "corpus/reject/complex.overlap--2d.ele"])
+
     def test_the_pages_stand_behind_their_overview(self):
-        # By its path: the standard library has a `site` too.
-        spec = importlib.util.spec_from_file_location("site_of_docs", pathlib.Path(rule_pages.__file__).parent / "site.py")
-        site = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(site)
-        menu = site.rules_in_menu([{"Reference": [{"Rules": ["rules.md"]}, {"Other": "other.md"}]}])
+        menu = site_of_docs().rules_in_menu([{"Reference": [{"Rules": ["rules.md"]}, {"Other": "other.md"}]}])
         inside = menu[0]["Reference"][0]["Rules"]
         self.assertEqual(inside[0], "rules.md")
         names = [next(iter(one)) for one in inside[1:]]

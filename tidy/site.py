@@ -12,8 +12,6 @@ import re
 import shlex
 import subprocess
 
-from mkdocs.structure.files import File
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMAND = os.environ.get("CIRCUMSPECT", str(ROOT / "build" / "release" / "bin" / "circumspect"))
 CORPUS = ROOT / "corpus"
@@ -24,6 +22,7 @@ POLICY = re.compile(r'<meta http-equiv="?Content-Security-Policy"?[^>]*>')
 
 def on_files(files, config, **_):
     """The pages of the hunt: mkdocs takes pages from docs/ alone."""
+    from mkdocs.structure.files import File  # the tests of the other functions do without mkdocs
     for page in sorted((ROOT / "hunt" / "pages").glob("*.md")):
         files.append(File(f"pages/{page.name}", str(ROOT / "hunt"), config["site_dir"], config["use_directory_urls"]))
     return files

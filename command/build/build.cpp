@@ -10,6 +10,7 @@
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
+#include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/picture_output.hpp"
 #include "command/subcommands.hpp"
@@ -83,7 +84,8 @@ Triangulation construct_triangulation(const BuildOptions& options, const PointSe
 
 // Writes the files asked for; false if one could not be written.
 bool write_files(const BuildOptions& options, const ExactMesh& mesh,
-                 const Triangulation& triangulation, Output& output) {
+                 const std::vector<Duplicate>& merged, const Triangulation& triangulation,
+                 Output& output) {
   const auto write_mesh = [&](std::ostream& stream) {
     if (formats::extension(options.output_file) == ".json") {
       formats::write_json(stream, json_file(mesh, triangulation));
@@ -98,6 +100,10 @@ bool write_files(const BuildOptions& options, const ExactMesh& mesh,
     return failure.empty();
   };
   return write(options.output_file, write_mesh) &&
+         write(points_beside(options.output_file, options.points),
+               [&](std::ostream& stream) {
+                 formats::write_node(stream, point_file(mesh, merged));
+               }) &&
          write(options.neighbors_file, [&](std::ostream& stream) {
            formats::write_neigh(stream, neighbor_file(mesh, triangulation));
          });
@@ -105,20 +111,23 @@ bool write_files(const BuildOptions& options, const ExactMesh& mesh,
 
 void build_triangulation(const BuildOptions& options, Output& output) {
   output.begin("reading " + options.points);
-  const auto loaded = load_points(options.points, options.input);
+  std::vector<Duplicate> merged;
+  const auto loaded = load_points(options.points, options.input, &merged);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return;
   }
+  output.notes(loaded->notes);
   const ExactMesh& mesh = loaded->mesh;
-  output.begin("triangulating " + options.points);
+  output.begin("triangulating " + options.points,
+               seconds_of_triangulating(mesh.points.size(), mesh.points.dimension()));
   delaunay::Statistics statistics;
   Steps steps(mesh);
   const bool has_steps = !options.html.empty() && mesh.points.size() <= kMostStepPoints;
   const Triangulation triangulation = construct_triangulation(
       options, mesh.points, output.progress(), statistics, has_steps ? &steps : nullptr);
   output.end_watch();
-  if (!write_files(options, mesh, triangulation, output)) return;
+  if (!write_files(options, mesh, merged, triangulation, output)) return;
   if (output.wants_json()) {
     formats::write_json(std::cout, json_file(mesh, triangulation));
   }
@@ -149,6 +158,8 @@ void build_triangulation(const BuildOptions& options, Output& output) {
 std::string output_fault(const BuildOptions& options) {
   std::vector<Written> written;
   if (!options.output_file.empty()) written.push_back({"the mesh", options.output_file});
+  const std::string points = points_beside(options.output_file, options.points);
+  if (!points.empty()) written.push_back({"the points", points});
   if (!options.neighbors_file.empty()) {
     written.push_back({"the neighbours", options.neighbors_file});
   }
@@ -230,13 +241,14 @@ CLI::App* add_triangulation(CLI::App& build, const std::string& what,
   options->what = what;
   options->input.weighted = what == "weighted-delaunay";
   CLI::App* command = build.add_subcommand(what, description);
-  command->footer(
-      fmt::format("Example:\n"
-                  "  circumspect build {} points.node -o reference.ele\n\n"
-                  "Each line is a simplex of k+1 vertices, where k is the dimension of the points' "
-                  "affine hull.\n"
-                  "Simplices are positively oriented, and indices are those of the input.",
-                  what));
+  command->footer(fmt::format(
+      "Example:\n"
+      "  circumspect build {} points.node -o reference.ele\n\n"
+      "Each line is a simplex of k+1 vertices, where k is the dimension of the points' "
+      "affine hull.\n"
+      "Simplices are positively oriented, and indices are those of the input. The points are\n"
+      "written to the .node beside the .ele, unless they come from there.",
+      what));
   command
       ->add_option("points", options->points,
                    "Points: .node, .json, .off, .xyz, .csv, .ply, or Qhull's form")

@@ -85,6 +85,7 @@ ExitCode run(const AllTriangulationsOptions& options) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return output.finish();
   }
+  output.notes(loaded->notes);
   const PointSet& points = loaded->mesh.points;
   if (options.max_points != 0 && points.size() > options.max_points) {
     output.error(

@@ -77,6 +77,7 @@ ExitCode run(const SubdivisionOptions& options) {
     output.error(ExitCode::kInputFault, "points", options.points, loaded.error());
     return output.finish();
   }
+  output.notes(loaded->notes);
   const PolyhedralComplex complex = subdivisions().at(options.algorithm)(loaded->mesh.points);
   if (output.wants_text()) output.text(text(*loaded, complex));
   if (output.wants_json()) output.json(json(*loaded, complex));

@@ -59,6 +59,39 @@ formats::SimplexFile simplex_file(const ExactMesh& mesh, const Triangulation& tr
   return file;
 }
 
+formats::PointFile point_file(const ExactMesh& mesh, const std::vector<Duplicate>& merged) {
+  const PointSet& points = mesh.points;
+  formats::PointFile file;
+  file.dimension = std::max<std::size_t>(points.ambient_dimension(), 1);
+  file.first_index = mesh.first_index;
+  file.points.resize(points.size() + merged.size());
+  if (points.is_weighted()) file.attributes.resize(file.points.size());
+  for (Vertex v = 0; points.names(v); ++v) {
+    const auto place = static_cast<std::size_t>(place_of_index(mesh.label(v), mesh.first_index));
+    file.points[place] = points[v];
+    if (points.is_weighted()) file.attributes[place] = {points.weight(v)};
+  }
+  const auto copy_missing = [&](Vertex from, Vertex to) {
+    const auto source = static_cast<std::size_t>(from);
+    const auto target = static_cast<std::size_t>(to);
+    if (!file.points[target].empty()) return;
+    file.points[target] = file.points[source];
+    if (points.is_weighted()) file.attributes[target] = file.attributes[source];
+  };
+  // Of equal points with weights, any may be the one that is left.
+  for (const auto& [kept, again] : merged) copy_missing(again, kept);
+  for (const auto& [kept, again] : merged) copy_missing(kept, again);
+  return file;
+}
+
+std::string points_beside(const std::string& path, const std::string& input) {
+  if (formats::extension(path) != ".ele" || is_there_and_no_file(path)) return "";
+  std::string beside = path.substr(0, path.size() - std::string_view(".ele").size()) + ".node";
+  std::error_code error;
+  const bool is_input = std::filesystem::equivalent(beside, input, error);
+  return is_input && !error ? "" : beside;
+}
+
 formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation) {
   std::vector<Simplex> simplices;
   for (const Simplex& simplex : triangulation.simplices()) {

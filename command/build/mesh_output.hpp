@@ -29,6 +29,14 @@ std::string output_name_fault(const std::string& path,
 // user's own indices.
 formats::SimplexFile simplex_file(const ExactMesh& mesh, const Triangulation& triangulation);
 
+// All points of the input, each at its own index. Those that were merged (`merged`, by their
+// places) have the weight of the point that is left of them; weights are the first attribute.
+formats::PointFile point_file(const ExactMesh& mesh, const std::vector<Duplicate>& merged);
+
+// The file of the points beside `path`, if it has to be written: an .ele alone says nothing, and
+// nothing is beside a stream. Empty if it is `input`, where the points come from.
+std::string points_beside(const std::string& path, const std::string& input);
+
 // neighbors[s][i]: the simplex across the facet opposite vertex i of simplex s, in the order in
 // which simplex_file lists both; −1 on the hull.
 formats::NeighborFile neighbor_file(const ExactMesh& mesh, const Triangulation& triangulation);

@@ -364,7 +364,7 @@ void add_campaign(CLI::App& app, ExitCode& exit_code) {
               "--exponents",
               [options](const std::string& text) {
                 const std::string fault = read_exponents(text, options->sizes.exponents);
-                if (!fault.empty()) throw CLI::ValidationError(fault);
+                if (!fault.empty()) throw CLI::ValidationError("--exponents", fault);
               },
               "Coordinates other than 0 lie between 2^LOW and 2^HIGH in absolute value "
               "(default: -100:100). Write it with =, as in --exponents=-20:20")

@@ -14,6 +14,7 @@
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 
 namespace circumspect::cli {
 namespace {
@@ -104,14 +105,15 @@ tl::expected<Sources, std::string> named(const std::vector<std::string>& names, 
 // The domain of a file, if it is one of Definition 4.3 when its numbers are doubles.
 tl::expected<campaign::Input, std::string> domain_input(const campaign::Subject& subject,
                                                         const std::string& path) {
+  auto read = formats::read_domain(path, NumberReading::kDouble);
+  if (!read) return tl::unexpected(read.error().to_string());
+  formats::DomainFile file = formats::of_dimension(std::move(*read), subject.dimension);
   if (subject.is_untidy) {
-    auto raw = formats::read_domain(path, NumberReading::kDouble);
-    if (!raw) return tl::unexpected(raw.error().to_string());
-    generators::ComplexCase whole{path, std::move(raw->input)};
+    generators::ComplexCase whole{path, std::move(file.input)};
     return campaign::Input(generators::in_doubles(std::move(whole)));
   }
   // Polygons are joined for the judge, not for the program.
-  auto loaded = load_domain(path, {}, DomainOptions{.fill = subject.fill});
+  auto loaded = load_domain(std::move(file), path, {}, DomainOptions{.fill = subject.fill});
   if (!loaded) return tl::unexpected(loaded.error().message);
   generators::ComplexCase whole{path, loaded->file.input};
   return campaign::Input(generators::in_doubles(std::move(whole)));

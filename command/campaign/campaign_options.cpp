@@ -27,9 +27,9 @@ void add_bytes(CLI::App& command, const std::string& name, std::uint64_t& bytes,
   command
       .add_option_function<std::string>(
           name,
-          [&bytes](const std::string& text) {
+          [&bytes, name](const std::string& text) {
             const std::string fault = read_bytes(text, bytes);
-            if (!fault.empty()) throw CLI::ValidationError(fault);
+            if (!fault.empty()) throw CLI::ValidationError(name, fault);
           },
           about)
       ->option_text("SIZE");
@@ -275,9 +275,9 @@ void add_duration(CLI::App& command, const std::string& name, std::optional<doub
   command
       .add_option_function<std::string>(
           name,
-          [&seconds](const std::string& text) {
+          [&seconds, name](const std::string& text) {
             const std::string fault = read_duration(text, seconds.emplace());
-            if (!fault.empty()) throw CLI::ValidationError(fault);
+            if (!fault.empty()) throw CLI::ValidationError(name, fault);
           },
           about)
       ->option_text("TIME");

@@ -10,6 +10,7 @@
 #include "fuzz/campaign/finding_folder.hpp"
 #include "fuzz/campaign/judge_mesh.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/model/printable.hpp"
 
 namespace circumspect::cli {
@@ -38,15 +39,16 @@ bool add_judged(const report::Json& finding, const std::string& path, const std:
   if (subject.merges_coplanar) said.merged_slope = 0;
   std::optional<LoadedDomain> domain;
   if (subject.is_about_domains()) {
-    auto loaded = load_domain(input_file, input, said);
+    auto file = formats::read_domain(input_file, input.coordinates);
+    if (!file) return false;
+    auto loaded = load_domain(formats::of_dimension(std::move(*file), subject.dimension),
+                              input_file, input, said);
     if (!loaded) return false;
     domain = std::move(*loaded);
   } else if (extension == ".ele" || extension == ".qhull-i") {
     input.points = input_file;
   }
-  const auto dimension =
-      domain ? std::optional(domain->domain.complex.ambient_dimension()) : std::nullopt;
-  auto mesh = load_mesh(path, input, 1, dimension);
+  auto mesh = load_mesh(path, input, 1, domain ? std::optional(frame_of(*domain)) : std::nullopt);
   if (!mesh) return false;
   const Domain* about = domain ? &domain->domain : nullptr;
   const auto verdict = judge_loaded(subject.claim, *mesh, input.duplicates, {}, about);

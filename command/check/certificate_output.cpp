@@ -4,8 +4,10 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "kernel/complex/simplex.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
 #include "oracle/certificate/document.hpp"
 #include "oracle/certificate/domain_certificate.hpp"
 #include "oracle/judge/points/check.hpp"
@@ -115,14 +117,54 @@ certificate::ListedSegments listed_segments(const LoadedDomain& loaded) {
   return listed;
 }
 
-// A Steiner CDT, if it is not too large.
-std::optional<ExactMesh> meshed(const PiecewiseLinearComplex& complex) {
+// The corners of a box around the points that touches none of them.
+std::vector<Point> box_around(const PointSet& points) {
+  const std::size_t dimension = points.ambient_dimension();
+  std::vector<Point> corners = {{}};
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    Rational low = points[0][axis];
+    Rational high = low;
+    for (const Point& point : points.points()) {
+      low = std::min(low, point[axis]);
+      high = std::max(high, point[axis]);
+    }
+    const Rational margin = high - low + 1;
+    std::vector<Point> longer;
+    for (const Point& corner : corners) {
+      for (const Rational& end : {Rational(low - margin), Rational(high + margin)}) {
+        longer.push_back(corner);
+        longer.back().push_back(end);
+      }
+    }
+    corners = std::move(longer);
+  }
+  return corners;
+}
+
+// A Steiner CDT of the domain in a box, if it is not too large: of its simplices those in the domain, and the others.
+std::optional<certificate::FilledMesh> meshed(const PiecewiseLinearComplex& complex) {
   constexpr std::size_t kMostPoints = 1000;
   if (complex.points.size() > kMostPoints) return std::nullopt;
-  auto made =
-      constrained::steiner_cdt(complex, constrained::CdtAlgorithm::kPolygonFlips, kMostPoints);
+  const bool is_enclosed = complex.kind == DomainKind::kEnclosed;
+  PiecewiseLinearComplex boxed = complex;
+  if (is_enclosed) {
+    std::vector<Point> points = complex.points.points();
+    for (Point& corner : box_around(complex.points)) points.push_back(std::move(corner));
+    boxed.points = PointSet(std::move(points));
+    boxed.kind = DomainKind::kHull;
+    boxed.hole_seeds.clear();
+  }
+  const auto made =
+      constrained::steiner_cdt(boxed, constrained::CdtAlgorithm::kPolygonFlips, kMostPoints);
   if (!made || !made->triangulation.dangling.empty()) return std::nullopt;
-  return ExactMesh{made->complex.points, std::move(made->triangulation.simplices)};
+  const Regions regions(complex);
+  certificate::FilledMesh filled{{made->complex.points, {}}, {}};
+  for (const Simplex& simplex : made->triangulation.simplices) {
+    const Point centre = barycentre(coordinates(made->complex.points, simplex));
+    const bool is_kept = !is_enclosed || regions.locate(centre) == Where::kInside;
+    (is_kept ? filled.mesh.simplices : filled.rest).push_back(simplex);
+  }
+  return filled;
 }
 
 certificate::HullFillers fillers() {
@@ -176,9 +218,36 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
       path, [&](std::ostream& out) { certificate::write(out, mesh, *document); }, output);
 }
 
+std::string certificate_fault(const DomainOptions& said) {
+  if (!said.merged_slope) return "";
+  return "expected no --merge-coplanar for a certificate, found it: circumspect-verified compares "
+         "the polygons of the domain's file, as they are listed";
+}
+
+namespace {
+
+// Hole points that options gave the domain, as circumspect-verified is told of them.
+void note_further_holes(const LoadedDomain& loaded, Output& output) {
+  const std::vector<Point>& seeds = loaded.domain.complex.hole_seeds;
+  std::string words;
+  for (std::size_t i = loaded.listed_holes; i < seeds.size(); ++i) {
+    std::vector<std::string> numbers;
+    for (const Rational& x : seeds[i]) numbers.push_back(x.get_str());
+    words += fmt::format(" --hole {}", fmt::join(numbers, ","));
+  }
+  if (words.empty() || loaded.domain.complex.kind == DomainKind::kHull) return;
+  output.note(fmt::format(
+      "{}: the certificate has hole points that the file does not list; with your own files, also "
+      "tell circumspect-verified of them:{}",
+      loaded.name, words));
+}
+
+}  // namespace
+
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output) {
+  note_further_holes(loaded, output);
   if (!verdict.holds()) {
     const auto refutation = certificate::domain_refutation_of(
         mesh, loaded.domain, listed_segments(loaded), verdict, fillers());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command/input/domain_input.hpp"
+#include "command/options/domain_options.hpp"
 #include "command/output/output.hpp"
 #include "oracle/model/exact_mesh.hpp"
 #include "oracle/model/verdict.hpp"
@@ -20,6 +21,9 @@ bool write_certificate(const std::string& path, const std::string& mesh_name, co
 bool write_domain_certificate(const std::string& path, const std::string& mesh_name,
                               const ExactMesh& mesh, const LoadedDomain& loaded,
                               const Verdict& verdict, Output& output);
+
+// What a certificate cannot be about; empty if there is nothing of it.
+std::string certificate_fault(const DomainOptions& said);
 
 // The files in which circumspect-verified reads that a domain has no CDT, and no triangulation.
 std::vector<std::string> impossibility_files(const std::string& prefix);

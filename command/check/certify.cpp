@@ -13,9 +13,12 @@
 #include "command/input/input.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
+#include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/subcommands.hpp"
+#include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/judge/points/check.hpp"
 #include "oracle/report/json.hpp"
 #include "oracle/report/text.hpp"
@@ -33,8 +36,6 @@ struct CertifyOptions {
   OutputOptions output;
   check::By by = check::By::kLemma;
   std::uint64_t threads = 0;  // 0: as many as the machine has
-
-  Claim claim() const { return asked.value_or(Claim::kDelaunay); }
 };
 
 void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& mesh,
@@ -48,12 +49,21 @@ void report(const CertifyOptions& options, const Verdict& verdict, const Mesh& m
   }
 }
 
+// circumspect-verified reads .poly and .smesh as they stand.
+tl::expected<LoadedDomain, DomainFault> domain_for_certificate(const CertifyOptions& options) {
+  auto file = formats::read_domain(*options.domain, options.input.coordinates);
+  if (!file) return tl::unexpected(DomainFault{file.error().to_string()});
+  const std::string end = formats::extension(*options.domain);
+  if (end == ".poly" || end == ".smesh") file = formats::as_it_stands(std::move(*file));
+  return load_domain(std::move(*file), *options.domain, options.input, options.said);
+}
+
 void certify(const CertifyOptions& options, Output& output) {
   const unsigned threads = thread_count(options.threads);
   std::optional<LoadedDomain> domain;
   if (options.domain) {
     output.begin("reading " + *options.domain);
-    auto read = load_domain(*options.domain, options.input, options.said);
+    auto read = domain_for_certificate(options);
     if (!read) {
       output.notes(read.error().file.notes);
       output.error(ExitCode::kInputFault, "domain", *options.domain, read.error().message);
@@ -63,18 +73,25 @@ void certify(const CertifyOptions& options, Output& output) {
     output.notes(domain->file.notes);
   }
   output.begin("reading " + options.mesh);
-  auto loaded = domain ? load_mesh(options.mesh, options.input, threads,
-                                   domain->domain.complex.ambient_dimension())
+  auto loaded = domain ? load_mesh(options.mesh, options.input, threads, frame_of(*domain))
                        : load_mesh(options.mesh, options.input, threads);
   if (!loaded) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, loaded.error());
     return;
   }
   const Domain* about = domain ? &domain->domain : nullptr;
+  // The claim may depend on which points there are.
+  const std::string fault =
+      domain ? settle_equal_points(*loaded, options.input.duplicates) : std::string();
+  if (!fault.empty()) {
+    output.error(ExitCode::kInputFault, "mesh", options.mesh, fault);
+    return;
+  }
+  const Claim claim = options.asked.value_or(
+      about == nullptr ? Claim::kDelaunay : default_claim(loaded->mesh, *about));
   const check::Options judging = {.by = options.by, .threads = threads};
   output.begin("judging " + options.mesh, seconds_of_judging(loaded->mesh, judging));
-  const auto verdict =
-      judge_loaded(options.claim(), *loaded, options.input.duplicates, judging, about);
+  const auto verdict = judge_loaded(claim, *loaded, options.input.duplicates, judging, about);
   if (!verdict) {
     output.error(ExitCode::kInputFault, "mesh", options.mesh, verdict.error());
     return;
@@ -92,17 +109,21 @@ void certify(const CertifyOptions& options, Output& output) {
 
 // What was left out or does not go together; empty if all is well.
 std::string usage_fault(const CertifyOptions& options) {
-  if (options.claim() == Claim::kComplex) {
+  if (options.asked == Claim::kComplex) {
     return "expected a claim of which something is proved, found complex";
   }
-  if (is_about_a_domain(options.claim())) {
-    if (options.domain) return domain_options_fault(options.said);
-    return fmt::format("expected --domain FILE for the claim {}, found none",
-                       name(options.claim()));
+  const bool about_domain = options.asked && is_about_a_domain(*options.asked);
+  if (about_domain && !options.domain) {
+    return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.asked));
   }
-  if (!options.domain && !options.said.is_given()) return "";
-  return fmt::format("expected a claim about a domain beside {}, found {}",
-                     options.domain ? "--domain" : "an option of domains", name(options.claim()));
+  if (options.asked && !about_domain && options.domain) {
+    return fmt::format("expected no --domain for the claim {}, found one", name(*options.asked));
+  }
+  if (options.said.is_given() && !options.domain) {
+    return "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none";
+  }
+  if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
+  return domain_options_fault(options.said);
 }
 
 ExitCode run(CertifyOptions& options) {
@@ -121,8 +142,9 @@ ExitCode run(CertifyOptions& options) {
   if (options.domain) read.push_back(*options.domain);
   const std::string fault = overwriting_fault({{"the certificate", options.certificate}}, read);
   if (!fault.empty()) return usage_error(fault);
-  options.input.weighted = options.claim() == Claim::kWeightedDelaunay;
+  options.input.weighted = options.asked == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
+  options.input.for_certificate = true;
   Output output(spoken);
   output.watch("certify");
   certify(options, output);
@@ -157,12 +179,11 @@ void add_certify(CLI::App& app, ExitCode& exit_code) {
                    "nothing else does")
       ->option_text("FILE")
       ->required();
-  add_claim_option(*command, options->asked,
-                   "The claim to judge (default: delaunay). Weights are read as check reads them")
+  add_claim_option(
+      *command, options->asked,
+      "The claim to judge (default: that of check). Weights are read as check reads them")
       ->option_text("CLAIM");
-  command
-      ->add_option("--domain", options->domain,
-                   "The domain of the mesh, for a claim about a domain")
+  command->add_option("--domain", options->domain, "The domain that the mesh must fill")
       ->option_text("FILE");
   add_domain_options(*command, options->said);
   command->add_option("--points", options->input.points, "The file with the points of the mesh")

@@ -139,6 +139,17 @@ TEST_CASE("certify: a refutation of a claim about a domain") {
   CHECK(!meshes.has_cert());
 }
 
+TEST_CASE("certify: of three triangles at an edge of a domain two overlap") {
+  CertifiedMeshes meshes;
+  const std::string square = meshes.folder.write("square.poly", kOutline);
+  const std::string mesh = meshes.write("three", "5 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n9 1 0.5\n",
+                                        "5 3\n1 5 6 9\n2 6 7 9\n3 7 8 9\n4 8 5 9\n5 6 9 8\n");
+  const Run result = run({"certify", mesh, "-o", meshes.cert, "--domain", square});
+  CHECK(result.exit_code == 1);
+  CHECK(begins_with(contents(meshes.cert),
+                    "circumspect-refutation 2 steiner-cdt 2 complex.overlap\n"));
+}
+
 TEST_CASE("certify: a refutation that speaks of the whole domain") {
   CertifiedMeshes meshes;
   // The wrong diagonal of a kite, by its midpoint; and the vertex beyond it that is visible.
@@ -169,10 +180,16 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
     CHECK(has(result.err, found));
     CHECK(!meshes.has_cert());
   };
-  refused({"certify", meshes.good, "-o", meshes.cert, "--domain", square},
-          "expected a claim about a domain beside --domain, found delaunay");
+  refused({"certify", meshes.good, "-o", meshes.cert, "--domain", square, "--claim", "delaunay"},
+          "expected no --domain for the claim delaunay, found one");
   refused({"certify", meshes.good, "-o", meshes.cert, "--domain-kind", "hull"},
-          "expected a claim about a domain beside an option of domains, found delaunay");
+          "expected --domain FILE beside --fill, --hole, --region or --merge-coplanar, found none");
+  // Polygons that were joined are in no file.
+  for (const char* command : {"certify", "check"}) {
+    refused({command, meshes.good, command == std::string("check") ? "--certificate" : "-o",
+             meshes.cert, "--domain", square, "--merge-coplanar"},
+            "expected no --merge-coplanar for a certificate, found it");
+  }
   const std::string dangling = meshes.write("dangling", "5 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n9 4 4\n",
                                             "2 3\n1 5 6 7\n2 5 7 8\n");
   meshes.folder.write("dangling.edge", "1 0\n1 7 9\n");
@@ -183,10 +200,49 @@ TEST_CASE("certify: what has no certificate with a domain, and the answer says s
           "there is no certificate of this mesh: something dangles");
   refused({"certify", meshes.good, "-o", meshes.cert, "--claim", "plc-triangulation"},
           "expected --domain FILE for the claim plc-triangulation, found none");
-  refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", "x.poly"},
-          "no --domain beside --certificate, found one");
   refused({"check", meshes.good, "--certificate", meshes.cert, "--claim", "cdt"},
-          "no claim about a domain beside --certificate, found one");
+          "expected --domain FILE for the claim cdt, found none");
+  refused({"check", meshes.good, "--certificate", meshes.cert, "--domain", square, "--within", "1"},
+          "expected no --within beside --certificate, found it");
+}
+
+TEST_CASE(
+    "certify, check --certificate: with a domain the claim is the same where nobody says it") {
+  CertifiedMeshes meshes;
+  const std::string square = meshes.folder.write("square.poly", kOutline);
+  CHECK(run({"certify", meshes.good, "-o", meshes.cert, "--domain", square}).exit_code == 0);
+  CHECK(begins_with(contents(meshes.cert), "circumspect-certificate 1 cdt 2 enclosed plc\n"));
+  const std::string fan = meshes.write("fan", "5 2\n5 0 0\n6 2 0\n7 2 2\n8 0 2\n9 1 1\n",
+                                       "4 3\n1 5 6 9\n2 6 7 9\n3 7 8 9\n4 8 5 9\n");
+  for (const std::string& mesh : {meshes.good, meshes.bad, fan}) {
+    const Run certified = run({"certify", mesh, "-o", meshes.cert, "--domain", square});
+    const std::string written = contents(meshes.cert);
+    const Run checked = run({"check", mesh, "--domain", square, "--certificate", meshes.cert});
+    CHECK(checked.exit_code == certified.exit_code);
+    CHECK(has(checked.out, certified.out));
+    CHECK(contents(meshes.cert) == written);
+    CHECK(has(written, mesh == fan ? " steiner-cdt 2 " : " cdt 2 "));
+  }
+}
+
+TEST_CASE("certify: hole points that are in no file are told of") {
+  CertifiedMeshes meshes;
+  const std::string rings =
+      meshes.folder.write("rings.poly",
+                          "8 2 0 0\n1 0 0\n2 9 0\n3 9 9\n4 0 9\n5 3 3\n6 6 3\n7 6 6\n8 3 6\n8 0\n"
+                          "1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n");
+  const std::string ring =
+      meshes.write("ring", "8 2\n1 0 0\n2 9 0\n3 9 9\n4 0 9\n5 3 3\n6 6 3\n7 6 6\n8 3 6\n",
+                   "8 3\n1 1 2 6\n2 1 6 5\n3 2 3 7\n4 2 7 6\n5 3 4 8\n6 3 8 7\n7 4 1 5\n8 4 5 8\n");
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
+           {"--fill", "even-odd"}, {"--region", "1,1"}, {"--hole", "4,4"}}) {
+    std::vector<std::string> arguments = {"certify", ring, "-o", meshes.cert, "--domain", rings};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Run result = run(arguments);
+    CHECK(result.exit_code == 0);
+    CHECK(has(result.err + result.out, "also tell circumspect-verified of them: --hole "));
+    CHECK(has(contents(meshes.cert), "\nholes 1\n"));
+  }
 }
 
 TEST_CASE("certify: JSON, and nothing at all") {
@@ -257,8 +313,7 @@ TEST_CASE("check --certificate: what it does not go with") {
   const CertifiedMeshes meshes;
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"check", meshes.good, meshes.bad, "--certificate", meshes.cert},
-           {"check", meshes.good, "--certificate", "-"},
-           {"check", meshes.good, "--domain", meshes.good, "--certificate", meshes.cert}}) {
+           {"check", meshes.good, "--certificate", "-"}}) {
     const Run result = run(arguments);
     CHECK(result.exit_code == 2);
     CHECK(is_error_line(result.err));

@@ -10,6 +10,7 @@
 
 #include "command/check/certificate_output.hpp"
 #include "command/check/complex_options.hpp"
+#include "command/check/domain_readings.hpp"
 #include "command/check/judge_in_parts.hpp"
 #include "command/check/judge_loaded.hpp"
 #include "command/check/remedy.hpp"
@@ -19,6 +20,7 @@
 #include "command/options/domain_options.hpp"
 #include "command/options/one_of.hpp"
 #include "command/options/whole_number.hpp"
+#include "command/output/expected_time.hpp"
 #include "command/output/output.hpp"
 #include "command/output/overwriting.hpp"
 #include "command/output/picture_output.hpp"
@@ -45,36 +47,6 @@ struct CheckOptions {
   OutputOptions output;
   std::uint64_t threads = 0;  // 0: as many as the machine has
   std::optional<std::uint64_t> memory;
-};
-
-// The same points, in whatever order?
-bool has_same_points(const Mesh& a, const PointSet& b) {
-  if (a.points() != b.size()) return false;
-  std::vector<Point> of_a = a.exact_points();
-  std::vector<Point> of_b = b.points();
-  std::sort(of_a.begin(), of_a.end());
-  std::sort(of_b.begin(), of_b.end());
-  return of_a == of_b;
-}
-
-// What is claimed where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
-// the domain; more of them, if they may have been moved.
-Claim claim_of(const CheckOptions& options, const Mesh& mesh, const LoadedDomain& domain) {
-  if (options.claim) return *options.claim;
-  const PointSet& points = domain.domain.complex.points;
-  const bool same = options.within ? mesh.points() == points.size() : has_same_points(mesh, points);
-  return same ? Claim::kCdt : Claim::kSteinerCdt;
-}
-
-// The domain, and the same with polygons joined that are not flat, if that is asked for.
-struct HeldAgainst {
-  LoadedDomain loaded;
-  std::optional<BentDomain> bent = {};
-
-  const Domain& judged() const { return bent ? bent->domain : loaded.domain; }
-  std::vector<Vertex> polygon_markers() const {
-    return bent ? std::vector<Vertex>() : loaded.file.polygon_markers;
-  }
 };
 
 // What is said of how a mesh was read, at once, and what its verdict may be due to, beside the verdict: before the
@@ -173,11 +145,14 @@ void check_part_after_part(const std::string& path, const CheckOptions& options,
 }
 
 void check_with_domain(const std::string& path, const CheckOptions& options,
-                       const HeldAgainst& against, Output& output) {
+                       DomainReadings& readings, Output& output) {
+  output.begin("reading " + path);
+  auto loaded = load_mesh(path, options.input, options.check.threads, readings.frame());
+  const HeldAgainst* const fitting = readings.for_mesh(loaded ? &*loaded : nullptr, output);
+  if (fitting == nullptr) return;
+  const HeldAgainst& against = *fitting;
   const LoadedDomain& domain = against.loaded;
   const std::size_t dimension = domain.domain.complex.ambient_dimension();
-  output.begin("reading " + path);
-  auto loaded = load_mesh(path, options.input, options.check.threads, dimension);
   // The claim may depend on which points there are.
   const std::string fault =
       loaded ? settle_equal_points(*loaded, options.input.duplicates) : loaded.error();
@@ -195,7 +170,8 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     return;
   }
   output.begin("judging " + path, seconds_of_judging(mesh, options.check));
-  const Claim claim = claim_of(options, mesh, domain);
+  const Claim claim =
+      options.claim.value_or(default_claim(mesh, domain.domain, options.within.has_value()));
   std::optional<Verdict> verdict;
   if (options.within) {
     const std::string equal = settle_equal_points(*loaded, options.input.duplicates);
@@ -234,28 +210,19 @@ void check_with_domain(const std::string& path, const CheckOptions& options,
     if (note) notes.of_verdict.push_back(*note);
   }
   report_verdict(path, *verdict, mesh, notes, options, &against, output);
+  if (options.certificate) {
+    output.end_watch();
+    write_domain_certificate(*options.certificate, path, exact(mesh), domain, *verdict, output);
+  }
 }
 
 void check_against_domain(const CheckOptions& options, Output& output) {
-  output.begin("reading " + *options.domain);
-  auto domain =
-      load_domain(*options.domain, options.input, options.said, options.check.max_violations,
-                  Leak::kRefused, {.progress = output.progress()});
-  if (!domain) {
-    output.notes(domain.error().file.notes);
-    output.error(ExitCode::kInputFault, "domain", *options.domain, domain.error().message);
-    return;
+  DomainReadings readings(
+      {*options.domain, options.input, options.said, options.within, options.check.max_violations});
+  if (!readings.load(output)) return;
+  for (const std::string& mesh : options.meshes) {
+    check_with_domain(mesh, options, readings, output);
   }
-  HeldAgainst against{std::move(*domain)};
-  LoadedDomain& loaded = against.loaded;
-  if (options.said.merges_bent() && loaded.domain.complex.ambient_dimension() == 3) {
-    const Rational squared = options.within->squared(loaded.domain.complex);
-    BentDomain bent = with_nearly_coplanar_joined(loaded, *options.said.merged_slope, squared);
-    loaded.file.notes.push_back(bent.note);
-    if (bent.removed_segments > 0) against.bent = std::move(bent);
-  }
-  output.notes(loaded.file.notes);
-  for (const std::string& mesh : options.meshes) check_with_domain(mesh, options, against, output);
 }
 
 // What a claim needs and did not get, or got and does not need; empty if all is well.
@@ -271,11 +238,11 @@ std::string usage_fault(CheckOptions& options) {
     }
   }
   const bool about_domain = options.claim && is_about_a_domain(*options.claim);
-  if (options.certificate && (about_domain || options.domain)) {
-    return fmt::format(
-        "expected no {} beside --certificate, found one: for meshes with a domain, circumspect "
-        "certify writes the certificates",
-        options.domain ? "--domain" : "claim about a domain");
+  if (options.certificate && options.within) {
+    return "expected no --within beside --certificate, found it: nothing is proved of it";
+  }
+  if (options.certificate) {
+    if (std::string fault = certificate_fault(options.said); !fault.empty()) return fault;
   }
   if (about_domain && !options.domain) {
     return fmt::format("expected --domain FILE for the claim {}, found none", name(*options.claim));
@@ -352,6 +319,7 @@ ExitCode run(CheckOptions& options) {
   output.watch("check");
   options.input.weighted = options.claim == Claim::kWeightedDelaunay;
   options.input.faces = options.domain.has_value();
+  options.input.for_certificate = options.certificate.has_value();
   options.check.threads = thread_count(options.threads);
   options.pictures = std::make_shared<Pictures>(options.picture);
   if (options.domain) {

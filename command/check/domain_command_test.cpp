@@ -236,7 +236,7 @@ TEST_CASE("inspect: adopted cells and hole seeds outside are told") {
   CHECK(has(plane.out, "hole seed 1 at (9, 9): ignored, it is in nothing enclosed\n"));
   CHECK(has(plane.out, " 6 vertices 5 segments 1 region enclosed "));
   const std::string space =
-      folder.write("b.poly", "4 3\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 1 1 0\n1\n1\n3 1 2 3\n0\n");
+      folder.write("b.poly", "4 3\n1 0 0 0\n2 4 0 4\n3 0 4 0\n4 1 1 1\n1\n1\n3 1 2 3\n0\n");
   const Run adopts = run({"inspect", space});
   CHECK(has(adopts.out, "polygon 1 (line 7): adopts vertices 4\n"));
 }
@@ -305,7 +305,7 @@ TEST_CASE("inspect --refutations and replay: the proofs as files") {
   CHECK(run({"replay", prefix + "-cdt.cnf", wrong}).err ==
         "circumspect: " + wrong +
             ":2: expected literals and a 0, after d for a deletion, found 'x 0'\n");
-  CHECK(has(run({"replay", "--help"}).out,
+  CHECK(has(unbroken(run({"replay", "--help"}).out),
             "replay does not check that the formula encodes the domain"));
   CHECK(run({"replay", prefix + "-cdt.cnf"}).exit_code == 2);
 }

@@ -39,7 +39,7 @@ const std::vector<std::string> kEnclosed = {"--domain-kind", "enclosed"};
 TEST_CASE(
     "flat domains: walls are meshed alone, and without walls there has to be said what is meant") {
   const Folder folder;
-  const std::string points = "4 3\n1 0 0 5\n2 3 0 5\n3 3 1 5\n4 0 2 5\n";
+  const std::string points = "4 3\n1 0 0 0\n2 3 0 3\n3 3 1 3\n4 0 2 0\n";
   folder.write("m.node", points);
   const std::string mesh = folder.write("m.ele", "0 4\n");
   const std::string faces = "2 0\n1 1 2 3\n2 1 3 4\n";
@@ -84,7 +84,7 @@ TEST_CASE("domains on a line of the plane: segments are walls there") {
 TEST_CASE("what dangles is counted, by build as by check") {
   const Folder folder;
   const std::string flat = folder.write(
-      "flat.smesh", "5 3\n0 0 0 0\n1 4 0 0\n2 4 4 0\n3 0 4 0\n4 2 2 0\n1 0\n4 0 1 2 3\n0\n");
+      "flat.smesh", "5 3\n0 0 0 0\n1 4 0 4\n2 4 4 4\n3 0 4 0\n4 2 2 2\n1 0\n4 0 1 2 3\n0\n");
   const std::string mesh = folder.path("flat.1.ele");
   CHECK(has(run({"build", "cdt", flat, "-o", mesh}).out, " 5 points 0 tetrahedra 4 dangling "));
   const Run checked = run({"check", mesh, "--domain", flat});
@@ -93,7 +93,7 @@ TEST_CASE("what dangles is counted, by build as by check") {
   const auto json = document(run({"check", mesh, "--domain", flat, "--format", "json"}));
   CHECK(json["results"][0]["dangling"] == 4);
   // Vertices that belong to nothing are points.
-  const std::string lone = folder.write("lone.poly", "2 3\n0 0 0 0\n1 1 0 0\n0 0\n0\n");
+  const std::string lone = folder.write("lone.poly", "2 3\n0 0 0 0\n1 1 0 1\n0 0\n0\n");
   const Run built = run({"build", "cdt", lone, "--domain-kind", "enclosed", "-o", mesh});
   CHECK(has(built.out, " 2 points 0 tetrahedra canonical\n"));
 }

@@ -1,9 +1,11 @@
 // Judges a mesh that was read from files.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -26,13 +28,19 @@ inline tl::expected<Verdict, std::string> judge_loaded(Claim claim, LoadedMesh& 
   return tl::unexpected(equal_points_fault(loaded, verdict.error().repeated));
 }
 
-// How long that takes by definition, about, on a machine of 2023: every pair of simplices is looked at, and every
-// simplex with every point. By lemma nobody need wait long.
-inline std::optional<double> seconds_of_judging(const Mesh& mesh, const check::Options& options) {
-  if (options.by != check::By::kDefinition) return std::nullopt;
-  const auto simplices = static_cast<double>(mesh.simplices.size());
-  const auto points = static_cast<double>(mesh.points());
-  return simplices * simplices / 2 * 2e-5 + simplices * points * 2e-6;
+// What is claimed of a mesh and a domain where nobody says it: a CDT, which is a Steiner CDT if the mesh has other vertices than
+// the domain; more of them, if they may have been moved.
+inline Claim default_claim(const Mesh& mesh, const Domain& domain, bool may_be_moved = false) {
+  const PointSet& vertices = domain.complex.points;
+  bool same = mesh.points() == vertices.size();
+  if (same && !may_be_moved) {
+    std::vector<Point> of_mesh = mesh.exact_points();
+    std::vector<Point> of_domain = vertices.points();
+    std::sort(of_mesh.begin(), of_mesh.end());
+    std::sort(of_domain.begin(), of_domain.end());
+    same = of_mesh == of_domain;
+  }
+  return same ? Claim::kCdt : Claim::kSteinerCdt;
 }
 
 }  // namespace circumspect::cli

@@ -173,7 +173,7 @@ class Remedies {
       joined_ = with_coplanar_joined(judged_.domain);
       if (segments(*joined_) == segments(judged_.domain)) joined_.reset();
     }
-    const bool holds = merged() || moved() || merged_and_moved() || bent();
+    const bool holds = merged() || moved() || (!is_unsettled_ && (merged_and_moved() || bent()));
     if (!holds && is_unsettled_ && !judged_.within) {
       return "the coordinates may have been rounded: --within 1e-9x tells whether that is all "
              "that is wrong";
@@ -182,10 +182,10 @@ class Remedies {
   }
 
  private:
-  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes much more, the note proposes
-  // to find out.
-  static constexpr std::size_t kLeastWork = 500'000;
-  static constexpr std::size_t kWorkOfSimplex = 4;
+  // Finding out how far a mesh is moved usually takes less than to judge it. Where it takes more, and more than half a
+  // second, the note proposes to find out.
+  static constexpr std::size_t kLeastWork = 1'000'000;
+  static constexpr std::size_t kWorkOfSimplex = 1;
 
   std::size_t most_work() const {
     return kLeastWork + kWorkOfSimplex * mesh_.exact.simplices.size();

@@ -148,6 +148,21 @@ TEST_CASE("options about domains: what they expect") {
   usage({"--merge-coplanar", "6deg", "--within", "1"}, "at most 5deg");
   usage({"--merge-coplanar=0deg", "--within", "1"}, "more than 0deg");
   usage({"--merge-coplanar=some", "--within", "1"}, "found some");
+  // A number without a unit is no mesh of that name.
+  const auto angle = [&](const std::string& text, const std::string& said) {
+    usage({"--within", "1e-9", "--merge-coplanar", text}, said);
+  };
+  angle("0.1", "--merge-coplanar: expected an angle with its unit, such as 0.1deg, found 0.1; ");
+  angle("-1/10", "such as 0.1deg, found -1/10; ");
+  angle("0.1rad", "found 0.1rad");
+  angle("0.1\u00b0", "found 0.1\u00b0");
+  const Run no_angle = run({"certify", mesh, "--domain", cube, "--claim", "steiner-cdt", "-o", "x",
+                            "--merge-coplanar", "0.1"});
+  CHECK(no_angle.exit_code == 2);
+  CHECK(has(no_angle.err, "--merge-coplanar: expected no angle, found 0.1: circumspect check"));
+  // Behind -- stands another program's command line.
+  CHECK(has(run({"campaign", "--", "./none", "--merge-coplanar", "0.1", "{points}", "{mesh}"}).err,
+            "none"));
   usage({"--hole", "1,2,x"}, "expected a point, as 1,2.5,1/3");
   usage({"--region", "1"}, "expected a point");
   usage({"--region", "1,1,1", "--fill", "even-odd"}, "expected --region alone");

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command/compare/comparison.hpp"
 #include "command/input/input.hpp"
 #include "command/options/whole_number.hpp"
 #include "command/output/output.hpp"
@@ -17,6 +18,7 @@
 #include "kernel/exact/number.hpp"
 #include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/judge/mesh_difference.hpp"
@@ -29,6 +31,8 @@ namespace {
 struct CompareOptions {
   std::string a;
   std::string b;
+  std::optional<std::string> points_of_a;
+  std::optional<std::string> points_of_b;
   std::string output_file;  // for what differs; empty: none
   std::string html;         // likewise, to look at
   std::size_t most = 20;    // differences of each kind that are shown; 0: all
@@ -36,143 +40,14 @@ struct CompareOptions {
   OutputOptions output;
 };
 
-// A point or a simplex that the other mesh lacks, by the user's own indices.
-struct NamedPoint {
-  Vertex label;
-  Point coordinates;
-  std::optional<Rational> weight;
-};
-
-// What one of the two meshes has and the other has not.
-struct Side {
-  const std::string& name;
-  std::size_t point_count = 0;
-  std::size_t simplex_count = 0;
-  std::vector<NamedPoint> points = {};  // those that are shown
-  std::vector<Simplex> simplices = {};
-};
-
-struct Comparison {
-  std::size_t points_of_a = 0;
-  std::size_t simplices_of_a = 0;
-  bool weighted = false;
-  Side only_in_a;
-  Side only_in_b;
-
-  bool is_same() const {
-    return only_in_a.point_count + only_in_b.point_count + only_in_a.simplex_count +
-               only_in_b.simplex_count ==
-           0;
-  }
-};
-
-std::size_t shown(std::size_t count, std::size_t most) {
-  return most == 0 ? count : std::min(count, most);
-}
-
-Side side(const LoadedMesh& input, const std::vector<Vertex>& points,
-          const std::vector<Simplex>& simplices, std::size_t most) {
-  const Mesh& mesh = input.mesh;
-  Side side{input.name, points.size(), simplices.size()};
-  for (std::size_t i = 0; i < shown(points.size(), most); ++i) {
-    const Vertex v = points[i];
-    NamedPoint& named = side.points.emplace_back(NamedPoint{mesh.label(v), mesh.point(v), {}});
-    if (mesh.is_weighted()) named.weight = mesh.weight(v);
-  }
-  for (std::size_t i = 0; i < shown(simplices.size(), most); ++i) {
-    Simplex& labels = side.simplices.emplace_back(simplices[i]);
-    for (Vertex& v : labels) v = mesh.label(v);
-  }
-  return side;
-}
-
-Comparison compared(const LoadedMesh& a, const LoadedMesh& b, const check::Difference& found,
-                    std::size_t most) {
-  return {a.mesh.points(), a.mesh.simplices.size(), a.mesh.is_weighted() || b.mesh.is_weighted(),
-          side(a, found.points_only_in_a, found.simplices_only_in_a, most),
-          side(b, found.points_only_in_b, found.simplices_only_in_b, most)};
-}
-
-std::string coordinates_text(const NamedPoint& point) {
-  std::string text;
-  for (const Rational& x : point.coordinates)
-    text += (text.empty() ? "" : ", ") + to_text_of_double_or_fraction(x);
-  if (point.weight) text += "; weight " + to_text_of_double_or_fraction(*point.weight);
-  return text;
-}
-
-// "and 7 more", where not all are shown.
-std::string rest(const Side& side, std::string_view what, std::size_t count, std::size_t shown) {
-  if (shown == count) return "";
-  return fmt::format("only in {}: {} more {}; --max-errors 0 shows all\n", on_one_line(side.name),
-                     count - shown, what);
-}
-
-std::string text_of(const Side& side) {
-  const std::string name = on_one_line(side.name);
-  std::string text;
-  for (const NamedPoint& point : side.points) {
-    text += fmt::format("only in {}: point {} ({})\n", name, point.label, coordinates_text(point));
-  }
-  text += rest(side, "points", side.point_count, side.points.size());
-  for (const Simplex& simplex : side.simplices) {
-    text += fmt::format("only in {}: simplex {}\n", name, fmt::join(simplex, " "));
-  }
-  return text + rest(side, "simplices", side.simplex_count, side.simplices.size());
-}
-
-report::Json json_of(const Side& side) {
-  report::Json points = report::Json::array();
-  for (const NamedPoint& point : side.points) {
-    report::Json entry = {{"index", point.label},
-                          {"coordinates", report::point(point.coordinates)}};
-    if (point.weight) entry["weight"] = to_string(*point.weight);
-    points.push_back(std::move(entry));
-  }
-  report::Json simplices = report::Json::array();
-  for (const Simplex& simplex : side.simplices) simplices.push_back(simplex);
-  return {{"point_count", side.point_count},
-          {"simplex_count", side.simplex_count},
-          {"points", points},
-          {"simplices", simplices}};
-}
-
-std::string counts(const Side& side) {
-  return fmt::format("{} {} only in {}", report::counted(side.point_count, "point"),
-                     report::counted(side.simplex_count, "simplex", "simplices"),
-                     on_one_line(side.name));
-}
-
-std::string line_of(const CompareOptions& options, const Comparison& comparison) {
-  return comparison.is_same()
-             ? fmt::format("same: {} {} {} {}{}", on_one_line(options.a), on_one_line(options.b),
-                           report::counted(comparison.points_of_a, "point"),
-                           report::counted(comparison.simplices_of_a, "simplex", "simplices"),
-                           comparison.weighted ? " weighted" : "")
-             : fmt::format("differ: {}, {}", counts(comparison.only_in_a),
-                           counts(comparison.only_in_b));
-}
-
-report::Json json_of(const CompareOptions& options, const Comparison& comparison,
-                     const std::vector<std::string>& notes) {
-  return {{"a", options.a},
-          {"b", options.b},
-          {"same", comparison.is_same()},
-          {"weighted", comparison.weighted},
-          {"notes", notes},
-          {"only_in_a", json_of(comparison.only_in_a)},
-          {"only_in_b", json_of(comparison.only_in_b)}};
-}
-
 void report_comparison(const CompareOptions& options, const Comparison& comparison,
                        const std::vector<std::string>& notes, Output& output) {
   output.exit_with(comparison.is_same() ? ExitCode::kHolds : ExitCode::kFails);
   output.notes(notes);
   if (output.wants_text()) {
-    output.text(text_of(comparison.only_in_a) + text_of(comparison.only_in_b));
-    output.text(line_of(options, comparison) + "\n");
+    output.text(text_of(comparison) + line_of({options.a, options.b}, comparison) + "\n");
   }
-  if (output.wants_json()) output.json(json_of(options, comparison, notes));
+  if (output.wants_json()) output.json(json_of({options.a, options.b}, comparison, notes));
 }
 
 // The simplices that only one of the meshes has: labelled 1 those of a, 2 those of b. Requires: the plane or
@@ -218,14 +93,49 @@ std::string dimension_fault(const std::string& path, const Mesh& a, const Mesh& 
       path, dimension, b.dimension());
 }
 
-// What ought to be known where only one of the meshes has weights; else nothing.
+// How they were read, and what ought to be known where only one has weights or they have other
+// dimensions.
 std::vector<std::string> notes_of(const LoadedMesh& a, const LoadedMesh& b) {
-  if (a.mesh.is_weighted() == b.mesh.is_weighted()) return {};
-  const bool first = a.mesh.is_weighted();
-  return {fmt::format(
-      "{} has weights and {} has none; --weighted takes the first attributes of a .node file for "
-      "weights",
-      (first ? a : b).name, (first ? b : a).name)};
+  std::vector<std::string> notes = a.notes;
+  notes.insert(notes.end(), b.notes.begin(), b.notes.end());
+  if (a.mesh.is_weighted() != b.mesh.is_weighted()) {
+    const bool first = a.mesh.is_weighted();
+    notes.push_back(fmt::format(
+        "{} has weights and {} has none; --weighted takes the first attributes of a .node file for "
+        "weights",
+        (first ? a : b).name, (first ? b : a).name));
+  }
+  if (a.mesh.points() > 0 && b.mesh.points() > 0 && a.mesh.dimension() != b.mesh.dimension()) {
+    notes.push_back(
+        fmt::format("{} has points of dimension {} and {} of dimension {}: no point is "
+                    "in both",
+                    a.name, a.mesh.dimension(), b.name, b.mesh.dimension()));
+  }
+  return notes;
+}
+
+// Meshes of the plane are compared there, unless one has points in space that are not in the plane
+// of the other.
+void settle_dimensions(LoadedMesh& a, LoadedMesh& b) {
+  const auto fits = [](const LoadedMesh& one, const LoadedMesh& other) {
+    return !one.height || other.mesh.points() == 0 ||
+           (other.height ? other.height == one.height : other.mesh.dimension() == 2);
+  };
+  if (fits(a, b) && fits(b, a)) return;
+  for (LoadedMesh* const mesh : {&a, &b}) {
+    if (!mesh->height) continue;
+    formats::put_back_height(mesh->mesh, *mesh->height);
+    std::erase(mesh->notes, formats::note_of_height(mesh->points_name, *mesh->height));
+    mesh->height.reset();
+  }
+}
+
+InputOptions input_of(const CompareOptions& options, const std::optional<std::string>& points,
+                      const char* points_option) {
+  InputOptions input = options.input;
+  input.points = points;
+  input.points_option = points_option;
+  return input;
 }
 
 // False, and said, if there are equal points and they are refused.
@@ -264,6 +174,9 @@ std::string output_fault(const CompareOptions& options) {
   }
   std::vector<std::string> read = files_of_mesh(options.a);
   for (std::string& path : files_of_mesh(options.b)) read.push_back(std::move(path));
+  for (const auto& points : {options.points_of_a, options.points_of_b}) {
+    if (points) read.push_back(*points);
+  }
   return page_fault(options.html, written, read);
 }
 
@@ -273,17 +186,25 @@ void compare(const CompareOptions& options, Output& output) {
                  options.output_file.empty() ? options.html : options.output_file, fault);
     return;
   }
-  if (options.a == "-" && options.b == "-") {
-    output.error(ExitCode::kUsage, "mesh", "-", "expected one mesh on standard input, found two");
+  const auto streams = (options.a == "-") + (options.b == "-") + (options.points_of_a == "-") +
+                       (options.points_of_b == "-");
+  if (streams > 1) {
+    const bool are_meshes = options.a == "-" && options.b == "-";
+    output.error(ExitCode::kUsage, "mesh", "-",
+                 are_meshes ? "expected one mesh on standard input, found two"
+                            : "expected one of the files on standard input, found several");
     return;
   }
   output.begin("reading " + options.a);
-  auto a = load_mesh(options.a, options.input, thread_count(0));
+  auto a =
+      load_mesh(options.a, input_of(options, options.points_of_a, "--points-a"), thread_count(0));
   if (!a) output.error(ExitCode::kInputFault, "mesh", options.a, a.error());
   output.begin("reading " + options.b);
-  auto b = load_mesh(options.b, options.input, thread_count(0));
+  auto b =
+      load_mesh(options.b, input_of(options, options.points_of_b, "--points-b"), thread_count(0));
   if (!b) output.error(ExitCode::kInputFault, "mesh", options.b, b.error());
   if (!a || !b) return;
+  settle_dimensions(*a, *b);
   output.begin("comparing " + options.a + " and " + options.b);
   std::optional<check::Difference> found = check::difference(a->mesh, b->mesh);
   if (!found) {
@@ -305,8 +226,9 @@ void compare(const CompareOptions& options, Output& output) {
   const std::vector<std::string> notes = notes_of(*a, *b);
   picture::Page page;
   if (fault.empty() && !options.html.empty()) {
-    page.add_difference(a->mesh, b->mesh, found.value(), json_of(options, comparison, notes),
-                        line_of(options, comparison));
+    page.add_difference(a->mesh, b->mesh, found.value(),
+                        json_of({options.a, options.b}, comparison, notes),
+                        line_of({options.a, options.b}, comparison));
   }
   output.end_watch();
   if (fault.empty() && !options.output_file.empty()) {
@@ -349,6 +271,13 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
       "stopped by --limit, 5 internal error.");
   command->add_option("a", options->a, "A mesh, in any format that check reads")->required();
   command->add_option("b", options->b, "The other mesh")->required();
+  command
+      ->add_option(
+          "--points-a", options->points_of_a,
+          "The file with the points of the first mesh, where they are not in it or beside it")
+      ->option_text("FILE");
+  command->add_option("--points-b", options->points_of_b, "The same for the other mesh")
+      ->option_text("FILE");
   command
       ->add_option(
           "-o,--output", options->output_file,

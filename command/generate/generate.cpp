@@ -13,6 +13,7 @@
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 #include "fuzz/campaign/domain_text.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/in_doubles.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/formats/json.hpp"
@@ -90,18 +91,16 @@ tl::expected<Draw, std::string> draw(const GenerateOptions& options) {
   if (const auto* family = generators::find_family(options.family)) {
     const std::size_t dimension = options.dimension_or_space();
     if (family->exists_in(dimension)) return draw_points(*family, options);
-    return tl::unexpected(
-        fmt::format("{} exists in dimension {}; expected such a --dimension, found {}",
-                    family->name, dimensions_text(*family), dimension));
+    return tl::unexpected(generators::no_sets_text(
+        family->name, generators::dimensions_text(*family), static_cast<std::int64_t>(dimension)));
   }
   const auto* family = properties::find_domain_family(options.family);
   if (family == nullptr) return tl::unexpected(unknown_family(options.family));
   if (options.dimension.value_or(family->dimension) == family->dimension) {
     return draw_domains(*family, options);
   }
-  return tl::unexpected(
-      fmt::format("{} exists in dimension {}; expected such a --dimension, found {}", family->name,
-                  family->dimension, *options.dimension));
+  return tl::unexpected(generators::no_sets_text(family->name, std::to_string(family->dimension),
+                                                 static_cast<std::int64_t>(*options.dimension)));
 }
 
 bool is_json(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "command/options/nearest_word.hpp"
+#include "inputs/families.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/triangulated/domain_families.hpp"
 #include "oracle/formats/point_file.hpp"
 
@@ -41,17 +43,10 @@ std::string modifier_names(const std::vector<Modifier>& modifiers) {
 
 }  // namespace
 
-std::string dimensions_text(const generators::Family& family) {
-  const std::vector<std::size_t> found = dimensions(family);
-  if (found.size() == 1) return std::to_string(found.front());
-  if (found.back() == formats::kLargestDimension) return fmt::format("{} and above", found.front());
-  return fmt::format("{} to {}", found.front(), found.back());
-}
-
 std::string families_text() {
   std::string text = "Points, in dimension:\n";
   for (const auto& family : generators::families()) {
-    text += line(family.name, dimensions_text(family), family.about);
+    text += line(family.name, generators::dimensions_text(family), family.about);
   }
   text += "With any of these, as in sphere+ulp:\n";
   for (const auto& modifier : generators::family_modifiers()) {
@@ -112,10 +107,8 @@ std::string unknown_family(const std::string& name) {
   std::stable_sort(names.begin(), names.end(), [&base](const auto& a, const auto& b) {
     return edit_distance(a, base) < edit_distance(b, base);
   });
-  return fmt::format(
-      "expected the name of a family, found '{}'; the nearest are {}, {} and {}; `circumspect "
-      "generate --list` shows all",
-      name, names[0], names[1], names[2]);
+  return generators::unknown_family_text(
+      "", name, fmt::format("; the nearest are {}, {} and {}", names[0], names[1], names[2]));
 }
 
 }  // namespace circumspect::cli

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "inputs/families.hpp"
 #include "oracle/report/json.hpp"
 
 namespace circumspect::cli {
@@ -14,10 +13,6 @@ std::string families_text();
 
 // {"points": […], "modifiers": […], "domains": […]}, each entry with its name and what it is about.
 report::Json families_json();
-
-// The dimensions in which a family exists: "2", "3 and above", "2 to 6". Dimensions beyond those that
-// files of points may have are not looked at.
-std::string dimensions_text(const generators::Family& family);
 
 // What to say if there is no family of that name: the nearest names, and where to find all.
 std::string unknown_family(const std::string& name);

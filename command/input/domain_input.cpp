@@ -1,12 +1,14 @@
 #include "command/input/domain_input.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
 #include "command/input/breach_text.hpp"
 #include "oracle/domain/coplanar_polygons.hpp"
 #include "oracle/formats/domain_file.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/judge/domain/triangle_walls.hpp"
 #include "oracle/judge/within/nearly_coplanar.hpp"
 #include "oracle/report/text.hpp"
@@ -68,8 +70,10 @@ std::vector<Vertex> markers_of_joined(const std::vector<Vertex>& markers,
 }
 
 // Which part of the plane or of space a mesh is held against.
-std::string filled_text(const DomainOptions& said, DomainKind kind, std::size_t dimension) {
-  if (kind == DomainKind::kHull) return "hull, the convex hull";
+std::string filled_text(const DomainOptions& said, const ChosenKind& chosen,
+                        std::size_t dimension) {
+  if (chosen.kind == DomainKind::kHull) return "hull, the convex hull";
+  if (chosen.is_by_faces) return "enclosed, what its faces cover";
   const std::string walls = dimension == 2 ? "segments" : "polygons";
   if (!said.regions.empty()) {
     return fmt::format("enclosed, {} of what its {} enclose",
@@ -85,6 +89,68 @@ std::string filled_text(const DomainOptions& said, DomainKind kind, std::size_t 
   }
 }
 
+ValidityWatch validity_of(const DomainWatch& watch, const formats::DomainFile& file) {
+  ValidityWatch validity{watch.progress};
+  if (watch.on_breach) {
+    validity.on_breach = [&](const Breach& breach) { watch.on_breach(breach, file); };
+  }
+  return validity;
+}
+
+formats::DomainFile with_merged(formats::DomainFile file, const InputOptions& options) {
+  if (options.duplicates != Duplicates::kMerge) return file;
+  return formats::with_duplicates_merged(std::move(file));
+}
+
+// The complex that a file holds, if it is one. One more breach than is reported tells whether there
+// are more.
+tl::expected<PiecewiseLinearComplex, DomainFault> validated_complex(const formats::DomainFile& file,
+                                                                    std::size_t max_breaches,
+                                                                    const DomainWatch& watch) {
+  auto complex = check::validated_domain(file.input, max_breaches == 0 ? 0 : max_breaches + 1,
+                                         validity_of(watch, file));
+  if (complex) return std::move(*complex);
+  return tl::unexpected(fault_of(std::move(complex.error()), max_breaches, file));
+}
+
+// Faces in the plane are looked at as the polygons that they are in space, and joined there.
+tl::expected<formats::DomainFile, DomainFault> with_valid_faces(
+    formats::DomainFile file, const std::string& path, const InputOptions& options,
+    const DomainOptions& said, std::size_t max_breaches, const DomainWatch& watch) {
+  if (!file.flat || file.faces.empty()) return file;
+  formats::DomainFile in_space = with_merged(*file.flat->in_space, options);
+  auto complex = validated_complex(in_space, max_breaches, watch);
+  if (!complex) return tl::unexpected(std::move(complex.error()));
+  if (!said.merged_slope) return file;
+  LoadedDomain space{path, domain_of(std::move(*complex), in_space), std::move(in_space)};
+  space.listed = listed_segments(space.file.input);
+  space = with_coplanar_joined(std::move(space));
+  auto joined = formats::in_plane(space.file);
+  assert(joined);  // its points are those of the plane
+  joined->notes = std::move(file.notes);
+  joined->notes.push_back(space.file.notes.back());
+  joined->flat = std::move(file.flat);
+  return std::move(*joined);
+}
+
+// Points as users name them, with the coordinates that the points of the file have, or those of the
+// domain.
+tl::expected<DomainOptions, std::string> in_dimension_of(const formats::DomainFile& file,
+                                                         DomainOptions said) {
+  for (const auto& [name, points] :
+       {std::pair{"--hole", &said.holes}, {"--region", &said.regions}}) {
+    for (Point& point : *points) {
+      const bool is_in_space = file.flat && point.size() == 3 && point[2] == file.flat->height;
+      if (is_in_space) point.pop_back();
+      if (point.size() == file.dimension) continue;
+      return tl::unexpected(
+          fmt::format("expected {} with {} coordinates, as its points have, found {}", name,
+                      file.dimension, point.size()));
+    }
+  }
+  return said;
+}
+
 }  // namespace
 
 std::string_view word(DomainKind kind) {
@@ -98,37 +164,31 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     const DomainWatch& watch) {
   auto read = formats::read_domain(path, options.coordinates);
   if (!read) return tl::unexpected(DomainFault{read.error().to_string()});
-  formats::DomainFile file = options.duplicates == Duplicates::kMerge
-                                 ? formats::with_duplicates_merged(std::move(*read))
-                                 : std::move(*read);
+  return load_domain(std::move(*read), path, options, said, max_breaches, leak, watch);
+}
+
+tl::expected<LoadedDomain, DomainFault> load_domain(
+    formats::DomainFile read, const std::string& path, const InputOptions& options,
+    const DomainOptions& asked, std::size_t max_breaches, Leak leak, const DomainWatch& watch) {
+  auto with_faces = with_valid_faces(std::move(read), path, options, asked, max_breaches, watch);
+  if (!with_faces) return tl::unexpected(std::move(with_faces.error()));
+  formats::DomainFile file = with_merged(std::move(*with_faces), options);
   if (file.input.points.empty()) {
     return tl::unexpected(DomainFault{path + ": expected a domain with points, found none"});
   }
-  for (const auto& [name, points] :
-       {std::pair{"--hole", &said.holes}, {"--region", &said.regions}}) {
-    for (const Point& point : *points) {
-      if (point.size() == file.dimension) continue;
-      return tl::unexpected(DomainFault{
-          fmt::format("{}: expected {} with {} coordinates, as its points have, found {}", path,
-                      name, file.dimension, point.size())});
-    }
-  }
+  const auto settled = in_dimension_of(file, asked);
+  if (!settled) return tl::unexpected(DomainFault{path + ": " + settled.error()});
+  const DomainOptions& said = *settled;
+  const std::size_t listed_holes = file.input.hole_seeds.size();
   file.input.hole_seeds.insert(file.input.hole_seeds.end(), said.holes.begin(), said.holes.end());
-  // One more than is reported tells whether there are more.
-  ValidityWatch validity{watch.progress};
-  if (watch.on_breach) {
-    validity.on_breach = [&](const Breach& breach) { watch.on_breach(breach, file); };
-  }
-  auto complex =
-      check::validated_domain(file.input, max_breaches == 0 ? 0 : max_breaches + 1, validity);
-  if (!complex) {
-    return tl::unexpected(fault_of(std::move(complex.error()), max_breaches, std::move(file)));
-  }
+  auto complex = validated_complex(file, max_breaches, watch);
+  if (!complex) return tl::unexpected(std::move(complex.error()));
   if (watch.on_valid) watch.on_valid(*complex, file);
   LoadedDomain loaded{path, domain_of(std::move(*complex), file), std::move(file)};
+  loaded.listed_holes = listed_holes;
   loaded.listed = listed_segments(loaded.file.input);  // joined polygons are lists of segments
   if (watch.only_validity) return loaded;
-  auto chosen = choose_kind(loaded.domain, loaded.file.input, said, leak);
+  auto chosen = choose_kind(loaded.domain, loaded.file.input, loaded.file.faces, said, leak);
   if (!chosen) {
     return tl::unexpected(DomainFault{path + ": " + chosen.error(), {}, std::move(loaded.file)});
   }
@@ -139,9 +199,16 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
   }
   valid.kind = loaded.file.input.kind = chosen->kind;
   loaded.domain.known_regions = std::move(chosen->regions);
-  loaded.filled = filled_text(said, chosen->kind, valid.ambient_dimension());
+  loaded.filled = filled_text(said, *chosen, valid.ambient_dimension());
   loaded.bound_nothing = std::move(chosen->bound_nothing);
-  return said.merged_slope ? with_coplanar_joined(std::move(loaded)) : std::move(loaded);
+  const bool is_joined = !said.merged_slope || loaded.file.flat;
+  return is_joined ? std::move(loaded) : with_coplanar_joined(std::move(loaded));
+}
+
+DomainFrame frame_of(const LoadedDomain& domain) {
+  const auto& flat = domain.file.flat;
+  return {domain.domain.complex.ambient_dimension(),
+          flat ? std::optional(flat->height) : std::nullopt};
 }
 
 LoadedDomain with_coplanar_joined(LoadedDomain loaded) {

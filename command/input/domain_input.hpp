@@ -27,6 +27,7 @@ struct LoadedDomain {
   std::string filled = {};                      // "enclosed, what its polygons enclose"
   std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
   std::vector<Simplex> listed = {};  // what the file lists as segments: `listed_segments`
+  std::size_t listed_holes = 0;      // so many hole seeds; those that follow are of options
 };
 
 // What is wrong with an input: one line for people, and the breaches of Definition 4.3, if it could
@@ -57,6 +58,15 @@ tl::expected<LoadedDomain, DomainFault> load_domain(const std::string& path,
                                                     std::size_t max_breaches = kBreachLimit,
                                                     Leak leak = Leak::kRefused,
                                                     const DomainWatch& watch = {});
+
+// The same of a file that has been read; `path` is its name.
+tl::expected<LoadedDomain, DomainFault> load_domain(
+    formats::DomainFile file, const std::string& path, const InputOptions& options,
+    const DomainOptions& said, std::size_t max_breaches = kBreachLimit, Leak leak = Leak::kRefused,
+    const DomainWatch& watch = {});
+
+// As what a mesh is read that is held against this domain.
+DomainFrame frame_of(const LoadedDomain& domain);
 
 // The domain with its polygons of one plane joined. Polygons are called by the first of those they were joined
 // of; a note says how many there are.

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "command/input/breach_text.hpp"
+#include "command/input/uncovered.hpp"
 #include "oracle/domain/filling.hpp"
 
 namespace circumspect::cli {
@@ -259,6 +260,7 @@ void note_dangling(const Regions& regions, const Domain& domain, bool is_said, C
 // Something is enclosed, or the user says that nothing needs to be.
 tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
                                                     const PiecewiseLinearInput& input,
+                                                    const std::vector<PolygonLines>& faces,
                                                     const Regions& regions,
                                                     const DomainOptions& asked) {
   ChosenKind chosen{DomainKind::kEnclosed};
@@ -268,6 +270,14 @@ tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
     seeds = seeds_beside(asked.regions, regions);
   } else if (fill != Fill::kEnclosed) {
     seeds = seeds_by_rule(fill, regions, domain, input, chosen.notes);
+  } else if (!asked.fill && !faces.empty()) {
+    seeds = points_without_face(faces, regions, domain.complex.points);
+    chosen.is_by_faces = !seeds->empty();
+    if (chosen.is_by_faces) {
+      chosen.notes.push_back(fmt::format(
+          "no face covers {} of the {} that are enclosed: {} left empty; --fill enclosed fills all",
+          seeds->size(), regions.size() - 1, seeds->size() == 1 ? "it is" : "they are"));
+    }
   }
   if (!seeds) return tl::unexpected(seeds.error());
   chosen.hole_seeds = std::move(*seeds);
@@ -285,6 +295,7 @@ tl::expected<ChosenKind, std::string> kind_enclosed(const Domain& domain,
 
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
                                                   const PiecewiseLinearInput& input,
+                                                  const std::vector<PolygonLines>& faces,
                                                   const DomainOptions& asked, Leak leak) {
   const std::size_t seeds = domain.complex.hole_seeds.size();
   ChosenKind chosen{DomainKind::kHull};
@@ -293,7 +304,7 @@ tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
   } else {
     const Regions regions = regions_if_enclosed(domain);
     if (regions.size() > 1 || asked.fill || !asked.regions.empty()) {
-      return kind_enclosed(domain, input, regions, asked);
+      return kind_enclosed(domain, input, faces, regions, asked);
     }
     auto other = kind_without_enclosure(domain, leak);
     if (!other) return other;

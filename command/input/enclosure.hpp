@@ -25,18 +25,22 @@ struct ChosenKind {
   std::vector<std::string> notes = {};
   std::vector<Point> hole_seeds = {};           // further ones, in what is enclosed and not filled
   std::vector<std::size_t> bound_nothing = {};  // polygons without anything filled on either side
+  bool is_by_faces = false;                     // of what is enclosed, faces cover only a part
   std::optional<Regions> regions = {};  // of the domain, of this kind, where they were found
 };
 
-// `asked`: what the user says of what is filled, if anything. Otherwise a domain is enclosed if it
-// encloses anything, its convex hull if it has nothing that could enclose, and enclosed if all of it lies
-// in one hyperplane, where neither kind fills anything; `domain.complex.kind` does not matter.
-// Errors (one line, without the name of the file): a leak, where it is refused; a convex hull that
-// is flat and thus fills nothing; walls that are not turned one way, where their winding is to say what is
-// filled; a point of --region that is in nothing enclosed.
-// Requires: a valid complex that has points, and the input of which it was made.
+// `asked`: what the user says of what is filled, if anything. Otherwise what the `faces` of a
+// domain in the plane cover is filled, if there are any; a domain without them is enclosed if it
+// encloses anything, its convex hull if it has nothing that could enclose, and enclosed if all of
+// it lies in one hyperplane, where neither kind fills anything; `domain.complex.kind` does not
+// matter. Errors (one line, without the name of the file): a leak, where it is refused; a convex
+// hull that is flat and thus fills nothing; walls that are not turned one way, where their winding
+// is to say what is filled; a point of --region that is in nothing enclosed. Requires: a valid
+// complex that has points, and the input of which it was made; in the plane edges of faces are
+// segments, and no two faces overlap.
 tl::expected<ChosenKind, std::string> choose_kind(const Domain& domain,
                                                   const PiecewiseLinearInput& input,
+                                                  const std::vector<PolygonLines>& faces,
                                                   const DomainOptions& asked, Leak leak);
 
 }  // namespace circumspect::cli

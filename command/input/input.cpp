@@ -63,16 +63,22 @@ void add_keep_label_option(CLI::App& command, InputOptions& options) {
 
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads,
-                                                std::optional<std::size_t> domain_dimension) {
-  auto file = formats::read_mesh({.mesh = path,
-                                  .points = options.points,
-                                  .reading = options.coordinates,
-                                  .with_neighbors = options.neighbors,
-                                  .with_faces = options.faces,
-                                  .domain_dimension = domain_dimension,
-                                  .weights = weights_asked_for(options),
-                                  .kept_labels = options.kept_labels},
-                                 threads);
+                                                const std::optional<DomainFrame>& frame) {
+  const std::string end = formats::extension(path);
+  auto file = formats::read_mesh(
+      {.mesh = path,
+       .points = options.points,
+       .points_option = options.points_option,
+       .reading = options.coordinates,
+       .with_neighbors = options.neighbors,
+       .with_faces = options.faces,
+       .domain_dimension = frame ? std::optional(frame->dimension) : std::nullopt,
+       .domain_height = frame ? frame->height : std::nullopt,
+       // circumspect-verified reads these files as they stand.
+       .keeps_coordinates = options.for_certificate && (end == ".ele" || end == ".node"),
+       .weights = weights_asked_for(options),
+       .kept_labels = options.kept_labels},
+      threads);
   if (!file) return tl::unexpected(file.error().to_string());
   const Mesh& mesh = file->mesh;
   const bool is_empty = mesh.points() == 0 && mesh.simplices.empty() && mesh.faces.empty();
@@ -85,8 +91,12 @@ tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
   if (options.neighbors && !mesh.neighbors) {
     return tl::unexpected(fmt::format("{}: expected a .neigh file beside it, found none", path));
   }
-  return LoadedMesh{path, std::move(file->mesh), std::move(file->points_name),
-                    std::move(file->notes), std::move(file->face_markers)};
+  return LoadedMesh{path,
+                    std::move(file->mesh),
+                    std::move(file->points_name),
+                    std::move(file->notes),
+                    std::move(file->face_markers),
+                    std::move(file->height)};
 }
 
 std::string equal_points_fault(const std::string& points_name, Vertex kept, Vertex again,
@@ -125,7 +135,17 @@ tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
   if (merged != nullptr) *merged = equal_points(loaded.mesh);
   const std::string fault = settle_equal_points(loaded, options.duplicates);
   if (!fault.empty()) return tl::unexpected(fault);
-  return LoadedPoints{path, exact(loaded.mesh)};
+  LoadedPoints points{path, exact(loaded.mesh)};
+  const std::string end = formats::extension(path);
+  // Scanners write colours and normals there.
+  if (loaded.mesh.dimension() > 3 && (end == ".xyz" || end == ".csv")) {
+    points.notes.push_back(
+        fmt::format("{}: read as points of dimension {}, one for each column; if only the first "
+                    "three columns are "
+                    "coordinates, leave out the others",
+                    path, loaded.mesh.dimension()));
+  }
+  return points;
 }
 
 }  // namespace circumspect::cli

@@ -24,11 +24,13 @@ struct InputOptions {
   NumberReading coordinates = NumberReading::kDouble;
   Duplicates duplicates = Duplicates::kReject;
   std::optional<std::string> points = {};  // --points FILE
+  std::string points_option = "--points";  // as this command calls it
   bool neighbors = false;                  // --neighbors
   bool faces = false;                      // read .face and .edge too, and their like
   std::vector<Vertex> kept_labels = {};    // --keep-label; empty: all
   bool allow_empty = false;                // --allow-empty
   bool weighted = false;                   // the claim or the construction is about weights
+  bool for_certificate = false;            // a certificate is about the numbers of the files
   bool listed_weights = false;  // without being asked for, what a file calls weights (JSON) counts
 };
 
@@ -44,16 +46,25 @@ struct LoadedMesh {
   std::string points_name = {};         // of the file with its points
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there
   std::map<Simplex, Vertex> face_markers =
-      {};  // as MeshFile has them; none where points were merged
+      {};                               // as MeshFile has them; none where points were merged
+  std::optional<Rational> height = {};  // likewise
 };
+
+// Of the domain that a mesh is held against: its dimension and, if it is in the plane and its
+// points have three coordinates, the third.
+struct DomainFrame {
+  std::size_t dimension = 0;
+  std::optional<Rational> height = {};
+};
+
 // Errors besides those of the formats: a mesh without points and simplices, unless that is allowed;
 // weights asked for and not there; neighbours asked for and not there. Equal points are left to
 // judges and to settle_equal_points.
-// `domain_dimension`: of the domain that the mesh is held against, if it is. Then what
+// `frame`: of the domain that the mesh is held against, if it is. Then what
 // formats/mesh_files.hpp says under "What programs write otherwise" is done. `threads`: 0: as many as the machine has.
 tl::expected<LoadedMesh, std::string> load_mesh(const std::string& path,
                                                 const InputOptions& options, unsigned threads = 0,
-                                                std::optional<std::size_t> domain_dimension = {});
+                                                const std::optional<DomainFrame>& frame = {});
 
 // What is wrong with points that are equal, where they are not to be merged: so many, of which the first is `again`
 // and repeats `kept`, as the file counts.
@@ -70,6 +81,7 @@ std::string settle_equal_points(LoadedMesh& loaded, Duplicates duplicates);
 struct LoadedPoints {
   std::string name;
   ExactMesh mesh;
+  std::vector<std::string> notes = {};  // what may have been meant otherwise
 };
 tl::expected<LoadedPoints, std::string> load_points(const std::string& path,
                                                     const InputOptions& options,

@@ -183,6 +183,7 @@ class Inspection {
       output_.notes(file.notes);
     }
     ++breaches_;
+    has_equal_vertices_ = has_equal_vertices_ || breach.kind == BreachKind::kDuplicateVertex;
     if (options_.max_errors != 0 && breaches_ > options_.max_errors) return;
     tell(breach_line(breach, file) + "\n");
     if (page_ != nullptr && drawn_.size() < picture::kMostCards) drawn_.push_back(breach);
@@ -195,6 +196,11 @@ class Inspection {
     const std::size_t listed = truncated ? options_.max_errors : breaches_;
     if (truncated) tell(fmt::format("… stopped at {}; --max-errors 0 lists all\n", listed));
     known_["truncated"] = truncated || breaches_ > kMostInJson;
+    if (has_equal_vertices_) {
+      const std::string note = path_ + ": --duplicates merge takes equal vertices for one";
+      known_["notes"].push_back(note);
+      output_.note(note);
+    }
     picture::Facts facts;
     facts.holds = false;
     facts.noun = "Breach";
@@ -334,6 +340,7 @@ class Inspection {
   std::vector<Breach> drawn_;  // likewise: the first ones
   std::size_t breaches_ = 0;
   BreachKind first_ = {};
+  bool has_equal_vertices_ = false;
   std::size_t notes_told_ = 0;
   DomainFacts facts_;
   std::string summary_;

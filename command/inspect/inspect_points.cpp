@@ -1,10 +1,10 @@
 #include "command/inspect/inspect_points.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "command/output/expected_time.hpp"
 #include "kernel/complex/point_set.hpp"
 #include "kernel/exact/number.hpp"
 #include "oracle/model/printable.hpp"
@@ -31,18 +31,6 @@ std::size_t binomial(std::size_t n, std::size_t r, std::size_t cap) {
     if (result > cap) return cap;
   }
   return result;
-}
-
-// How many simplices of the highest dimension a triangulation has at most, less than the Upper Bound Theorem
-// allows for its lifted points: about half of the facets of a cyclic polytope. And how long it takes to
-// make them, about, on a machine of 2023, in dimensions in which that is more than a moment.
-std::optional<double> seconds_of_triangulating(std::size_t points, int dimension) {
-  if (dimension < 4) return std::nullopt;
-  const auto n = static_cast<double>(points);
-  const int half = (dimension + 1) / 2;
-  double simplices = 1;
-  for (int i = 0; i < half; ++i) simplices *= std::max(1.0, n - half - 1 - i) / (i + 1);
-  return simplices * 1e-6 * std::pow(dimension, 3);
 }
 
 // An empty ball with k+2 points on it is found from the Delaunay triangulation, whatever the size of
@@ -301,6 +289,7 @@ void inspect_points(const std::string& path, const InputOptions& input,
     output.error(ExitCode::kInputFault, "input", path, loaded.error());
     return;
   }
+  output.notes(loaded->notes);
   Inspected(*loaded, repeated, options, only, output, page).run();
 }
 

@@ -22,6 +22,19 @@ bool ends_in_unit(std::string_view text) {
   return text.size() > kUnit.size() && text.substr(text.size() - kUnit.size()) == kUnit;
 }
 
+bool is_number(std::string_view text) {
+  return read_number(text, NumberReading::kDecimal).has_value();
+}
+
+// What a user means as an angle, whether it is one or not: a number, with a unit of angles or without.
+bool looks_like_an_angle(std::string_view text) {
+  if (is_number(text)) return true;
+  for (const std::string_view unit : {"deg", "degree", "degrees", "\u00b0", "rad", "radians"}) {
+    if (text.ends_with(unit) && is_number(text.substr(0, text.size() - unit.size()))) return true;
+  }
+  return false;
+}
+
 // Empty, or what is wrong with the text.
 std::string read_angle(const std::string& text, Rational& slope) {
   if (ends_in_unit(text)) {
@@ -31,6 +44,11 @@ std::string read_angle(const std::string& text, Rational& slope) {
       slope = *degrees * kSlopeOfDegree;
       return "";
     }
+  }
+  if (const auto number = read_number(text, NumberReading::kDecimal); number) {
+    return fmt::format(
+        "expected an angle with its unit, such as {}deg, found {}; a file of that name is ./{}",
+        sign(*number) > 0 && *number <= kMostDegrees ? text : "0.1", text, text);
   }
   return fmt::format(
       "expected nothing, for polygons that are in one plane exactly, or an angle of more than 0deg "
@@ -120,6 +138,7 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
               "need not have the segments between them, unless the file lists these as segments" +
                   with_angle)
           ->expected(0)
+          ->type_name("ANGLE")  // it is no flag
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   if (takes_angle) merge->option_text("[ANGLE]");
 }
@@ -134,16 +153,14 @@ std::string domain_options_fault(const DomainOptions& options) {
 
 std::vector<std::string> with_angles_joined(int argc, char** argv) {
   std::vector<std::string> words;
+  bool is_ours = true;  // behind -- stands the command line of another program
   for (int i = 1; i < argc; ++i) {
-    const std::string text = argv[i];
-    const bool is_angle =
-        ends_in_unit(text) && text.front() != '-' &&
-        read_number(text.substr(0, text.size() - kUnit.size()), NumberReading::kDecimal)
-            .has_value();
-    if (is_angle && !words.empty() && words.back() == kMerge) {
-      words.back() += "=" + text;
+    const std::string_view text = argv[i];
+    is_ours = is_ours && text != "--";
+    if (is_ours && !words.empty() && words.back() == kMerge && looks_like_an_angle(text)) {
+      words.back() += "=" + std::string(text);
     } else {
-      words.push_back(text);
+      words.emplace_back(text);
     }
   }
   return words;

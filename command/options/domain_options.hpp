@@ -32,7 +32,8 @@ void add_domain_options(CLI::App& command, DomainOptions& options, bool takes_an
 std::string domain_options_fault(const DomainOptions& options);
 
 // Makes one word of --merge-coplanar and an angle behind it, which CLI11 would take for a file: whether a value
-// follows an option, it decides without looking at it.
+// follows an option, it decides without looking at it. A number without a unit is meant as an angle, too, and is then
+// refused. Words behind -- stay as they are.
 std::vector<std::string> with_angles_joined(int argc, char** argv);
 
 }  // namespace circumspect::cli

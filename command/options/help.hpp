@@ -1,31 +1,25 @@
-// The layout of --help, in groups and in lines that fit the terminal, and the messages about wrong options.
+// The layout of --help, in groups and in lines that fit the terminal.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace circumspect::cli {
 
-// Has each option of a command and of all its subcommands take one word, also where it may be given several times:
-// otherwise it would take those behind it as well, and a `--` with them, behind which a program has options of its own.
-// Called when all options are there.
-void let_options_take_one_word(CLI::App& app);
-
 // Puts the options of a command and of all its subcommands into groups, such as "Domain", by their names, and has
-// --help break its lines where the terminal ends, or after COLUMNS characters, if that is set; elsewhere, as in a
-// pipe, they stay whole. Called when all options are there. Requires: `app` outlives every --help.
+// --help break its lines after COLUMNS characters, if that is set, or where the terminal ends, or, where there is
+// none, as in a pipe, after 80. Called when all options are there. Requires: `app` outlives every --help.
 void lay_out_help(CLI::App& app);
 
-// ---- Unknown words ----
-// What to say of a word on the command line that means nothing there.
+// The subcommands right below, without those that are for the build and not for people.
+std::vector<const CLI::App*> shown_subcommands(const CLI::App& command);
 
-// A sentence about the first word that the command line had no place for: what was expected there, and the
-// nearest word that means something; or, if all words had one, about the subcommand that is missing; "" if none
-// is. Requires: `app` has just thrown
-// CLI::RequiredError or CLI::ExtrasError, which say only that something is missing, or too much.
-std::string unknown_word_text(const CLI::App& app);
+// What stands for the value of an option, such as FILE, or [ANGLE] if it may be left out; empty if it takes none.
+std::string value_name(const CLI::Option& option);
 
 }  // namespace circumspect::cli

@@ -93,7 +93,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_option("--format", options.format, "Print text (default) or one JSON document")
       ->transform(one_of(formats))
       ->option_text("text|json");
-  command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  command.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
   const std::map<std::string, Colour> colours = {
       {"auto", Colour::kAuto}, {"always", Colour::kAlways}, {"never", Colour::kNever}};
   command
@@ -111,7 +111,7 @@ void add_limit_option(CLI::App& command, OutputOptions& options) {
           [&options](const std::string& text) {
             double seconds = 0;
             const std::string fault = read_duration(text, seconds);
-            if (!fault.empty()) throw CLI::ValidationError(fault);
+            if (!fault.empty()) throw CLI::ValidationError("--limit", fault);
             options.limit = seconds;
           },
           "Stop after TIME, such as 90s, 15m or 1h, print what is known by then, and end with "

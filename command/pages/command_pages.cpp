@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command/options/help.hpp"
 #include "command/output/output.hpp"
 #include "command/subcommands.hpp"
 
@@ -26,16 +27,10 @@ std::vector<CommandPath> all_commands(const CLI::App& app) {
       [&](std::vector<std::string> words, const CLI::App& command) {
         words.push_back(command.get_name());
         commands.push_back({words, &command});
-        const auto is_shown = [](const CLI::App* one) { return !one->get_group().empty(); };
-        for (const CLI::App* one : command.get_subcommands(is_shown)) add(words, *one);
+        for (const CLI::App* one : shown_subcommands(command)) add(words, *one);
       };
   add({}, app);
   return commands;
-}
-
-std::string value_name(const CLI::Option& option) {
-  if (option.get_items_expected_max() == 0) return "";
-  return option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
 }
 
 std::vector<std::string> words_of(const CLI::Option& option) {

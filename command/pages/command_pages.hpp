@@ -25,9 +25,6 @@ std::vector<CommandPath> all_commands(const CLI::App& app);
 // The words that an option takes; empty if it takes something else, or nothing.
 std::vector<std::string> words_of(const CLI::Option& option);
 
-// What stands for the value of an option in --help, such as FILE; empty if it takes none.
-std::string value_name(const CLI::Option& option);
-
 // The page in the language of man, as `man 7 man` describes it. `version` stands in the footer.
 std::string man_page(const CommandPath& path, const std::string& version);
 

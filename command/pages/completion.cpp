@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command/options/help.hpp"
 #include "command/pages/command_pages.hpp"
 
 namespace circumspect::cli {
@@ -40,6 +41,11 @@ bool takes_a_file(const CLI::Option& option) {
   return name == "FILE" || name == "FOLDER" || name == "PREFIX" || name.compare(0, 3, "OUT") == 0;
 }
 
+// Is the word behind it the option's, whatever that is?
+bool takes_a_word(const CLI::Option& option) {
+  return option.get_items_expected_max() > 0 && !value_name(option).empty();
+}
+
 // The beginning of a description, as _arguments takes it between brackets and quotes.
 std::string zsh_text(const std::string& description) {
   std::string text;
@@ -59,7 +65,7 @@ std::string zsh_text(const std::string& description) {
 // One line of _arguments for each name of the option.
 std::string zsh_option(const CLI::Option& option) {
   std::string value;
-  if (!value_name(option).empty()) {
+  if (takes_a_word(option)) {
     const std::vector<std::string> words = words_of(option);
     value = !words.empty()         ? ":value:(" + spaced(words) + ")"
             : takes_a_file(option) ? ":" + value_name(option) + ":_files"
@@ -73,8 +79,8 @@ std::string zsh_option(const CLI::Option& option) {
   return lines;
 }
 
-// What stands without a name: files, but for the program that campaigns run, and for families.
-std::string zsh_positionals(const CLI::App& command) {
+// What stands without a name: files, but for the program that campaigns run, for families and for what `help` is about.
+std::string zsh_positionals(const CLI::App& command, const std::vector<CommandPath>& all) {
   std::string lines;
   int place = 0;
   for (const CLI::Option* one :
@@ -87,7 +93,10 @@ std::string zsh_positionals(const CLI::App& command) {
       lines += "*::command:{ [[ $words[1] == -- ]] && shift words && ((CURRENT--)); _normal }";
     } else {
       lines += (one->get_items_expected_max() > 1 ? "*" : std::to_string(place)) + ":" + name +
-               ":" + (name == "family" ? " " : "_files");
+               ":" +
+               (name == "family"       ? " "
+                : name == "subcommand" ? "(" + spaced(below(all.front(), all)) + ")"
+                                       : "_files");
     }
     lines += "'";
   }
@@ -102,7 +111,7 @@ std::string zsh_function(const CommandPath& path, const std::vector<CommandPath>
     if (one->nonpositional()) options += zsh_option(*one);
   }
   if (names.empty()) {
-    return text + "  _arguments -S" + options + zsh_positionals(*path.command) + "\n}\n\n";
+    return text + "  _arguments -S" + options + zsh_positionals(*path.command, all) + "\n}\n\n";
   }
   std::string described;
   std::string calls;
@@ -145,7 +154,7 @@ std::string bash_completion(const CLI::App& app) {
       if (!one->nonpositional()) continue;
       for (const std::string& flag : flags_of(*one)) {
         flags.push_back(flag);
-        if (value_name(*one).empty()) continue;
+        if (!takes_a_word(*one)) continue;
         const std::vector<std::string> words = words_of(*one);
         values +=
             "    \"" + name + " " + flag + "\")" +
@@ -154,8 +163,10 @@ std::string bash_completion(const CLI::App& app) {
             " return ;;\n";
       }
     }
-    options += "    \"" + name + "\") subcommands=\"" + spaced(below(path, all)) +
-               "\"\n      flags=\"" + spaced(flags) + "\" ;;\n";
+    const bool is_help = path.words.back() == "help";  // which takes the words that call another
+    options += "    \"" + name + "\") subcommands=\"" +
+               spaced(below(is_help ? all.front() : path, all)) + "\"\n      flags=\"" +
+               spaced(flags) + "\" ;;\n";
   }
   return "# Made by circumspect command-pages.\n"
          "_circumspect() {\n"

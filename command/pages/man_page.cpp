@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command/options/help.hpp"
 #include "command/pages/command_pages.hpp"
 
 namespace circumspect::cli {

@@ -1,5 +1,6 @@
 #include "command/rule/page_text.hpp"
 
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -12,10 +13,10 @@ namespace {
 
 // "[words](../page.md#heading)" becomes "words", and the page is remembered.
 std::string with_words_of_links(std::string line, std::set<std::string>& pages) {
-  static const std::regex link(R"(\[([^\]]*)\]\((?:\.\./)?([^)#]*)[^)]*\))");
+  static const std::regex link(R"(\[([^\]]*)\]\(([^)#]*)[^)]*\))");
   for (std::smatch match; std::regex_search(line, match, link);) {
-    const bool is_beside = match[0].str().find("../") == std::string::npos;
-    pages.insert((is_beside ? "docs/rules/" : "docs/") + match[2].str());
+    const std::filesystem::path folder = "docs/rules";
+    pages.insert((folder / match[2].str()).lexically_normal().generic_string());
     line = match.prefix().str() + match[1].str() + match.suffix().str();
   }
   return line;

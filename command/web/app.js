@@ -348,3 +348,8 @@ async function begin() {
 }
 addEventListener('hashchange', begin);
 begin();
+
+// The licences are unpacked when somebody opens them.
+byId('licences').addEventListener('toggle', async () => {
+  byId('licences').querySelector('pre').textContent = text(await unpacked(bytesOf(byId('licence-texts').textContent), 'gzip'));
+}, { once: true });

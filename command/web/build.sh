@@ -18,5 +18,6 @@ source "$here/emscripten.sh"
     -DCIRCUMSPECT_INSTALL=OFF -DCIRCUMSPECT_WEB_LIBRARIES="$folder/libraries" >"$folder/configure.log" 2>&1 ||
   { rm -f "$folder/build/build.ninja"; cat "$folder/configure.log" >&2; exit 1; }
 cmake --build "$folder/build" --target circumspect_cli -j "${JOBS:-$(nproc)}"
+"$root/cmake/licences.sh" page "$folder/licences"
 cp "$folder"/build/bin/circumspect.{js,wasm} "$folder/"
 NODE_PATH="$folder/modules/node_modules" node "$here/bundle.mjs" "$folder" "$folder/index.html"

@@ -1,7 +1,7 @@
 // Makes of the compiled command, and of the sources beside this, one page that needs no server and no other file.
-//   node bundle.mjs BUILD OUTPUT        BUILD has circumspect.js and circumspect.wasm; esbuild is in NODE_PATH
+//   node bundle.mjs BUILD OUTPUT        BUILD has circumspect.js, circumspect.wasm and licences/; esbuild is in NODE_PATH
 import { createRequire } from 'node:module';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -13,18 +13,24 @@ const [build, output] = process.argv.slice(2);
 const read = (...path) => readFileSync(join(...path), 'utf8');
 
 const bundled = (name) => esbuild.buildSync({ entryPoints: [join(here, name)], bundle: true, minify: true, write: false,
-  charset: 'ascii', loader: { '.poly': 'text', '.node': 'text', '.ele': 'text' }, format: 'iife', target: 'es2022', legalComments: 'none' }).outputFiles[0].text.trim();
+  charset: 'ascii', loader: { '.poly': 'text', '.node': 'text', '.ele': 'text' }, format: 'iife', target: 'es2022', legalComments: 'inline' }).outputFiles[0].text.trim();
 const inScript = (text) => text.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 const style = esbuild.transformSync(['page.css', 'roles.css'].map((name) => read(page, name)).join('') + read(here, 'web.css'),
   { loader: 'css', minify: true });
 
 // The claims are those that the command knows.
 const claims = read(here, '..', '..', 'oracle', 'model', 'verdict.cpp').match(/return "[a-z-]+";/g).map((line) => line.split('"')[1]);
+// The licences of all that is compiled into the page, and the project's own: one text, which the page unpacks when it is asked for.
+const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
+const licences = [['Circumspect', read(here, '..', '..', 'LICENSE')],
+  ...readdirSync(join(build, 'licences')).sort().map((name) => [name, read(build, 'licences', name)])]
+  .map(([name, text]) => `${'='.repeat(78)}\n${name}\n${'='.repeat(78)}\n${text.trim()}\n`).join('\n');
 const parts = {
   style: style.code.trim(),
   claims: claims.map((claim) => `<option>${claim}</option>`).join(''),
   worker: inScript(`${read(build, 'circumspect.js')}\n${bundled('worker.js')}`),
-  wasm: gzipSync(readFileSync(join(build, 'circumspect.wasm')), { level: 9 }).toString('base64'),
+  wasm: packed(readFileSync(join(build, 'circumspect.wasm'))),
+  licences: packed(licences),
   script: inScript(bundled('app.js')),
 };
-writeFileSync(output, read(here, 'web.html').replace(/\{\{(style|claims|worker|wasm|script)\}\}/g, (_, name) => parts[name]));
+writeFileSync(output, read(here, 'web.html').replace(/\{\{(style|claims|worker|wasm|licences|script)\}\}/g, (_, name) => parts[name]));

@@ -2,18 +2,21 @@
 //   node web_test.mjs FOLDER            a slice of the golden bytes of the corpus; the page in Chromium
 //   node web_test.mjs FOLDER --all      all golden bytes
 //   node web_test.mjs FOLDER --page     the page in Chromium alone
-//   node web_test.mjs FOLDER --times    how large the page is, and how long some verdicts take in Node
+//   node web_test.mjs FOLDER --times [COMMAND]    how large the page is, how long some verdicts take in Node, and how many times
+//                                                 as long as by COMMAND on one thread
 // FOLDER has index.html, circumspect.js and circumspect.wasm. The modules are in the first folder that NODE_PATH names.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { gzipSync } from 'node:zlib';
+import { gunzipSync, gzipSync } from 'node:zlib';
 import { judge } from './judge.mjs';
 
-const [folder, mode] = process.argv.slice(2);
+const [folder, mode, native] = process.argv.slice(2);
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const modules = resolve(process.env.NODE_PATH.split(':')[0]);
 const require = createRequire(join(modules, 'none.js'));
@@ -58,6 +61,24 @@ async function golden(every) {
 // ---- The page ----
 
 const html = join(folder, 'index.html');
+
+// What the command says that it is made of has its licence in the page.
+const licenceOf = { GMP: 'libgmp-dev', MPFR: 'libmpfr-dev', CGAL: 'libcgal-dev', CaDiCaL: 'libcadical-dev', '{fmt}': 'libfmt-dev',
+  CLI11: 'libcli11-dev', 'nlohmann/json': 'nlohmann-json3-dev', pugixml: 'libpugixml-dev', zlib: 'zlib1g-dev' };
+
+async function licences() {
+  const packed = readFileSync(html, 'utf8').match(/<script type="text\/plain" id="licence-texts">([^<]*)</)[1];
+  const texts = text(gunzipSync(Buffer.from(packed, 'base64')));
+  const version = text((await judge(make, code, ['--version'], [])).out);
+  const libraries = version.match(/\((.*)\), commit/)[1].split(', ').filter((name) => name !== 'plain threads');
+  assert.ok(libraries.length >= 9, version);
+  const names = ['Circumspect', 'three.js', 'emscripten', 'libexpected-dev', 'GPL-3', 'LGPL-3',
+    ...libraries.map((library) => licenceOf[library.slice(0, library.lastIndexOf(' '))] ?? `an entry of licenceOf for ${library}`)];
+  for (const name of names) assert.ok(texts.includes(`\n${name}\n=`), `the page lacks the licence of ${name}`);
+  assert.match(texts, /Boost Software License/);
+  console.log(`licences: those of ${libraries.length} libraries and ${names.length - libraries.length} others are in the page`);
+}
+
 const axe = () => readFileSync(join(modules, 'axe-core', 'axe.min.js'), 'utf8');
 
 async function opened(browser, faults, link = '', options = {}) {
@@ -103,6 +124,8 @@ async function inChromium() {
     assert.equal(JSON.parse(await page.locator('#json pre').textContent()).results[0].verdict, 'fails');
     await page.screenshot({ path: join(shots, 'example.png'), fullPage: true });
     await accessible(page);
+    await page.locator('#licences summary').click();
+    await page.locator('#licences pre', { hasText: 'GNU LESSER GENERAL PUBLIC LICENSE' }).waitFor();
     // The link has it all.
     await page.getByRole('button', { name: 'Link to all this' }).click();
     await page.waitForFunction(() => location.hash.length > 1);
@@ -229,8 +252,17 @@ async function times() {
     const files = [{ name: 'grid.node', bytes: Buffer.from(mesh.node) }, { name: 'grid.ele', bytes: Buffer.from(mesh.ele) }];
     const start = performance.now();
     const answer = await judge(make, code, ['check', 'grid.ele'], files);
-    console.log(`${((performance.now() - start) / 1000).toFixed(2)} s  ${text(answer.out).trimEnd().split('\n').at(-1)}${text(answer.err)}`);
+    const seconds = (performance.now() - start) / 1000;
+    console.log(`${seconds.toFixed(2)} s  ${text(answer.out).trimEnd().split('\n').at(-1)}${text(answer.err)}`);
     assert.equal(answer.exit, 0);
+    if (native) {
+      const place = mkdtempSync(join(tmpdir(), 'grid-'));
+      for (const file of files) writeFileSync(join(place, file.name), file.bytes);
+      const begin = performance.now();
+      execFileSync(resolve(native), ['check', '--threads', '1', '--quiet', join(place, 'grid.ele')]);
+      console.log(`${(seconds * 1000 / (performance.now() - begin)).toFixed(1)} times as long as ${native} on one thread`);
+      rmSync(place, { recursive: true });
+    }
   }
 }
 
@@ -241,6 +273,7 @@ if (mode === '--all') {
 } else if (mode === '--page') {
   await inChromium();
 } else {
+  await licences();
   await golden(20);
   await inChromium();
 }

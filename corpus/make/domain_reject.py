@@ -35,6 +35,13 @@ def vertices():
                  [(0, 1, 4), (1, 2, 4), (2, 3, 4), (0, 3, 4)], "cdt", RING[:4] + [(4, 4)], [("steiner-cdt", HOLD)])
 
 
+def shared_by_three():
+    kite = [(0, 0), (4, 0), (2, 3), (2, -3), (1, 7)]
+    yield reject("complex.facet-overused--2d", "three triangles at one segment", kite, [(0, 1), (0, 4), (4, 1), (1, 3), (3, 0)],
+                 [(0, 1, 2), (0, 1, 3), (0, 1, 4)], "plc-triangulation",
+                 claims=[("steiner-triangulation --within 1e-8", "complex.facet-overused")])
+
+
 def pinched():
     """Two tetrahedra that share the segment 0 1 and nothing else; a Steiner point in its middle."""
     points = [(0, 0, 0), (0, 0, 8), (5, 1, 4), (5, -1, 4), (-5, 1, 4), (-5, -1, 4)]
@@ -147,4 +154,4 @@ def conforming():
 
 
 def entries():
-    return [*vertices(), *segments(), *polygons(), *coverage(), *constrained_delaunay(), *conforming()]
+    return [*vertices(), *shared_by_three(), *segments(), *polygons(), *coverage(), *constrained_delaunay(), *conforming()]

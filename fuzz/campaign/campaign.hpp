@@ -43,7 +43,7 @@ struct Plan {
   std::size_t jobs = 1;
   std::string output;                   // the folder for the journal and the findings
   Settings settings = {};               // what must not change when it is continued
-  std::vector<std::string> known = {};  // signatures that are no findings
+  std::vector<std::string> known = {};  // signatures that are not findings
   std::string magnitudes = {};          // what numbers the drawn inputs have, for the verdict
   MinimiseLimits minimise = {};
   bool goes_on = false;  // where the program fails on all inputs of the trial (trial.hpp)

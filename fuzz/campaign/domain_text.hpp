@@ -18,13 +18,13 @@ std::string case_text(const PiecewiseLinearInput& input, std::size_t dimension);
 
 // As a .geo file for Gmsh, in space: the polygons are the surfaces of one volume; segments are one
 // element long. Nothing for what has no place in it: domains of the plane, polygons of more than one
-// line or one that passes a vertex again, polygons that are not closed up edge to edge (each edge in
-// exactly two), segments that are no edges, isolated vertices, hole seeds.
+// line or one that passes a vertex again, polygons that are not closed up edge to edge (each edge
+// in exactly two), segments that are not edges, isolated vertices, hole seeds.
 std::optional<std::string> geo_text(const PiecewiseLinearInput& input);
 
 // A surface in space as .off, .obj or .ply, or as .stl or .msh (Gmsh's 2.2) if all polygons are triangles. Nothing
-// for what has no place in it: domains of the plane, polygons of more than one line, segments that are no
-// edges, isolated vertices, hole seeds.
+// for what has no place in it: domains of the plane, polygons of more than one line, segments that
+// are not edges, isolated vertices, hole seeds.
 bool is_surface_extension(const std::string& extension);
 std::optional<std::string> surface_text(const PiecewiseLinearInput& input,
                                         const std::string& extension);

@@ -20,6 +20,7 @@
 #include "oracle/formats/bytes/unfinished_file.hpp"
 #include "oracle/formats/domain_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/model/printable.hpp"
 #include "oracle/report/text.hpp"
 
@@ -39,7 +40,8 @@ void write_durably(const std::string& path, const std::string& text) {
   if (reason != 0) throw std::system_error(reason, std::generic_category(), path);
 }
 
-// Makes a folder in one that is there. A link or a file in its place is no folder, wherever it leads.
+// Makes a folder in one that is there. A link or a file in its place is not a folder, wherever it
+// leads.
 void make_folder(const std::string& path) {
   if (mkdir(path.c_str(), 0777) == 0 || (errno == EEXIST && is_folder(path))) return;
   throw std::system_error(errno == EEXIST ? ENOTDIR : errno, std::generic_category(), path);
@@ -312,6 +314,7 @@ std::optional<Input> read_minimal(const std::string& folder, const Subject& subj
   if (subject.is_about_domains()) {
     auto domain = formats::read_domain(folder + "/minimal.poly", NumberReading::kDouble);
     if (!domain) return std::nullopt;
+    *domain = formats::of_dimension(std::move(*domain), subject.dimension);
     return Input(ComplexCase{"minimal", std::move(domain->input)});
   }
   if (!subject.updates.empty()) {

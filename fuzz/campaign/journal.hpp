@@ -43,7 +43,7 @@ struct FindingRecord {
 class Journal {
  public:
   // Opens the journal in a folder, or begins one. Errors: the settings are not those it began with
-  // (the message says which), it is no journal, or it cannot be written.
+  // (the message says which), it is not a journal, or it cannot be written.
   static tl::expected<Journal, std::string> open(const std::string& folder,
                                                  const Settings& settings);
   ~Journal();

@@ -188,7 +188,7 @@ TEST_CASE("of what cannot be drawn there is no picture, or what can be drawn") {
       drawn(
           R"({"coordinates": {"0": ["0", "0", "x"], "1": ["1", "0", "0"], "2": ["0", "1", "0"]}})")
           .empty());
-  // Vertex 9 is no point of the mesh: its simplex is left out, and the other is drawn.
+  // Vertex 9 is not a point of the mesh: its simplex is left out, and the other is drawn.
   const std::string missing = drawn(R"({"simplices": [[0, 1, 9], [0, 1, 2]], "vertices": [9],
       "coordinates": {"0": ["0", "0"], "1": ["1", "0"], "2": ["0", "1"]}})");
   CHECK(count(missing, "<path") == 1);

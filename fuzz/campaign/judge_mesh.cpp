@@ -79,11 +79,18 @@ std::vector<Rational> weights_of(const std::vector<Point>& points, const PointsC
   return weights;
 }
 
+// The answer to an input in space is read in space, even if that input is flat.
+formats::MeshRequest request_for(const Subject& subject, const std::string& path) {
+  formats::MeshRequest request;
+  request.mesh = path;
+  request.keeps_coordinates = subject.dimension == 3;
+  return request;
+}
+
 // The mesh in the file, of the points of the input: with their weights, if the claim is about those.
 formats::Result<Mesh> mesh_of(const Subject& subject, const PointsCase& set,
                               const std::string& path) {
-  formats::MeshRequest request;
-  request.mesh = path;
+  formats::MeshRequest request = request_for(subject, path);
   if (!lists_points(path)) {
     request.own_points.emplace();
     request.own_points->dimension =
@@ -141,7 +148,9 @@ std::optional<PiecewiseLinearComplex> held_against(const Subject& subject,
 }
 
 Outcome judged_domain(const Subject& subject, const ComplexCase& whole, const std::string& path) {
-  const auto file = mesh_with_own_points(path);
+  formats::MeshRequest request = request_for(subject, path);
+  request.with_faces = true;
+  const auto file = formats::read_mesh(request, 1);
   if (!file) return unreadable(file.error().to_string());
   const Mesh& mesh = file->mesh;
   auto complex = held_against(subject, whole);
@@ -309,8 +318,7 @@ Comparison compared(const Subject& subject, const Input& input, const std::strin
   Comparison comparison;
   std::vector<std::vector<std::vector<Point>>> simplices;
   for (const std::string& path : {one, other}) {
-    formats::MeshRequest request;
-    request.mesh = path;
+    const formats::MeshRequest request = request_for(subject, path);
     auto mesh = set ? mesh_of(subject, *set, path)
                     : formats::read_mesh(request, 1).map([](formats::MeshFile&& file) {
                         return std::move(file.mesh);

@@ -328,7 +328,8 @@ Outcome Runner::run_on(const Input& input, const std::string& text, bool anew) {
   const Ended ended = supervisor_.run(request, subject_.limits);
   Outcome outcome = outcome_of(ended, input);
   if (outcome.kind == OutcomeKind::kUnreadable || outcome.kind == OutcomeKind::kNoMesh) {
-    // The program is to blame for what is no mesh twice, and not for a call of our own that failed.
+    // The program is to blame for what is not a mesh twice, and not for a call of our own that
+    // failed.
     const std::string reason = why_not_read(
         subject_.writes_stdout ? request.stdout_file : work_ + "/" + subject_.mesh_name);
     if (!reason.empty()) return not_run(reason);

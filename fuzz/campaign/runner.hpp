@@ -46,7 +46,8 @@ class Runner {
   // Everything that the last run left: what it wrote in its folder and what it said.
   const std::string& work_folder() const { return work_; }
   std::string said() const;
-  // The first line that is not blank: of standard error, or else of standard output if that is no mesh.
+  // The first line that is not blank: of standard error, or else of standard output if that is not
+  // a mesh.
   std::string first_line_said() const;
   // The text with names in place of the paths of files in the scratch folder, which differ each time.
   std::string without_places(std::string text) const;

@@ -180,7 +180,7 @@ TEST_CASE("what a program does may not change with what does not count") {
   CHECK(refused.signature == "refused-after-reflection");
   REQUIRE(refused.image);
   CHECK(std::get<PointsCase>(*refused.image).points[1] == Point{-1, 0, 0});
-  // Refused, but not when it is reflected: that is no way to refuse either.
+  // Refused, but not when it is reflected: that is not a way to refuse either.
   subject.command[2] = "grep -q -e ' -' $0 || exit 9; echo '1 4 0\n0 0 1 2 3' > $1";
   CHECK(Runner(subject).run(kTetrahedron).signature == "refused-after-reflection");
   subject.command[2] = "exit 9";

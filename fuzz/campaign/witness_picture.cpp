@@ -23,7 +23,7 @@ constexpr double kMargin = 30;
 constexpr std::size_t kMostPlaces = 100;
 
 // Where a point is drawn, before it is scaled. Space is seen aslant: its third axis goes up and to the right. Nothing: it has
-// not two or three coordinates, or one that is no number.
+// not two or three coordinates, or one that is not a number.
 std::optional<Point> projected(const Json& numbers) {
   Point place;
   for (const Json& number : numbers) {

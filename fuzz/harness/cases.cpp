@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "inputs/cases.hpp"
+#include "inputs/family_faults.hpp"
 #include "inputs/in_doubles.hpp"
 
 namespace circumspect::harness {
@@ -42,14 +43,11 @@ namespace {
 const generators::Family& existing_family(const std::string& name, std::size_t dimension) {
   const generators::Family* family = generators::find_family(name);
   if (family == nullptr) {
-    throw std::invalid_argument(
-        "expected the name of a family (`circumspect generate --list`), "
-        "found '" +
-        name + "'");
+    throw std::invalid_argument(generators::unknown_family_text("points", name));
   }
   if (!family->exists_in(dimension)) {
-    throw std::invalid_argument("the family '" + name + "' does not exist in dimension " +
-                                std::to_string(dimension));
+    throw std::invalid_argument(generators::no_sets_text(name, generators::dimensions_text(*family),
+                                                         static_cast<std::int64_t>(dimension)));
   }
   return *family;
 }

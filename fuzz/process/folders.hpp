@@ -16,8 +16,8 @@ std::uint64_t bytes_in(const std::string& folder, std::uint64_t enough);
 // Is it a folder, and not a link to one?
 bool is_folder(const std::string& path);
 
-// Deletes all that is in a folder and lets its owner do everything there; false if it is no folder, or
-// something stays. Links are deleted and not followed.
+// Deletes all that is in a folder and lets its owner do everything there; false if it is not a
+// folder, or something stays. Links are deleted and not followed.
 bool emptied(const std::string& folder);
 
 // The same, and the folder too; or a file, or a link. True if there is nothing of that name in the end.

@@ -248,7 +248,7 @@ TEST_CASE("in a process namespace the kernel refuses more tasks, however fast th
   Trial trial(Containment::kNamespaces);
   trial.limits.processes = 40;
   trial.limits.seconds = 20;
-  // Threads are no processes, so that nobody but the kernel ends this.
+  // Threads are not processes, so that nobody but the kernel ends this.
   CHECK(
       trial
           .run("exec python3 -c 'import os, threading\n"

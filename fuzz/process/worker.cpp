@@ -188,7 +188,7 @@ Ended Worker::answered(const Request& request, const Limits& limits) {
   question << std::ifstream(request.stdin_file, std::ios::binary).rdbuf();
   if (!question)
     return {Ending::kNotStarted,
-            EIO};  // a part of it is no question that the program has to answer
+            EIO};  // a part of it is not a question that the program has to answer
   Answer answer(request.talk->form, limits.output);
   Ended ended;
   {

@@ -138,7 +138,7 @@ TEST_CASE("a worker that ends or is killed is started anew for the next case") {
   CHECK(partly.ending == Ending::kTimeLimit);
   CHECK(partly.lines == 1);
   CHECK(partly.expected_lines == 2);
-  // yes answers what is no answer, at once.
+  // yes answers what is not an answer, at once.
   CHECK(trial.answers(script, "6\n"));
   CHECK(trial.text("out").rfind("y\ny\n", 0) == 0);
   CHECK(trial.ask(script, "7\n").ending == Ending::kTimeLimit);

@@ -11,6 +11,7 @@
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/npy.hpp"
 #include "oracle/formats/plain_files.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/surface_formats.hpp"
@@ -61,8 +62,8 @@ void expect_agreement(const Source& source) {
 // The elements, the mesh that they are and the domain.
 void read_elements(Result<formats::ElementFile> elements) {
   if (!expect_value_or_line(elements)) return;
-  take_for_plane(*elements, "f");
-  expect_value_or_line(domain_of(*elements, "f"));
+  const Result<formats::DomainFile> domain = domain_of(*elements, "f");
+  if (expect_value_or_line(domain)) formats::taken_for_plane(*domain);
   if (expect_value_or_line(check_simplices(*elements, "f"))) top_elements(*elements);
 }
 

@@ -69,6 +69,7 @@ INPUTS = [
     ("the same, all crossings", "cross.poly", crossing(2000),
      ["inspect", "cross.poly", "--max-errors", "0", "--limit", "20s"], 25),
     ("30 points in dimension 10", "ten.node", points(30, 10, 1000), ["inspect", "ten.node", "--limit", "20s"], 25),
+    ("21 points in dimension 16", "sixteen.node", points(21, 16, 1000), ["check", "sixteen.ele", "--limit", "20s"], 25),
     ("2,000 points of space, by definition", "many.node", points(2000, 3, 10 ** 6),
      ["check", "many.ele", "--by", "definition", "--limit", "20s"], 25)]
 

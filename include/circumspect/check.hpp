@@ -1,4 +1,4 @@
-// Judges a mesh that lies in arrays, at its full size: exactly, and faster than programs make one.
+// Judges a mesh in arrays, at its full size: exactly, and faster than programs make one.
 //
 //   std::vector<double> points = …;            // x y z, x y z, …
 //   std::vector<std::int32_t> tetrahedra = …;  // four indices from 0 each
@@ -16,7 +16,8 @@
 
 namespace circumspect {
 
-// A mesh where it lies; nothing is copied while the fast judge decides. Index: std::int32_t or std::int64_t.
+// A view of a mesh in memory; nothing is copied while the fast judge decides. Index: std::int32_t
+// or std::int64_t.
 template <typename Index>
 struct MeshArrays {
   std::size_t dimension = 3;                 // d, of the points and of the simplices
@@ -31,19 +32,20 @@ struct MeshArrays {
 
 // How the answer was found.
 struct JudgeCounts {
-  // Did the fast judge decide, and if not, why not: in the plane and in space it decides wherever the
-  // claim holds, or only some facets of a triangulation are not locally Delaunay. All the rest is for
-  // the slow one.
+  // Did the fast judge decide, and if not, why not? In the plane and in space it decides wherever
+  // the claim holds, or only some facets of a triangulation are not locally Delaunay. The slow
+  // judge does the rest.
   bool fast = false;
   std::string why_not_fast = {};
-  // Of the fast judge: signs decided by doubles, and by integers.
+  // For the fast judge: signs decided by doubles, and by integers.
   std::uint64_t filtered_signs = 0;
   std::uint64_t exact_signs = 0;
 };
 
 struct MeshJudgement : Judgement {
-  // Of a Delaunay claim that holds: is there no other Delaunay triangulation of the points? Is this the
-  // canonical one, in which ties are broken by the lexicographic order of the points? Book: Section 4.2.
+  // For a Delaunay claim that holds: is it the only Delaunay triangulation of the points? Is this
+  // the canonical one, in which ties are broken by the lexicographic order of the points? Book:
+  // Section 4.2.
   std::optional<bool> unique = {};
   std::optional<bool> canonical = {};
   JudgeCounts counts = {};

@@ -1,4 +1,4 @@
-/* The C interface: what every other language calls.
+/* The C interface, which other languages call.
  *
  *   double points[] = {0, 0, 1, 0, 0, 1, 0.9, 0.9};
  *   int32_t triangles[] = {0, 1, 3, 0, 3, 2};
@@ -19,12 +19,14 @@
  *
  * Link with -lcircumspect. Every function may be called by any number of threads at the same time; a
  * verdict may be read by several threads, and is freed once. No function throws, prints, ends the
- * process or keeps a pointer to what it was given. Exact numbers are texts in lowest terms: "7",
- * "-1/3". What comes back as a pointer belongs to the handle that it was asked of, and lives as long.
+ * process or keeps a pointer to its arguments. Exact numbers are texts in lowest terms: "7",
+ * "-1/3". A returned pointer belongs to the handle that was passed, and lives as long as the
+ * handle.
  *
- * Memory: where the C++ runtime finds none, CIRCUMSPECT_OUT_OF_MEMORY comes back. Not so in two libraries of
- * others, which end the process: GMP, of exact numbers too large for memory, and the writer of JSON, which is
- * only begun where a megabyte is left; `without_json` does without it, unless there are pictures. */
+ * Memory: if the C++ runtime finds none, the function returns CIRCUMSPECT_OUT_OF_MEMORY. Two
+ * third-party libraries end the process instead: GMP, if exact numbers are too large for memory,
+ * and the JSON writer, which is started only if a megabyte is left; `without_json` avoids it,
+ * unless there are pictures. */
 #ifndef CIRCUMSPECT_CIRCUMSPECT_H
 #define CIRCUMSPECT_CIRCUMSPECT_H
 
@@ -48,12 +50,13 @@ typedef enum circumspect_status {
   CIRCUMSPECT_OK = 0,
   /* The call is wrong: a NULL, a negative count, an unknown claim. */
   CIRCUMSPECT_INVALID_ARGUMENT = 1,
-  /* What was handed in is at fault, not the mesh: a coordinate that is not finite, a domain that is no
+  /* The input is at fault, not the mesh: a coordinate that is not finite, a domain that is not a
    * piecewise linear complex. The command exits with 3. */
   CIRCUMSPECT_INPUT_FAULT = 2,
-  /* There is none: the domain has no (canonical) constrained Delaunay triangulation. */
+  /* What was asked for does not exist: the domain has no (canonical) constrained Delaunay
+   * triangulation. */
   CIRCUMSPECT_NONE = 3,
-  /* Neither answer was found within the limits of what is judged, or of circumspect_end_calls_after(). */
+  /* No answer was found within the limits of the judge, or of circumspect_end_calls_after(). */
   CIRCUMSPECT_UNDECIDED = 4,
   CIRCUMSPECT_OUT_OF_MEMORY = 5,
   CIRCUMSPECT_INTERNAL_ERROR = 6
@@ -64,31 +67,33 @@ typedef enum circumspect_status {
  * call. Never NULL. */
 CIRCUMSPECT_API const char* circumspect_last_error(void);
 
-/* From now on each call of this thread that takes long ends with CIRCUMSPECT_UNDECIDED soon after so many seconds, or
- * after another thread has made *stop other than 0, say when somebody presses Ctrl-C. 0 or less: no limit. NULL:
- * nobody stops it; else *stop lives until this is called again. Neither is set in a thread that begins. */
+/* From now on, each long call of this thread ends with CIRCUMSPECT_UNDECIDED soon after so many
+ * seconds, or after another thread has set *stop to a value other than 0, for example at Ctrl-C.
+ * seconds ≤ 0: no limit. stop NULL: no stop flag; otherwise *stop must live until this is called
+ * again. A new thread has neither. */
 CIRCUMSPECT_API void circumspect_end_calls_after(double seconds, const int32_t* stop);
 
-/* Structs grow at their end alone. One that began as its macro of an earlier version is taken: what it does
- * not have is as the macro sets it. */
+/* Structs grow only at their end. A struct that was initialised by the macro of an earlier version
+ * is accepted; members that it lacks have the values that the macro sets. */
 
-/* A mesh where it lies. Begin with CIRCUMSPECT_MESH, which is the empty mesh, and set what there is. Of
- * numbers, doubles are read where `coordinates` is set, else the texts of `exact_coordinates`: "1/3",
- * "0x1.8p-3", and "0.1", which is 1/10. Both for weights likewise. */
+/* A view of a mesh in memory. Begin with CIRCUMSPECT_MESH, which is the empty mesh, and set the
+ * members that apply. Coordinates are doubles if `coordinates` is set, else the texts of
+ * `exact_coordinates`: "1/3", "0x1.8p-3", and "0.1", which is 1/10. The same holds for weights. */
 typedef struct circumspect_mesh {
   size_t struct_size;                   /* set by CIRCUMSPECT_MESH */
   int64_t dimension;                    /* d, of the points: at least 1, at most 64 */
   int64_t point_count;                  /* n */
   const double* coordinates;            /* n·d, point after point, all finite */
   const char* const* exact_coordinates; /* n·d */
-  const double* weights;                /* n, or NULL; they count in "weighted-delaunay" alone */
+  const double* weights;                /* n, or NULL; they count only in "weighted-delaunay" */
   const char* const* exact_weights;     /* n, or NULL */
   int64_t simplex_count;                /* m */
   int64_t vertices_of_simplex;          /* d+1; k+1 where the points span a flat of dimension k */
   int64_t index_bytes;                  /* 4 (the default): int32_t; 8: int64_t */
   const void* simplices;                /* m·vertices_of_simplex indices of points, from 0 */
   const void* neighbors; /* NULL, or the simplex opposite each vertex, −1 for none */
-  /* Of a mesh of a domain: triangles (of space) and edges that a program lists beside the simplices. */
+  /* For a mesh of a domain: triangles (in space) and edges that a program lists beside the
+   * simplices. */
   int64_t triangle_count;
   const int64_t* triangles;
   int64_t edge_count;
@@ -99,13 +104,14 @@ typedef struct circumspect_mesh {
   { sizeof(circumspect_mesh), 0, 0, NULL, NULL, NULL, NULL, 0, 0, 4, NULL, NULL, 0, NULL, 0, NULL }
 
 typedef enum circumspect_domain_kind {
-  /* Enclosed if walls (segments of the plane, polygons of space) enclose anything, the convex hull if
-   * there are none; where there are some that enclose nothing, CIRCUMSPECT_INPUT_FAULT. */
+  /* Enclosed if walls (segments in the plane, polygons in space) enclose anything; the convex hull
+   * if there are no walls; CIRCUMSPECT_INPUT_FAULT if there are walls that enclose nothing. */
   CIRCUMSPECT_KIND_BY_WALLS = 0,
   CIRCUMSPECT_ENCLOSED = 1,
   CIRCUMSPECT_HULL = 2,
-  /* Of what is enclosed: what is entered from outside by an odd number of walls; what the walls, as they are listed,
-   * wind around. CIRCUMSPECT_INPUT_FAULT if the walls around a region are not all turned one way for the latter. */
+  /* A part of what is enclosed: the regions entered from outside through an odd number of walls; or
+   * the regions that the walls, as they are oriented, wind around. The latter gives
+   * CIRCUMSPECT_INPUT_FAULT if the walls around a region are not all oriented the same way. */
   CIRCUMSPECT_EVEN_ODD = 3,
   CIRCUMSPECT_WINDING = 4
 } circumspect_domain_kind;
@@ -128,19 +134,19 @@ typedef struct circumspect_domain {
   int64_t hole_count;
   const double* hole_seeds; /* a point in each hole */
   int32_t kind;             /* circumspect_domain_kind */
-  /* Holes of polygons. A closed line within a polygon bounds a hole of it only where a seed says so. */
+  /* Holes of polygons. A closed line within a polygon bounds a hole only if a seed lies in it. */
   int64_t polygon_hole_count;
   const int64_t* polygons_of_holes; /* the polygon that each is a hole of */
   const double* polygon_hole_seeds; /* a point of its plane in each: three coordinates */
-  /* Seeds as texts, where those of doubles are NULL: a tilted plane may have no point of doubles in a hole. */
+  /* Seeds as texts, if those of doubles are NULL: in a tilted plane, a hole may contain no point
+   * with double coordinates. */
   const char* const* exact_hole_seeds;
   const char* const* exact_polygon_hole_seeds;
-  /* A point in each region that is filled, and no other is: if there are any, of what is enclosed. */
+  /* If there are any: a point in each enclosed region that is filled; no other region is. */
   int64_t region_count;
   const double* region_seeds;
   const char* const* exact_region_seeds;
-  int32_t
-      merge_coplanar; /* not 0: polygons of one plane that share an edge are one, as a face that was cut up */
+  int32_t merge_coplanar; /* not 0: coplanar polygons that share an edge count as one */
 } circumspect_domain;
 
 #define CIRCUMSPECT_DOMAIN                                                                     \
@@ -169,21 +175,23 @@ typedef struct circumspect_options {
 
 typedef struct circumspect_verdict circumspect_verdict;
 
-/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", or, where there
- * is a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay".
- * Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and so is a mesh without points and
- * simplices, as of a program that wrote nothing, unless it is allowed. An index that names no point is the mesh's
- * fault, and the verdict says so. `options`: NULL for the defaults. *verdict is set where CIRCUMSPECT_OK comes back,
- * else NULL. */
+/* Judges, exactly, a claim about a mesh: "triangulation", "delaunay", "weighted-delaunay", "complex", or, where
+ * there is a domain, "plc-triangulation", "steiner-triangulation", "cdt", "steiner-cdt", "conforming-delaunay".
+ * Equal points are CIRCUMSPECT_INPUT_FAULT unless they are to be merged, and so is a mesh without
+ * points and simplices, which is what a program that failed often writes, unless it is allowed. An
+ * index that names no point is the mesh's fault, and the verdict says so. Of "complex" equal points
+ * break a rule, and a mesh without simplices is CIRCUMSPECT_INPUT_FAULT. `options`: NULL for the
+ * defaults. *verdict is set if CIRCUMSPECT_OK is returned, else to NULL. */
 CIRCUMSPECT_API circumspect_status circumspect_check(const char* claim,
                                                      const circumspect_mesh* mesh,
                                                      const circumspect_domain* domain,
                                                      const circumspect_options* options,
                                                      circumspect_verdict** verdict);
-CIRCUMSPECT_API void circumspect_verdict_free(circumspect_verdict* verdict); /* NULL is let pass */
+CIRCUMSPECT_API void circumspect_verdict_free(circumspect_verdict* verdict); /* NULL is ignored */
 
-/* 1 or 0; −1: not said, or the verdict is NULL. Unique and canonical are facts of a Delaunay claim that
- * holds: there is no other such triangulation; it is the one in which ties are broken canonically. */
+/* 1 or 0; −1: not known, or the verdict is NULL. Unique and canonical are facts about a Delaunay
+ * claim that holds: there is no other such triangulation; it is the one in which ties are broken
+ * canonically. */
 CIRCUMSPECT_API int circumspect_verdict_holds(const circumspect_verdict* verdict);
 CIRCUMSPECT_API int circumspect_verdict_unique(const circumspect_verdict* verdict);
 CIRCUMSPECT_API int circumspect_verdict_canonical(const circumspect_verdict* verdict);
@@ -191,8 +199,8 @@ CIRCUMSPECT_API int circumspect_verdict_canonical(const circumspect_verdict* ver
  * NULL; empty if the verdict is. */
 CIRCUMSPECT_API const char* circumspect_verdict_text(const circumspect_verdict* verdict);
 CIRCUMSPECT_API const char* circumspect_verdict_json(const circumspect_verdict* verdict);
-/* What was judged otherwise than it was handed in, for people: that points were merged. NULL where `index` is out of
- * range. */
+/* Notes for people on what was judged differently from what was passed in, such as merged points.
+ * NULL if `index` is out of range. */
 CIRCUMSPECT_API int64_t circumspect_verdict_note_count(const circumspect_verdict* verdict);
 CIRCUMSPECT_API const char* circumspect_verdict_note(const circumspect_verdict* verdict,
                                                      int64_t index);
@@ -217,7 +225,7 @@ typedef struct circumspect_value {
   double nearest;
 } circumspect_value;
 
-/* One witness. What a rule does not need is NULL and 0. Simplex s has the vertices
+/* One witness. Members that a rule does not need are NULL and 0. Simplex s has the vertices
  * simplex_starts[s] … simplex_starts[s+1] − 1 of `simplices`, as the mesh lists them. */
 typedef struct circumspect_violation {
   const char* rule;    /* "delaunay.facet-not-local": never changes its meaning */
@@ -247,40 +255,44 @@ CIRCUMSPECT_API circumspect_status circumspect_verdict_violation(const circumspe
 
 typedef struct circumspect_drawing circumspect_drawing;
 
-/* The points that a seed stands for, the same on every machine and those that the command draws: a set of the
- * family, which is one of those of points that `circumspect generate --list` names, such as "sphere+ulp".
- * `points`: how many are drawn, from 1 to 1000000, of which equal ones count once unless the family repeats
- * points. CIRCUMSPECT_INVALID_ARGUMENT if there is no such family, or not in that dimension. */
+/* The points that a seed stands for, the same on every machine and the same as the command draws.
+ * `family` is one of the families of points that `circumspect generate --list` names, such as
+ * "sphere+ulp". `points`: how many are drawn, from 1 to 1000000; equal ones count once unless the
+ * family repeats points. CIRCUMSPECT_INVALID_ARGUMENT if there is no such family, or not in that
+ * dimension. */
 CIRCUMSPECT_API circumspect_status circumspect_generate(const char* family, int64_t dimension,
                                                         int64_t points, uint64_t seed,
                                                         circumspect_drawing** drawing);
-/* The same of domains. `points`: about how many are drawn. */
+/* The same for domains. `points`: about how many are drawn. */
 CIRCUMSPECT_API circumspect_status circumspect_generate_domain(const char* family, int64_t points,
                                                                uint64_t seed,
                                                                circumspect_drawing** drawing);
-/* The domain, which lives as long as the drawing; NULL of a drawing of points, and of NULL. A family may draw
- * points of one plane and call for their hull, which is CIRCUMSPECT_INPUT_FAULT when it is to be filled. */
+/* The domain, which lives as long as the drawing; NULL for a drawing of points, and for NULL. A
+ * family may draw coplanar points and ask for their hull, which is CIRCUMSPECT_INPUT_FAULT when it
+ * is to be filled. */
 CIRCUMSPECT_API const circumspect_domain* circumspect_drawing_domain(
     const circumspect_drawing* drawing);
-/* A mesh of these points, all doubles, and of their weights if the family has such, without simplices. It lives
- * as long as the drawing; a copy may be given simplices and judged. NULL of NULL. */
+/* A mesh of these points, all doubles, and of their weights if the family has weights, without
+ * simplices. It lives as long as the drawing; you may add simplices to a copy and have it judged.
+ * NULL for NULL. */
 CIRCUMSPECT_API const circumspect_mesh* circumspect_drawing_mesh(
     const circumspect_drawing* drawing);
 CIRCUMSPECT_API void circumspect_drawing_free(circumspect_drawing* drawing);
 
 typedef struct circumspect_triangulation circumspect_triangulation;
 
-/* The canonical Delaunay triangulation of the points of a mesh (weighted, if it has weights), whatever
- * their order, by exact arithmetic: for reference, not for speed. Its simplices are not looked at. Equal
- * points are CIRCUMSPECT_INPUT_FAULT. Book: Sections 4.2, 5.2. */
+/* The canonical Delaunay triangulation of the points of a mesh (weighted, if it has weights),
+ * whatever their order, by exact arithmetic: a reference, not a fast implementation. The simplices
+ * of the mesh are ignored. Equal points are CIRCUMSPECT_INPUT_FAULT. Book: Sections 4.2, 5.2. */
 CIRCUMSPECT_API circumspect_status circumspect_delaunay(const circumspect_mesh* points,
                                                         circumspect_triangulation** triangulation);
-/* The canonical constrained Delaunay triangulation of a domain; CIRCUMSPECT_NONE if there is none, and
- * the reason is circumspect_last_error(). Book: Sections 3.10, 4.5, 5.6. */
+/* The canonical constrained Delaunay triangulation of a domain; CIRCUMSPECT_NONE if there is none;
+ * circumspect_last_error() then has the reason. Book: Sections 3.10, 4.5, 5.6. */
 CIRCUMSPECT_API circumspect_status circumspect_constrained_delaunay(
     const circumspect_domain* domain, circumspect_triangulation** triangulation);
 CIRCUMSPECT_API void circumspect_triangulation_free(circumspect_triangulation* triangulation);
-/* The dimension of its simplices: that of the points' affine hull; −1 of none, or of NULL. */
+/* The dimension of its simplices: that of the points' affine hull; −1 if there are none, or for
+NULL. */
 CIRCUMSPECT_API int64_t
 circumspect_triangulation_dimension(const circumspect_triangulation* triangulation);
 /* How many simplices there are with `vertices` vertices each, positively oriented if they have the
@@ -297,7 +309,7 @@ CIRCUMSPECT_API circumspect_status circumspect_orientation(int64_t dimension,
  * these are oriented. CIRCUMSPECT_INPUT_FAULT if they are affinely dependent. */
 CIRCUMSPECT_API circumspect_status circumspect_in_ball(int64_t dimension, const double* coordinates,
                                                        int* sign);
-/* The same of exact numbers, as in circumspect_mesh. */
+/* The same for exact numbers, as in circumspect_mesh. */
 CIRCUMSPECT_API circumspect_status circumspect_orientation_exact(int64_t dimension,
                                                                  const char* const* coordinates,
                                                                  int* sign);
@@ -305,9 +317,10 @@ CIRCUMSPECT_API circumspect_status circumspect_in_ball_exact(int64_t dimension,
                                                              const char* const* coordinates,
                                                              int* sign);
 
-/* Are two meshes the same complex, whatever their numbering? *same is 1 or 0, and the document says in JSON
- * what each mesh alone has: {"same", "only_in_a": {"points", "simplices"}, "only_in_b"}. Equal points are
- * CIRCUMSPECT_INPUT_FAULT, and so is a mesh without points and simplices. */
+/* Are two meshes the same complex, whatever their numbering? *same is 1 or 0, and the document
+ * lists in JSON what only one of the meshes has: {"same", "only_in_a": {"points", "simplices"},
+ * "only_in_b"}. Equal points are CIRCUMSPECT_INPUT_FAULT, and so is a mesh without points and
+ * simplices. */
 CIRCUMSPECT_API circumspect_status circumspect_compare(const circumspect_mesh* a,
                                                        const circumspect_mesh* b, int* same,
                                                        circumspect_document** document);
@@ -317,10 +330,11 @@ CIRCUMSPECT_API circumspect_status circumspect_compare(const circumspect_mesh* a
 CIRCUMSPECT_API circumspect_status circumspect_certify(const char* claim,
                                                        const circumspect_mesh* mesh, int* holds,
                                                        circumspect_document** document);
-/* Facts about the points of a mesh (weighted, if it has weights), in JSON: {"points", "dimension" (of their
- * affine hull, −1 of none), "repeated" (pairs of indices of equal points), "unique", "cospherical"}. *unique
- * is 1 if there is only one Delaunay triangulation; else "cospherical" has k+2 points on the boundary of one
- * empty ball. Builds the triangulation. Book: Section 4.2. */
+/* Facts about the points of a mesh (weighted, if it has weights), in JSON: {"points", "dimension"
+ * (of their affine hull, −1 if there are none), "repeated" (pairs of indices of equal points),
+ * "unique", "cospherical"}. *unique is 1 if there is only one Delaunay triangulation; else
+ * "cospherical" has k+2 points on the boundary of one empty ball. Builds the triangulation. Book:
+ * Section 4.2. */
 CIRCUMSPECT_API circumspect_status circumspect_inspect(const circumspect_mesh* points, int* unique,
                                                        circumspect_document** document);
 CIRCUMSPECT_API const char* circumspect_document_text(const circumspect_document* document);

@@ -6,7 +6,7 @@
 //
 // The bytes are not coordinates but a way to make points (fuzz/harness/fuzz_input.cpp has the
 // grammar): small integers, exactly cospherical points, copies moved by one unit in the last place;
-// and the mutator changes steps of it, so that degeneracies come within seconds.
+// and the mutator changes these steps, so that degeneracies turn up within seconds.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@
 
 namespace circumspect {
 
-// The points that some bytes stand for: distinct, finite, at most 64, of the dimension; with a weight
-// each if asked for. Any bytes are good. Requires: dimension is 2 or 3.
+// The points that some bytes stand for: distinct, finite, at most 64, of the dimension; with a
+// weight each if asked for. Any bytes are valid. Requires: dimension is 2 or 3.
 PointArray points_from_bytes(const std::uint8_t* data, std::size_t size, std::size_t dimension,
                              bool weighted = false);
 

@@ -1,4 +1,4 @@
-// What the oracle answers to a harness.
+// The oracle's answer to a harness.
 #pragma once
 
 #include <string>
@@ -21,16 +21,17 @@ struct JudgeOptions {
   // Equal points count as one: the first, or if weights count, the heaviest. Otherwise they are refused: a program
   // that forgets to share vertices would pass.
   bool merge_equal_points = false;
-  // A mesh without points and simplices is judged. Otherwise it is refused: a program has made nothing.
+  // A mesh without points and simplices is judged. Otherwise it is refused, because usually a
+  // program has made nothing.
   bool allow_empty = false;
 };
 
-// Judges, exactly, what a program made of points. The claims that need no domain are known here:
-// "triangulation", "delaunay" (Book: Definitions 2.1 and 4.1) and "weighted-delaunay" (Section 5.2).
-// An index that names no point is the program's fault.
-// Throws std::invalid_argument: an unknown claim; coordinates that are no multiple of the dimension or
-// not finite; weights that are not as many as the points; equal points, and no points and no simplices,
-// unless `options` let them pass.
+// Judges, exactly, what a program made of points. It knows the claims that need no domain:
+// "triangulation", "delaunay" (Book: Definitions 2.1 and 4.1) and "weighted-delaunay" (Section
+// 5.2). An index that names no point is the program's fault. Throws std::invalid_argument: an
+// unknown claim; coordinates that are not a multiple of the dimension or not finite; a number of
+// weights other than that of the points; equal points, or neither points nor simplices, unless
+// `options` let them pass.
 Judgement judge(const std::string& claim, const PointArray& points, const SimplexArray& simplices,
                 const JudgeOptions& options = {});
 

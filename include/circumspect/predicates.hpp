@@ -1,4 +1,4 @@
-// Holds somebody's floating-point predicates against exact ones, as TestFloat does for arithmetic: on
+// Compares floating-point predicates with exact ones, as TestFloat does for arithmetic, on
 // arguments that are degenerate, nearly so, huge, tiny and mixed. Catches builds that contract
 // multiplications and additions (FMA) or keep more digits (x87) where a proof assumes IEEE doubles.
 #pragma once
@@ -40,12 +40,12 @@ struct PredicateFinding {
   std::vector<double> coordinates;  // the simplest found on which it is wrong
   int expected = 0;                 // the sign: −1, 0 or 1
   double found = 0;                 // what the predicate returned
-  std::string report;               // for people, the coordinates as hexadecimal floats too
+  std::string report;               // for people; includes the coordinates as hexadecimal floats
 };
 
-// The first arguments on which a predicate has the wrong sign, made simpler; nothing if there are none
-// among options.cases. The same arguments on every machine. Throws std::invalid_argument: a dimension
-// other than 2 and 3; exponents less than 60 apart or beyond ±300.
+// The first arguments on which a predicate has the wrong sign, made simpler; nothing if there are
+// none among options.cases. Every machine tries the same arguments. Throws std::invalid_argument: a
+// dimension other than 2 and 3; exponents less than 60 apart or beyond ±300.
 std::optional<PredicateFinding> find_wrong_sign(const Predicate& predicate,
                                                 const PredicateOptions& options = {});
 

@@ -1,5 +1,5 @@
-// Holds a program that makes Delaunay triangulations against what must be true of them, on inputs
-// made to break it; a failing input is made as small as possible. For any test framework; a macro for
+// Tests properties that Delaunay triangulations must have, on inputs made to break the program
+// under test; a failing input is made as small as possible. For any test framework; a macro for
 // doctest is at the end.
 //
 //   #include <doctest/doctest.h>
@@ -24,13 +24,13 @@ namespace circumspect {
 enum class Property {
   // What it returns is what was claimed. Book: Definitions 2.1 and 4.1, Section 5.2.
   kClaim,
-  // The same points, the same complex.
+  // The same points give the same complex.
   kDeterministic,
   // Where there is only one Delaunay triangulation, it does not depend on the order of the points.
   // Book: Theorem 4.4; Section 4.2, where the Delaunay subdivision is simplicial.
   kOrder,
-  // Nor, up to exact scaling by a power of two and exchange of the axes, on the coordinate system: the
-  // map carries balls to balls.
+  // Nor does it depend on the coordinate system, up to exact scaling by a power of two and exchange
+  // of the axes: these maps take balls to balls.
   kSimilarity,
 };
 std::string_view name(Property property);
@@ -49,7 +49,7 @@ struct PropertyOptions {
   // dimension whose points are distinct doubles.
   std::vector<std::string> families = {};
   // Runs the program in a process of its own for each case, so that a crash or a hang is a finding
-  // like others instead of the end of the test; costs a fork a case.
+  // and does not end the test. This costs one fork for each case.
   bool isolated = false;
   std::chrono::milliseconds time_limit{10'000};  // a case, if isolated
 };
@@ -62,15 +62,16 @@ struct Finding {
   std::uint64_t seed = 0;
   PointArray original;
   PointArray points;  // the smallest found that breaks the same rule
-  // Of `points`. For properties other than the claim, the property's name, or how the program ended
-  // when it was asked again.
+  // The verdict on `points`. For properties other than the claim, the property's name, or how the
+  // program ended when it was asked again.
   std::string rule;
   std::string report;  // for people: the rule, the points as a .node file, the witness
 };
 
-// The first case among options.cases in which the property does not hold, minimised; nothing if there
-// is none. The same cases in the same order on every machine. Throws std::invalid_argument: a claim or
-// a family that is unknown, or a family that does not exist in the dimension.
+// The first case among options.cases in which the property does not hold, minimised; nothing if
+// there is none. Every machine tries the same cases in the same order. Throws
+// std::invalid_argument: a claim or a family that is unknown, or a family that does not exist in
+// the dimension.
 std::optional<Finding> find_failure(const Triangulator& subject, Property property,
                                     const PropertyOptions& options = {});
 

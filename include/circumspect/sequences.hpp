@@ -1,5 +1,5 @@
-// Holds a structure that is changed step by step, by insertions and deletions, against what must be
-// true after each step; a failing sequence is made as short as possible.
+// Tests a structure that changes step by step, by insertions and deletions, after each step; a
+// failing sequence is made as short as possible.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace circumspect {
 
 // A structure under test. Points keep the number with which they were inserted: 0, 1, 2, … in the order
-// of insertion, never used again. Anything thrown is a finding.
+// of insertion, never used again. Any exception is a finding.
 class DynamicTriangulation {
  public:
   virtual ~DynamicTriangulation() = default;
@@ -46,9 +46,9 @@ struct SequenceFinding {
   std::string report;  // for people: the steps, and the witness
 };
 
-// The first sequence after which a fresh structure is wrong, made shorter; nothing if there is none.
-// The same sequences on every machine. Throws std::invalid_argument: a claim other than "delaunay" and
-// "triangulation"; a family that is unknown or does not exist in the dimension.
+// The first sequence after which a fresh structure is wrong, made shorter; nothing if there is
+// none. Every machine tries the same sequences. Throws std::invalid_argument: a claim other than
+// "delaunay" and "triangulation"; a family that is unknown or does not exist in the dimension.
 std::optional<SequenceFinding> find_wrong_sequence(
     const std::function<std::unique_ptr<DynamicTriangulation>()>& make,
     const SequenceOptions& options = {});

@@ -1,5 +1,5 @@
-// What is put to the test: a program that turns points into simplices, as a function. Every harness,
-// adapter and planted fault speaks these three types, which need nothing but the standard library.
+// The program under test, which turns points into simplices, as a function. Every harness, adapter
+// and planted fault speaks these three types, which need only the standard library.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct PointArray {
 // span only a flat of dimension k.
 using SimplexArray = std::vector<std::vector<std::int64_t>>;
 
-// The program. It may throw: what leaves it as an exception is reported as a crash, with its text.
+// The program. It may throw: an exception is reported as a crash, with its text.
 using Triangulator = std::function<SimplexArray(const PointArray&)>;
 
 }  // namespace circumspect

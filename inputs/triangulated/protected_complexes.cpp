@@ -210,7 +210,7 @@ void add_segments(Dice& dice, PiecewiseLinearInput& input, const ProtectedEdges&
 }
 
 // The polygons as they are, or some of those that lie in one plane and are joined across edges as
-// one. What is no valid complex then, remains apart.
+// one. What is not a valid complex then, remains apart.
 std::vector<PolygonLines> merged_at_random(Dice& dice, const PiecewiseLinearInput& input,
                                            const std::vector<Simplex>& facets) {
   std::vector<PolygonLines> polygons;

@@ -23,17 +23,17 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-// The greatest double that is at most the sum, or one below it. In round-to-nearest the sum s of two
-// finite doubles is a double next to what they add up to, from which it differs by `error` exactly, unless
-// it overflows. (D. Knuth, "The Art of Computer Programming" 2, Section 4.2.2, Theorem B.)
+// The greatest double that is at most the sum, or one below it. In round-to-nearest, the computed
+// sum s of two finite doubles is a double next to their exact sum, and differs from that by exactly
+// `error`, unless it overflows. (D. Knuth, "The Art of Computer Programming" 2, Section 4.2.2,
+// Theorem B.)
 double lower_sum(double a, double b) {
   const double sum = a + b;
   if (!std::isfinite(sum))
     return sum > 0 && std::isfinite(a) && std::isfinite(b) ? kLargest : -kInfinity;
   const double of_b = sum - a;
   const double error = (a - (sum - of_b)) + (b - of_b);
-  const bool is_above =
-      !(error >= 0) || std::abs(sum) > 0x1p1000;  // of such sums nothing is concluded
+  const bool is_above = !(error >= 0) || std::abs(sum) > 0x1p1000;  // such sums prove nothing
   return is_above ? std::nextafter(sum, -kInfinity) : sum;
 }
 
@@ -127,8 +127,8 @@ using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
 using TreeBox = bg::model::box<Corner>;
 using Entry = std::pair<TreeBox, std::size_t>;
 
-// The tree takes sums and differences of coordinates, and of infinite ones a difference may be no
-// number. Cutting all boxes off at ±2^1000 is monotone: boxes that meet still do.
+// The tree takes sums and differences of coordinates, and inf − inf would be NaN. Cutting all boxes
+// off at ±2^1000 is monotone: boxes that meet still do.
 double finite(double coordinate) {
   constexpr double kFar = 0x1p1000;
   return std::clamp(coordinate, -kFar, kFar);

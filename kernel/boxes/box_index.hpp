@@ -1,6 +1,6 @@
 // Boxes of doubles around exact points, and an R-tree of them: a filter, and the only doubles that
-// the reference computes with. Cells whose boxes are disjoint are disjoint; of others nothing is
-// concluded. They are here for speed alone: without boxes `build steiner-cdt` takes 70 to 190 %
+// the reference computes with. Cells whose boxes are disjoint are disjoint; boxes that meet prove
+// nothing. They are here for speed alone: without boxes `build steiner-cdt` takes 70 to 190 %
 // longer on landscapes of 200 to 350 polygons. Their index saves nothing there; on a surface of
 // 20,000 triangles `validated` takes five times as long without it.
 #pragma once
@@ -19,9 +19,9 @@ double lower_double(const Rational& value);
 double upper_double(const Rational& value);
 
 // A closed box whose edges are cut off: the least and the greatest value of x, y, z, x ± y, x ± z
-// and y ± z. Long cells that run aslant past each other meet in their axis-parallel boxes and
-// seldom in these. (J. Klosowski et al., "Efficient collision detection using bounding volume
-// hierarchies of k-DOPs", IEEE Trans. Vis. Comput. Graph. 4, 1998.) In the plane z is 0.
+// and y ± z. Long oblique cells that pass each other have axis-parallel boxes that meet, but seldom
+// boxes of this kind that do. (J. Klosowski et al., "Efficient collision detection using bounding
+// volume hierarchies of k-DOPs", IEEE Trans. Vis. Comput. Graph. 4, 1998.) In the plane z is 0.
 struct Box {
   std::array<double, 9> low;
   std::array<double, 9> high;
@@ -37,17 +37,17 @@ Box box_around(const Box& a, const Box& b);
 // A box that holds all points whose coordinates differ from the centre's by the reach or less.
 Box cube(const Point& centre, const Rational& reach);
 
-// Have the boxes a point in common, as far as their values say? True if they have.
+// Do the boxes overlap in all their values? True if they have a point in common.
 bool may_meet(const Box& a, const Box& b);
 
-// The same where only points inside of a cell matter, off its boundary, and `around` is a box around it: a value that
-// differs between points of the cell has neither its least nor its greatest there. Boxes that only touch may meet,
-// but not inside.
+// The same where only interior points of a cell matter, and `around` is a box around the cell: a
+// value that is not constant on the cell takes neither its least nor its greatest value in the
+// interior. Cells whose boxes only touch may meet, but not in interior points.
 bool may_meet_inside(const Box& around, const Box& other);
 
-// The work is that of Boost.Geometry's R-tree, packed once, on three axes. It has doubles for
-// coordinates, which a filter may have: boxes are rounded outward, and what a query finds is judged
-// by exact predicates.
+// The work is that of Boost.Geometry's R-tree, packed once, on three axes. Its coordinates are
+// doubles, which a filter may use: boxes are rounded outward, and exact predicates judge what a
+// query finds.
 class BoxIndex {
  public:
   explicit BoxIndex(const std::vector<Box>& boxes);

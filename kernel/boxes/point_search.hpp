@@ -14,12 +14,12 @@ namespace circumspect {
 
 inline constexpr std::size_t kNoSimplex = static_cast<std::size_t>(-1);
 
-// Walks from one point to the next, as long as that takes few steps a point. Where it does not, as in
-// a fan with points on all sides, the hyperplanes of facets halve points and simplices, again and
-// again, until few simplices are left for each point: near-linear wherever such a hyperplane cuts few
-// simplices. The answer is exact however the triangulation looks; only the time depends on it.
+// Walks from one point to the next, as long as that takes few steps a point. Where it takes many,
+// as in a fan with points on all sides, the hyperplanes of facets halve points and simplices again
+// and again, until few simplices are left for each point. This is near-linear if such hyperplanes
+// cut few simplices. The answer is exact for every triangulation; only the time depends on it.
 //
-// What a Triangulation says of itself; its numbers may be of any kind:
+// The interface of a Triangulation; its numbers may be of any kind:
 //   size(), row_size(), points()   how many simplices, vertices of each of them, and points
 //   vertex(s, place)               the vertex of simplex s at that place
 //   side(s, place, point)          on which side of the facet opposite that vertex the point lies: positive
@@ -31,8 +31,8 @@ class PointSearch {
  public:
   explicit PointSearch(const Triangulation& triangulation) : triangulation_(triangulation) {}
 
-  // For each of the points a simplex that contains it, kNoSimplex if none does. Which one that is of
-  // several depends on the triangulation and on the points alone.
+  // For each of the points, a simplex that contains it; kNoSimplex if none does. If several do,
+  // which one is returned depends on the triangulation and the points alone.
   std::vector<std::size_t> simplices_with(std::span<const std::size_t> points) {
     points_ = points;
     found_.assign(points.size(), kNoSimplex);
@@ -52,17 +52,18 @@ class PointSearch {
     return std::move(found_);
   }
 
-  // How often a side was asked for, until now: what takes the time.
+  // How often side() has been called so far: it takes most of the time.
   std::uint64_t work() const { return work_; }
 
  private:
-  // The walk from point to point may take so many steps.
+  // The limit on the steps of a walk from point to point.
   static constexpr std::size_t kSteps = 4096;
   static constexpr std::size_t kStepsEach = 8;
-  // So few simplices, or points, are not worth halving.
+  // Lists with at most so many simplices, or points, are not worth halving.
   static constexpr std::size_t kFewSimplices = 32;
   static constexpr std::size_t kFewPoints = 2;
-  // A hyperplane is chosen of so many, by what it does to so many simplices and points.
+  // A hyperplane is chosen among so many, by its effect on a sample of so many simplices and
+  // points.
   static constexpr std::size_t kCandidates = 6;
   static constexpr std::size_t kSample = 8;
   static constexpr int kTries = 4;
@@ -113,8 +114,8 @@ class PointSearch {
     return false;
   }
 
-  // Those simplices of all that contain one of the points are among these, but for a point in a
-  // hyperplane that halved a list before.
+  // These include every simplex that contains one of the points, except for a point in a hyperplane
+  // that halved an earlier list.
   void halve(Items points, Items simplices) {
     while (points.size() > kFewPoints && simplices.size() > kFewSimplices) {
       Parts parts;
@@ -126,7 +127,7 @@ class PointSearch {
     find_one_by_one(points, simplices);
   }
 
-  // True if a hyperplane leaves clearly less to do.
+  // True if a hyperplane clearly reduces the work.
   bool part(const Items& points, const Items& simplices, Parts& parts) {
     for (int tries = 0; tries < kTries; ++tries) {
       parts = parted(points, simplices, best_plane(points, simplices));
@@ -200,7 +201,8 @@ class PointSearch {
     return parts;
   }
 
-  // By walks among the simplices; where one gives up, by looking at each of them, and then at all.
+  // Walks among the simplices; where a walk gives up, looks at each of them, and then at all
+  // simplices.
   void find_one_by_one(const Items& points, const Items& simplices) {
     std::size_t near = simplices.empty() ? 0 : simplices[simplices.size() / 2];
     for (const std::size_t i : points) {

@@ -1,4 +1,4 @@
-// Searching among points by a tree of them, and among boxes by a tree of boxes.
+// Searching for points by walks and halving, and for boxes by a tree of boxes.
 #include "kernel/boxes/point_search.hpp"
 
 #include <array>
@@ -77,7 +77,7 @@ Triangles grid(std::size_t n) {
   return mesh;
 }
 
-// Adds points that are no vertices, in the box of the mesh and a little around it, many on edges.
+// Adds points that are not vertices, in the box of the mesh and a little around it, many on edges.
 std::vector<std::size_t> with_points(Triangles& mesh, std::size_t count, std::int64_t width) {
   std::mt19937_64 random(11);
   std::vector<std::size_t> added;
@@ -232,7 +232,7 @@ TEST_CASE("may_meet_inside: what touches in a plane does not, unless all of the 
   CHECK(may_meet_inside(flat, rising));
   CHECK_FALSE(may_meet_inside(rising, flat));
   CHECK(may_meet_inside(flat, segment({0, 1, -1}, {4, 1, 1})));
-  // No double is a third: the bounds that are rounded to are not reached.
+  // No double is a third, so the rounded bounds are not attained.
   const Rational third(1, 3);
   CHECK(may_meet_inside(segment({0, 0, third}, {4, 2, third}),
                         segment({0, 1, third}, {4, 1, third})));

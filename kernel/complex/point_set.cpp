@@ -12,7 +12,7 @@ namespace circumspect {
 
 namespace {
 
-// Equal points would have ranks that follow each other.
+// Equal points would have consecutive ranks.
 bool are_different(const std::vector<Point>& points, const Configuration& configuration) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t v = 0; v < order.size(); ++v) {

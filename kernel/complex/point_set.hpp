@@ -31,7 +31,7 @@ std::vector<Duplicate> duplicates(const std::vector<Point>& points);
 class PointSet {
  public:
   // Requires: no duplicates; one dimension; weights empty or one a point. (Violations are
-  // programming errors; ask `duplicates` first for what a user handed in.)
+  // programming errors; call `duplicates` first on a user's points.)
   explicit PointSet(std::vector<Point> points, std::vector<Rational> weights = {});
 
   std::size_t size() const { return points_.size(); }

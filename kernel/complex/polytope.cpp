@@ -14,7 +14,7 @@ namespace {
 
 using Axes = std::vector<std::size_t>;
 
-// The sign of the side of the hyperplane through `basis` on which q is; zero on it.
+// On which side of the hyperplane through `basis` is q? Zero on it.
 int side(const PointSet& points, const Axes& axes, const Simplex& basis, Vertex q) {
   Simplex simplex = basis;
   simplex.push_back(q);
@@ -85,7 +85,7 @@ std::vector<Face> facets_by_definition(const PointSet& points, const Face& polyt
     for (const Vertex i : subset) hyperplane.push_back(polytope[static_cast<std::size_t>(i)]);
     std::set<int> sides;
     for (const Vertex q : polytope) sides.insert(side(points, flat.axes, hyperplane, q));
-    const bool supports = sides.size() == 2;  // zero, and one sign besides
+    const bool supports = sides.size() == 2;  // zero, and one other sign
     if (supports) facets.insert(members_on(points, flat.axes, hyperplane, polytope));
   } while (next_subset(subset, polytope.size()));
   return {facets.begin(), facets.end()};
@@ -96,7 +96,7 @@ std::vector<Face> facets_by_wrapping(const PointSet& points, const Face& polytop
   if (polytope.size() == flat.dimension() + 1) return facets_of_simplex(polytope);
   if (flat.dimension() == 1) return ends(points, polytope);
   std::set<Face> facets;
-  std::map<Face, Face> open_ridges;  // with the one facet known to have it
+  std::map<Face, Face> open_ridges;  // with the one facet that is known to have it
   const auto add = [&](const Face& facet) {
     const bool is_new = facets.insert(facet).second;
     assert(is_new);

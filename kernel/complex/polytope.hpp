@@ -22,11 +22,12 @@ using Face = std::vector<Vertex>;
 // has no facets here. Requires: the polytope is not empty.
 using FacetsOfPolytope = std::function<std::vector<Face>(const PointSet&, const Face&)>;
 
-// By definition: through every k of its points, is there a hyperplane with all points on one side?
+// By definition: for every k of its points, does their hyperplane have all points on one side?
 std::vector<Face> facets_by_definition(const PointSet& points, const Face& polytope);
 
 // By gift-wrapping: starting from one facet, finds the facet on the other side of each ridge
-// (D. Chand and S. Kapur, J. ACM 17, 1970). The ridges are the facets' facets, found likewise.
+// (D. Chand and S. Kapur, J. ACM 17, 1970). The ridges are the facets' facets, found in the same
+// way.
 std::vector<Face> facets_by_wrapping(const PointSet& points, const Face& polytope);
 
 // One facet of the convex hull of the members projected on the axes, with all members on it.
@@ -52,7 +53,7 @@ class PolyhedralComplex {
   int dimension() const { return static_cast<int>(faces_.size()) - 1; }
   // The j-faces in lexicographic order. Requires: 0 ≤ j ≤ dimension().
   const std::vector<Face>& faces(int j) const { return faces_[static_cast<std::size_t>(j)]; }
-  // The k-faces; none of the empty complex.
+  // The k-faces; the empty complex has none.
   std::vector<Face> cells() const { return faces_.empty() ? std::vector<Face>{} : faces_.back(); }
   // The facets of a face: the faces of one dimension less that bound it. Requires: one of faces().
   const std::vector<Face>& facets_of(const Face& face) const { return facets_.at(face); }

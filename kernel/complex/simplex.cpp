@@ -51,7 +51,8 @@ Simplex first_subset(std::size_t size) {
 
 bool next_subset(Simplex& subset, std::size_t n) {
   std::size_t i = subset.size();
-  // The last place that is not at its largest possible value, n − (how many follow, itself too).
+  // The last place that is not at its largest possible value, n − (the number of places from it to
+  // the end).
   while (i > 0 && subset[i - 1] == static_cast<Vertex>(n - subset.size() + i - 1)) --i;
   if (i == 0) return false;
   std::iota(subset.begin() + static_cast<Vertex>(i) - 1, subset.end(), subset[i - 1] + 1);
@@ -91,7 +92,7 @@ std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices) {
       uses.push_back({sorted(facet_opposite(simplices[s], place)), s, place});
     }
   }
-  // The least vertex, which decides most comparisons, stands beside the place of each use.
+  // The least vertex, which decides most comparisons, is stored beside the place of each use.
   std::vector<std::pair<Vertex, std::size_t>> order;
   order.reserve(uses.size());
   for (std::size_t i = 0; i < uses.size(); ++i) {

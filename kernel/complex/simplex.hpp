@@ -10,11 +10,11 @@
 namespace circumspect {
 
 // ---- Simplex ----
-// Simplices as tuples of vertices, and all subsets of a given size, for what is done "for every k+1
+// Simplices as tuples of vertices, and all subsets of a given size, for loops "for every k+1
 // points".
 
-// The vertices of a simplex, in the order somebody gave them. What a user hands in is meant as a
-// set; where orientation matters, the order carries it.
+// The vertices of a simplex, in the order given. A user's simplex is meant as a set; where
+// orientation matters, the order carries it.
 using Simplex = std::vector<Vertex>;
 
 // The same set of vertices in ascending order.
@@ -68,8 +68,8 @@ struct FacetUse {
   std::size_t opposite;  // the place of the vertex that the facet leaves out
 };
 
-// All uses, in order of the facets' vertices and then of the simplices: the uses of one facet stand
-// together. Book: Section 4.2 ("a facet of a triangulation is a (d−1)-simplex").
+// All uses, in order of the facets' vertices and then of the simplices, so that the uses of one
+// facet are adjacent. Book: Section 4.2 ("a facet of a triangulation is a (d−1)-simplex").
 std::vector<FacetUse> facet_uses(const std::vector<Simplex>& simplices);
 
 // Calls `visit` once for each facet, with all its uses.

@@ -37,8 +37,8 @@ class Triangulation {
 std::map<Simplex, std::vector<Vertex>> apexes_by_facet(const Triangulation& triangulation);
 
 // ---- Star index ----
-// A triangulation that changes, with the star of every face at hand.
-// Book: Section 4.4 ("every d-simplex in T with a face in T_D").
+// A triangulation that changes, with fast access to the star of every face. Book: Section 4.4
+// ("every d-simplex in T with a face in T_D").
 
 // A set of simplices of one dimension, filed under each of their vertices. Simplices and faces may
 // be named with their vertices in any order; they come back ascending.
@@ -48,16 +48,16 @@ class StarIndex {
 
   bool has(const Simplex& simplex) const;
 
-  // The star of a face: all simplices that have it for a face, in lexicographic order; all there are
-  // of the empty face. Looks through the simplices at that vertex which has the fewest.
+  // The star of a face: all simplices that have it as a face, in lexicographic order; for the empty
+  // face, all simplices. Looks through the simplices at the vertex that has the fewest.
   std::vector<Simplex> star(const Simplex& face) const;
 
   // The link of a face: every ζ such that face * ζ is a simplex here. Just the empty simplex if the
   // face is itself one of them.
   std::vector<Simplex> link(const Simplex& face) const;
 
-  // Takes simplices out and puts others in. Throws std::logic_error if one of the former is not
-  // there, or one of the latter already is.
+  // Takes simplices out and puts others in. Throws std::logic_error if one of the former is
+  // missing, or one of the latter is already there.
   void replace(const std::vector<Simplex>& deleted, const std::vector<Simplex>& created);
 
   std::size_t size() const { return simplices_.size(); }

@@ -1,4 +1,4 @@
-// How work that takes long ends before its answer, when nobody wants that any more.
+// Ends long work before its answer, when the answer is no longer wanted.
 #pragma once
 
 #include <chrono>
@@ -8,12 +8,12 @@
 
 namespace circumspect {
 
-// Ends work wherever it stands. The judges keep nothing that outlives a call, so nothing is left half done.
+// Ends work at any point. The judges keep no state beyond a call, so nothing is left half done.
 struct Interrupted : std::exception {
   explicit Interrupted(bool late) : is_late(late) {}
   const char* what() const noexcept override;
 
-  bool is_late;  // the limit was over; else somebody asked for the end
+  bool is_late;  // the limit was reached; else the user asked for the end
 };
 
 // When work is to end.
@@ -27,8 +27,8 @@ struct Interruption {
 // What can interrupt the work of this thread; nullptr: nothing does.
 inline constinit thread_local const Interruption* interruption_of_thread = nullptr;
 
-// As long as this exists, `by` can interrupt the work of this thread. A thread that helps another takes over what the
-// other has (oracle/judge/fast/in_chunks.cpp).
+// As long as this exists, `by` can interrupt the work of this thread. A thread that helps another
+// takes over the other's interruption (oracle/judge/fast/in_chunks.cpp).
 class Interruptible {
  public:
   explicit Interruptible(const Interruption* by) : before_(interruption_of_thread) {
@@ -42,7 +42,8 @@ class Interruptible {
   const Interruption* before_;
 };
 
-// Whatever long work does again and again asks this: chunks of the fast judge, determinants, systems of equations.
+// The inner steps of long work call this: chunks of the fast judge, determinants, systems of
+// equations.
 inline void end_if_interrupted() {
   if (interruption_of_thread != nullptr) interruption_of_thread->end_if_asked();
 }

@@ -1,4 +1,4 @@
-// Work ends where it is asked to, in the thread that is asked, and goes on as before afterwards.
+// Work ends when asked to, in the thread that is asked; later work is not affected.
 #include "kernel/exact/interruption.hpp"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Bareiss and Gauss eliminate, and Bland's rule chooses.
+// Elimination by Bareiss and by Gauss, and the simplex method with Bland's rule.
 #include "kernel/exact/linear_algebra.hpp"
 
 #include <cassert>
@@ -10,8 +10,9 @@ namespace circumspect {
 
 namespace {
 
-// The 2 by 2 minor of rows `top` and `top` + 1 and two columns. It goes into a number that the
-// caller has, as do all intermediate values here: an allocation takes as long as a product.
+// The 2 by 2 minor of rows `top` and `top` + 1 and two columns. The caller provides the number that
+// it is stored in, as for all intermediate values here, because an allocation takes as long as a
+// product.
 void minor2(const SquareMatrix& m, std::size_t top, std::size_t left, std::size_t right,
             Integer& result) {
   result = m(top, left) * m(top + 1, right);
@@ -161,7 +162,7 @@ void pivot(Tableau& tableau, std::size_t row, std::size_t column) {
   tableau.basis[row] = column;
 }
 
-// How fast the objective grows with a variable, the basic variables giving way.
+// How fast the objective grows with a variable when the basic variables adapt.
 Rational reduced_cost(const Tableau& tableau, const std::vector<Rational>& objective,
                       std::size_t column) {
   Rational cost = objective[column];

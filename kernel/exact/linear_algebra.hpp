@@ -13,8 +13,8 @@ namespace circumspect {
 
 // ---- Determinant ----
 // Determinants of integer matrices. Laplace's expansion, written out for small orders, is here for
-// speed alone: by elimination, which would do, `build delaunay` takes 50 % longer, by cofactors 130
-// %.
+// speed alone: `build delaunay` takes 50 % longer with elimination, which would suffice, and 130 %
+// longer with cofactors.
 
 // A square matrix of integers, row by row.
 class SquareMatrix {
@@ -38,7 +38,7 @@ class SquareMatrix {
 // is exact and every intermediate value is a minor of the matrix.
 Integer determinant(SquareMatrix matrix);
 
-// The two methods, apart, so that tests can hold one against the other.
+// The two methods separately, so that tests can compare them.
 Integer determinant_by_laplace(const SquareMatrix& matrix);  // Requires: order <= 4.
 Integer determinant_by_bareiss(SquareMatrix matrix);
 
@@ -63,7 +63,7 @@ struct LinearProgram {
 
 enum class LinearProgramStatus { kInfeasible, kUnbounded, kOptimal };
 
-// `value` and `solution` say the optimum if there is one, and for an unbounded program some
+// `value` and `solution` are the optimum if there is one, and for an unbounded program some
 // feasible point.
 struct LinearProgramAnswer {
   LinearProgramStatus status = LinearProgramStatus::kInfeasible;
@@ -72,7 +72,7 @@ struct LinearProgramAnswer {
 };
 
 // The simplex method with Bland's rule (R. Bland, Math. Oper. Res. 2, 1977), which cannot cycle,
-// from an artificial basis. Requires: rows of one length, that of the objective.
+// from an artificial basis. Requires: all rows have the length of the objective.
 LinearProgramAnswer maximize(const LinearProgram& program);
 
 }  // namespace circumspect

@@ -1,4 +1,4 @@
-// Determinants, and linear programs held against every basis.
+// Determinants, and linear programs compared with an enumeration of all bases.
 #include "kernel/exact/linear_algebra.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace circumspect {
 
 // ---- Determinant ----
-// Determinants: two methods and the definition, held against each other.
+// Determinants: two methods, compared with each other and with the definition.
 
 namespace {
 
@@ -35,7 +35,7 @@ Rational by_definition(const Rows& rows) {
   return generators::leibniz_determinant(points);
 }
 
-// Products of three factors, so that long numbers and zeros both come up often.
+// Products of three factors, so that long numbers and zeros are both common.
 rc::Gen<Integer> entries() {
   const auto factor = rc::gen::oneOf(generators::integer_within(2), generators::integer_within(2),
                                      generators::integer_within(1L << 60));
@@ -161,7 +161,7 @@ TEST_CASE("linear system: there is an answer iff the determinant is not zero, an
   std::size_t singular = 0;
   CHECK(properties::holds([&] {
     const auto n = static_cast<std::size_t>(*generators::below(5));
-    // Small entries, so that singular matrices come up.
+    // Small entries, so that singular matrices occur.
     const auto a = *rc::gen::container<RationalMatrix>(
         n, rc::gen::container<std::vector<Rational>>(n, generators::integer_number(2)));
     const auto b = *rc::gen::container<std::vector<Rational>>(n, generators::small_rational());

@@ -235,7 +235,7 @@ std::string to_text_of_double_or_fraction(const Rational& value) {
   const double candidate = value.get_d();
   const bool is_double = std::isfinite(candidate) && exact_value(candidate) == value;
   if (is_double) return shortest(candidate);
-  // A denominator keeps an integer that is no double from being read as the nearest one.
+  // A denominator keeps an integer that is not a double from being read as the nearest one.
   return value.get_den() == 1 ? value.get_str() + "/1" : value.get_str();
 }
 
@@ -251,8 +251,8 @@ std::string square_root_to_decimal(const Rational& value) {
     const Rational root(sqrt(value.get_num()), sqrt(value.get_den()));
     return to_decimal(root);
   }
-  // The root is irrational, so it is no midpoint of two doubles: widening the precision makes both
-  // ends of the enclosure round to the same double.
+  // The root is irrational, so it is not a midpoint of two doubles: widening the precision makes
+  // both ends of the enclosure round to the same double.
   for (mpfr_prec_t precision = 2 * kDoublePrecision;; precision *= 2) {
     Float low(kDoublePrecision);
     Float high(kDoublePrecision);

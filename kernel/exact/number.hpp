@@ -1,5 +1,5 @@
-// Exact numbers: what they are, how text gives them, and what ends a process in which they
-// exhaust the memory. This folder is the only place that names the number library (GMP, MPFR).
+// Exact numbers: their types, their conversion from and to text, and what happens when they exhaust
+// the memory. This folder is the only place that names the number library (GMP, MPFR).
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,8 @@ using Rational = mpq_class;
 inline int sign(const Integer& value) { return sgn(value); }
 inline int sign(const Rational& value) { return sgn(value); }
 
-// An integer of the language. GMP's constructors end at `long`, which not every machine gives 64 bits.
+// Converts an integer of the language. GMP's constructors end at `long`, which does not have 64
+// bits on every machine.
 template <std::integral Number>
 Integer to_integer(Number value) {
   if constexpr (sizeof(Number) <= sizeof(long)) {
@@ -64,7 +65,7 @@ Integer exact_quotient(const Integer& dividend, const Integer& divisor);
 // Exact numbers and text, both ways.
 
 // How a decimal such as "0.1" is meant. Other programs read it into a double, so that is what they
-// saw; `kDecimal` takes the text at its word. Fractions (1/3) and hexadecimal floats (0x1.8p-3) are
+// saw; `kDecimal` takes the text literally. Fractions (1/3) and hexadecimal floats (0x1.8p-3) are
 // exact in both.
 enum class NumberReading { kDouble, kDecimal };
 
@@ -74,8 +75,8 @@ struct NumberError {
   std::string expected;
 };
 
-// Decimal exponents beyond this, and binary ones beyond kLargestBinaryExponent, are refused in exact
-// readings: ten bytes of text must not become a gigabyte of digits.
+// Exact readings refuse decimal exponents beyond this, and binary ones beyond
+// kLargestBinaryExponent: ten bytes of text must not become a gigabyte of digits.
 inline constexpr long kLargestDecimalExponent = 1000;
 inline constexpr long kLargestBinaryExponent = 5000;
 
@@ -106,8 +107,9 @@ std::string number_libraries();
 // ---- Exhausted memory ----
 // What happens when a number needs more memory than there is.
 
-// GMP and MPFR end the process with SIGABRT then; from now on they call `end` instead, which must not return: nothing
-// is left that could go on, for both are written in C. The memory is malloc's, as before.
+// By default GMP and MPFR then end the process with SIGABRT; after this call they call `end`
+// instead, which must not return: both are written in C, so nothing could continue. The memory
+// still comes from malloc.
 void end_where_numbers_exhaust_memory(void (*end)());
 
 }  // namespace circumspect

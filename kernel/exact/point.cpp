@@ -54,14 +54,14 @@ Point barycentre(const std::vector<Point>& points) {
 
 namespace {
 
-// A direction of the hull, scaled to 1 on the axis that it is the pivot of.
+// A direction of the hull, scaled to 1 on its pivot axis.
 struct Direction {
   std::size_t axis;
   Point vector;
 };
 
-// What is left of a vector after subtracting its part along the directions found so far. In the
-// order of finding, each direction is zero on the axes of the earlier ones.
+// The rest of a vector after subtracting its part along the directions found so far. Each direction
+// is zero on the pivot axes of the earlier ones.
 Point reduce(Point vector, const std::vector<Direction>& directions) {
   for (const Direction& direction : directions) {
     const Rational factor = vector[direction.axis];

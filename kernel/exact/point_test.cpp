@@ -120,7 +120,8 @@ TEST_CASE("affine_hull: the basis is affinely independent, and the first such") 
   CHECK(holds_for_hulls([](const std::vector<Point>& points) {
     const AffineHull hull = affine_hull(points);
     RC_ASSERT(static_cast<int>(hull.basis.size()) == hull.dimension + 1);
-    // The first such: each point that is left out depends on those of the basis before it.
+    // They are the first such points: each point that is left out depends on those of the basis
+    // before it.
     std::vector<std::size_t> greedy;
     for (std::size_t i = 0; i < points.size(); ++i) {
       greedy.push_back(i);

@@ -1,5 +1,5 @@
 // The ways in which an input can fail to be a piecewise linear complex: stable identifiers. Book:
-// Definition 4.3. The list (kernel/piecewise_linear/breaches.def) grows.
+// Definition 4.3. The list (kernel/piecewise_linear/breaches.def) may grow.
 #pragma once
 
 #include <span>

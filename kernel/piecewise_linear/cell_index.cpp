@@ -8,7 +8,7 @@
 namespace circumspect {
 namespace {
 
-// A vertex of fewer cells gets no tree of its own.
+// A vertex with fewer cells gets no tree of its own.
 constexpr std::size_t kMany = 16;
 
 Simplex in_both(const Simplex& a, const Simplex& b) {
@@ -23,7 +23,7 @@ bool has_one_of(const Simplex& few, const std::vector<Vertex>& ascending) {
   });
 }
 
-// The middle of a box, doubled: a guess at how to part cells well, which decides nothing.
+// The middle of a box, doubled: a heuristic for splitting cells, which decides nothing.
 std::array<double, 3> middle(const Box& box) {
   const auto finite = [](double x) { return std::clamp(x, -0x1p1000, 0x1p1000); };
   std::array<double, 3> middle;
@@ -33,7 +33,8 @@ std::array<double, 3> middle(const Box& box) {
   return middle;
 }
 
-// For each cell the vertex of many cells that it has, of several that of the most; −1 if it has none.
+// For each cell, its vertex with many cells; if there are several, the one with the most; −1 if
+// there is none.
 std::vector<Vertex> hubs(const std::vector<Simplex>& cells) {
   std::map<Vertex, std::size_t> degree;
   for (const Simplex& cell : cells) {

@@ -15,20 +15,22 @@
 namespace circumspect {
 
 // ---- Cell index ----
-// Which cells of a complex may meet one with which they share no vertex. For speed alone: the boxes of
-// n cells at one vertex all meet, and of their n² pairs none needs a look. Without it, `validated` of
-// a double cone over a rim of 4,000 vertices takes 14 s, with it 0.6 s. Nor do cells to both sides of a plane
-// that only touch it: no cell reaches its least or its greatest coordinate inside.
+// Which cells of a complex may meet one with which they share no vertex. For speed alone: the boxes
+// of n cells at one vertex all meet, although none of their n² pairs needs a look. Without this
+// index, `validated` takes 14 s for a double cone over a rim of 4,000 vertices; with it, 0.6 s.
+// Cells on both sides of a plane that only touch it need no look either, because no cell takes its
+// least or greatest coordinate in its interior.
 
-// A binary tree of cells. A node knows a box around its cells and the vertices that all of them share.
-// The cells at a vertex of many are a tree of their own, so that this tree is passed over as a whole.
+// A binary tree of cells. A node knows a box around its cells and the vertices that all of them
+// share. The cells at a vertex with many cells are a tree of their own, so that this tree is
+// skipped as a whole.
 class CellIndex {
  public:
   // The box of each cell, and vertices of it, ascending.
   CellIndex(const std::vector<Box>& boxes, const std::vector<Simplex>& vertices);
 
-  // The places in the list of all cells whose boxes may meet the inside of this one, and that have none of these
-  // vertices, ascending. Requires: the vertices are in ascending order.
+  // The places in the list of all cells whose boxes may meet the interior of this one and that have
+  // none of these vertices, ascending. Requires: the vertices are in ascending order.
   std::vector<std::size_t> apart(const Box& box, const std::vector<Vertex>& vertices) const;
 
   // How many nodes all calls of `apart` have looked at.
@@ -95,7 +97,7 @@ inline std::vector<std::size_t> near_line(const BoxIndex& index, const Point& fr
   return found;
 }
 
-// The indices are made with the first question.
+// The indices are built on the first query.
 class NearbyCells {
  public:
   NearbyCells(const PointSet& points, const std::vector<Simplex>& segments)

@@ -7,7 +7,7 @@
 namespace circumspect {
 namespace {
 
-// What is between two parallel planes.
+// A slab: the points between two parallel planes.
 struct Slab {
   Point normal;
   Rational low, high;  // of the product of a point and the normal
@@ -54,8 +54,9 @@ class Width {
     return {std::move(normal), std::move(low), std::move(high)};
   }
 
-  // Where the width of a cone of normals n is a linear function of n, its quotient by |n| is least on an extreme ray:
-  // that is at right angles to two edges of the hull. All pairs of points are tried for these.
+  // Where the width is a linear function of n on a cone of normals n, its quotient by |n| is least
+  // on an extreme ray, which is at right angles to two edges of the hull. All pairs of points are
+  // tried as these edges.
   Slab narrowest(const std::vector<std::size_t>& places) const {
     std::vector<Point> edges;
     for (std::size_t i = 0; i < places.size(); ++i) {

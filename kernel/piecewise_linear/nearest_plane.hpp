@@ -1,4 +1,4 @@
-// How far points of space are from being in one plane.
+// How far points in space are from being coplanar.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,21 @@
 
 namespace circumspect {
 
-// The plane from which the farthest of some points is as near as it can be. It is halfway between two parallel planes
-// that enclose the points and are as near to each other as such planes can be: half the width of the points. Each of
-// the two touches a facet of the convex hull and the other a vertex, or both touch an edge, so the normal is rational.
+// The plane that minimises the largest distance of some points from it. It is halfway between the
+// two closest parallel planes that enclose the points, so that distance is half the width of the
+// points. One of the two planes touches a facet of the convex hull and the other a vertex, or both
+// touch an edge, so the normal is rational.
 struct NearestPlane {
   Point normal;
   Rational squared_distance;  // of the farthest points
   std::vector<std::size_t>
-      farthest;  // places of points that are so far from it, on both sides; ascending
+      farthest;  // places of the points at that distance, on both sides; ascending
 };
 
-// Looks at few points, and takes in those that the planes about these leave out, until none is left out: what is the
-// width of some points and encloses all is the width of all. Of points that are as round as a ball this takes too many;
-// after kMostPlacesOfWidth, planes about all points are returned that need not be the nearest to each other.
-// Requires: points of space, not all in one plane.
+// Begins with few points and adds those outside the planes around these, until none is outside: if
+// planes at the width of some points enclose all points, that is the width of all. For points on
+// something like a ball, this takes too many; after kMostPlacesOfWidth, it returns planes around
+// all points that need not be the closest. Requires: points in space, not coplanar.
 inline constexpr std::size_t kMostPlacesOfWidth = 16;
 NearestPlane nearest_plane(const std::vector<Point>& points);
 

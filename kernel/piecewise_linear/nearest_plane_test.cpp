@@ -43,7 +43,7 @@ TEST_CASE("nearest_plane: a tetrahedron, along its least height or between two e
   const NearestPlane right = nearest_plane({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}});
   CHECK(right.squared_distance == Rational(1, 3));
   CHECK(right.farthest == std::vector<std::size_t>{0, 1, 2, 3});
-  // A regular one: its height is 4/√3, and opposite edges are 2 apart.
+  // A regular tetrahedron: its height is 4/√3, and opposite edges are 2 apart.
   CHECK(nearest_plane({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}).squared_distance == 1);
   // A box of 9 × 9 × 2, and a point halfway between the planes about it, which is on neither.
   std::vector<Point> box = {{4, 3, 1}};
@@ -67,7 +67,8 @@ TEST_CASE(
     std::vector<Point> farthest;
     for (const std::size_t place : plane.farthest) farthest.push_back(points[place]);
     CHECK(squared_half_width(farthest, plane.normal) == plane.squared_distance);
-    // Other normals: at right angles to two differences of points, near the found one, anywhere.
+    // Other normals: at right angles to two differences of points, near the one that was found, or
+    // anywhere.
     for (int j = 0; j < 30; ++j) {
       const auto difference = [&] {
         return points[random() % points.size()] - points[random() % points.size()];

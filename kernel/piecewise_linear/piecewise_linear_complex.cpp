@@ -57,8 +57,8 @@ class Assembly {
       polygon.triangles =
           polygon_triangles(points_, polygon.axes, vertices, walls, polygon.hole_seeds, slits);
     }
-    // The triangles have all these vertices and segments for corners and edges, and those that lie
-    // outside or in a hole are left with none.
+    // The triangles have all these vertices and segments as corners and edges; vertices and
+    // segments that lie outside or in a hole have no triangle.
     std::set<Simplex> edges;
     for (const Simplex& triangle : polygon.triangles) {
       for (std::size_t i = 0; i < 3; ++i) edges.insert(facet_opposite(triangle, i));

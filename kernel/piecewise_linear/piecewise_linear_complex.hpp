@@ -24,7 +24,7 @@ struct Polygon {
   std::vector<Simplex> segments;   // every segment that lies in it: outline, holes and slits
   std::vector<Point> hole_seeds;   // a point in each of its holes
   std::vector<std::size_t> axes;   // two axes on which its plane projects injectively
-  std::vector<Simplex> triangles;  // some triangulation of it that has its segments for edges
+  std::vector<Simplex> triangles;  // some triangulation of it that has its segments as edges
 };
 
 // The cells of a PLC in the plane (d = 2: no polygon is listed, they follow from the segments) or in
@@ -45,9 +45,10 @@ struct PiecewiseLinearComplex {
 // edge because polygons meet only in shared cells.
 std::vector<Simplex> walls(const PiecewiseLinearComplex& complex);
 
-// What somebody hands in, before it is known whether it is a PLC. Vertices are indices from 0.
+// A user's input, before it is known whether it is a PLC. Vertices are indices from 0.
 struct PolygonLines {
-  // Closed lines of three vertices or more; a line of two is a segment, one of one an isolated vertex.
+  // Closed lines of three vertices or more; a line of two is a segment, and a line of one is an
+  // isolated vertex.
   std::vector<std::vector<Vertex>> lines;
   std::vector<Point> hole_seeds;
 };
@@ -64,11 +65,12 @@ struct PiecewiseLinearInput {
 // Requires: the input is a valid PLC (see validity.hpp).
 PiecewiseLinearComplex assemble(const PiecewiseLinearInput& input);
 
-// A line stands for its edges, each once however often it is passed, and for its vertices.
+// A line stands for its vertices and for its edges, each counted once however often the line passes
+// it.
 std::set<Simplex> edges_of(const PolygonLines& polygon);
 std::vector<Vertex> vertices_of(const PolygonLines& polygon);  // ascending
 
-// The segments of all that is handed in: ascending pairs, each once, in lexicographic order.
+// All segments of the input: ascending pairs, each once, in lexicographic order.
 std::vector<Simplex> segments_of(const PiecewiseLinearInput& input);
 
 }  // namespace circumspect

@@ -52,13 +52,13 @@ BoxIndex index_of(const CellBoxes& boxes, const std::vector<Tile>& tiles) {
   return boxes.index_of(triangles);
 }
 
-// On which side of one plane vertices are, each found once.
+// On which side of a plane vertices are; each side is computed once.
 class SidesOfPlane {
  public:
   explicit SidesOfPlane(const PointSet& points)
       : points_(points), sides_(points.size()), known_for_(points.size(), 0) {}
 
-  // The plane of a triangle from now on.
+  // Uses the plane of this triangle from now on.
   void set_plane(const Simplex& triangle) {
     triangle_ = triangle;
     ++plane_;
@@ -92,7 +92,8 @@ struct Sides {
     }
     has_segment_in_plane = in_plane == 2 && tile.is_segment[apex];
   }
-  // Does the plane cut out more than a point, and nothing that is known to lie in a segment?
+  // Does the plane cut out more than a point, and not only something that is known to lie in a
+  // segment?
   bool may_share_stretch() const {
     return (above > 0 && below > 0) || (in_plane == 2 && !has_segment_in_plane);
   }
@@ -117,7 +118,7 @@ class CommonChords {
     std::sort(chords_.begin(), chords_.end());
   }
 
-  // Those after this one that have a chord in common with it.
+  // The polygons after this one that have a chord in common with it.
   std::set<std::size_t> after(std::size_t polygon) const {
     std::set<std::size_t> found;
     const std::vector<Chord> own = is_listed(polygon) ? chords_of(polygon) : std::vector<Chord>();
@@ -173,7 +174,7 @@ class CommonChords {
       if (chord->polygon > polygon && has(polygon, chord->to)) found.insert(chord->polygon);
     }
   }
-  // Segments that join all vertices of a plane are few: a pair that none joins is soon found.
+  // Few segments can join all vertices of a plane, so a pair without a segment is soon found.
   bool have_chord(const std::vector<Vertex>& common) const {
     for (std::size_t i = 0; i < common.size(); ++i) {
       for (std::size_t j = i + 1; j < common.size(); ++j) {
@@ -203,9 +204,9 @@ class CommonChords {
 // more, and the edges between them join vertices of both that no segment joins.
 //
 // So only equal tiles need a look, and polygons that have a *chord* in common: two vertices that no
-// segment joins. Of these, only tiles do that have an edge within their polygon. For a tile that has
-// segments for all edges holds no vertex but its corners, and what it shares with another polygon is
-// made of corners and edges, or it is a tile of both.
+// segment joins. In these polygons, only tiles with an edge within their polygon need a look: a
+// tile whose edges are all segments holds no vertex but its corners, so what it shares with another
+// polygon consists of corners and edges, or it is a tile of both.
 class TilePairs {
  public:
   TilePairs(const PiecewiseLinearComplex& complex, const std::vector<Tile>& tiles,
@@ -282,7 +283,7 @@ class TilePairs {
   std::vector<Point> common_corners(const Tile& a, const Tile& b) const {
     return intersection(coordinates(points_, a.triangle), coordinates(points_, b.triangle));
   }
-  // One witness a pair of polygons.
+  // One witness for each pair of polygons.
   void add(BreachKind kind, const Tile& a, const Tile& b) {
     const std::pair<std::size_t, std::size_t> pair = std::minmax(a.polygon, b.polygon);
     if (!wrong_.insert(pair).second) return;
@@ -345,7 +346,7 @@ void find_piercing_segments(const PiecewiseLinearComplex& complex, const Progres
     const Polygon& polygon = complex.polygons[i];
     PiercedPolygon pierced(points, boxes, polygon);
     sides.set_plane(polygon.triangles.front());
-    // A segment with an end that is a vertex of the polygon has that in its plane.
+    // A segment that ends in a vertex of the polygon has that end in its plane.
     for (const std::size_t place : index.apart(boxes.of(polygon.vertices), polygon.vertices)) {
       const Simplex& segment = complex.segments[place];
       if (sides.side(segment[0]) * sides.side(segment[1]) >= 0) continue;

@@ -18,20 +18,20 @@ namespace circumspect {
 
 namespace {
 
-// A line sweeps over the plane and meets the vertices in lexicographic order of their coordinates on
-// the two axes (as if it were upright and turned ever so little, so that it meets them one by one).
-// The segments that it meets at a time are ordered from bottom to top, and between two neighbours, or
-// beyond the last, lies a gap. All triangles that can be drawn between the vertices of a gap behind
-// the line are drawn; what is left of the gap, towards the line, is bounded by two chains from the
-// ends of its segments (without a segment there: from the first of all vertices) to the vertex last
-// met in the gap. Seen from the line every vertex within a chain bulges out, or the triangle of it
-// and its neighbours could be drawn.
+// A line sweeps over the plane and meets the vertices in lexicographic order of their coordinates
+// on the two axes (as if it were vertical, but turned by an infinitesimal angle, so that it meets
+// them one by one). The segments that it meets at a time are ordered from bottom to top, and
+// between two neighbours, or beyond the last, lies a gap. All triangles that can be drawn between
+// the vertices of a gap behind the line are drawn; what is left of the gap, towards the line, is
+// bounded by two chains from the ends of its segments (without a segment there: from the first of
+// all vertices) to the vertex last met in the gap. Seen from the line every vertex within a chain
+// bulges out, or the triangle of it and its neighbours could be drawn.
 //
 // The next vertex sees the one last met: nothing lies between, for the segments are straight and
 // have both between them. So it sees both chains from there on up to some vertex of each, like the
 // next point of a Graham scan.
 struct Gap {
-  // The chains, from the segments to the vertex last met, which is the last of both.
+  // The two chains, from the segments to the vertex last met, in which both end.
   std::vector<Vertex> lower;
   std::vector<Vertex> upper;
 };
@@ -95,8 +95,8 @@ class Sweep {
     }
     chain.push_back(v);
   }
-  // Joins v, the right end of the segment from which the chain starts, to all of it: the chain bulges
-  // towards the segment, and v lies strictly beyond the lines of all its edges.
+  // Joins v, the right end of the segment from which the chain starts, to the whole chain: the
+  // chain bulges towards the segment, and v lies strictly beyond the lines of all its edges.
   void join_all(const std::vector<Vertex>& chain, Vertex v) {
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) draw(v, chain[i], chain[i + 1]);
   }
@@ -104,7 +104,7 @@ class Sweep {
 
   void meet(Vertex v) {
     if (gaps_.empty()) bottom_gap_ = new_gap({}, {});
-    // The segments that end in v stand together: those below it come before, those above it after.
+    // The segments that end in v are adjacent: those below v come before them, those above v after.
     const auto first = std::partition_point(
         crossed_.begin(), crossed_.end(),
         [&](const Crossed& s) { return s.right != v && turn(s.left, s.right, v) > 0; });
@@ -154,7 +154,7 @@ class Sweep {
   const std::vector<std::size_t>& axes_;
   std::unordered_map<Vertex, std::vector<Vertex>> right_ends_;
   std::vector<Crossed> crossed_;  // from bottom to top
-  std::vector<Gap> gaps_;         // those that are closed are empty
+  std::vector<Gap> gaps_;         // closed gaps are empty
   std::size_t bottom_gap_ = 0;
   std::vector<Simplex> triangles_;
 };
@@ -201,7 +201,7 @@ std::vector<std::size_t> triangles_at(const std::vector<Point>& seeds, const Poi
   return found;
 }
 
-// Marks triangles, and what is joined to them across edges that are no walls.
+// Marks triangles, and those that are joined to them across edges that are not walls.
 class Flood {
  public:
   Flood(const std::vector<Simplex>& triangles, const std::vector<Simplex>& walls)

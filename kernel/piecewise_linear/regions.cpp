@@ -23,14 +23,14 @@ struct WallSides {
 };
 
 using Crossings = std::vector<Crossing>;
-// What a straight segment crosses; nothing if it is not generic.
+// The walls that a straight segment crosses; nothing if it is not generic.
 using CrossingsOf = std::function<std::optional<Crossings>(const Point&, const Point&)>;
 
 // Sides are numbered as in WallSides.
 std::size_t side_met(const Crossing& c) { return 2 * c.wall + (c.from_front ? 0 : 1); }
 std::size_t side_left(const Crossing& c) { return 2 * c.wall + (c.from_front ? 1 : 0); }
 
-// The walls that a path crosses which goes straight from one point to a point off all walls, and
+// The walls crossed by a path that goes straight from one point to a point off all walls, and
 // straight on to another.
 std::optional<Crossings> on_path(const CrossingsOf& crossings_of, const Point& from,
                                  const Point& by, const Point& to) {
@@ -42,10 +42,10 @@ std::optional<Crossings> on_path(const CrossingsOf& crossings_of, const Point& f
   return first;
 }
 
-// Some points about a straight way: the bend in a path. Those of them for t = 1, 2, … lie on a
-// moment curve; `scale` says how far they are from `origin`.
+// Points near a straight path, for a bend in it. The points for t = 1, 2, … lie on a moment curve;
+// `scale` says how far they are from `origin`.
 Point on_moment_curve(const Point& origin, const Rational& scale, int t) {
-  // The factors keep it off the planes of symmetric inputs.
+  // The factors keep the curve off the symmetry planes of symmetric inputs.
   const Rational factors[] = {Rational(1, 57), Rational(1, 83), Rational(1, 109)};
   Point point = origin;
   Rational power = scale;
@@ -56,7 +56,7 @@ Point on_moment_curve(const Point& origin, const Rational& scale, int t) {
   return point;
 }
 
-// The way between two points, bent at the t-th of some points that lie about its middle; on moment
+// The path between two points, bent at the t-th of some points near its middle, which lie on moment
 // curves as well.
 Point bend(const Point& from, const Point& to, int t) {
   Rational length = 0;
@@ -152,8 +152,9 @@ class Joining {
       simplex.insert(simplex.end(), {a, b});
       return orientation(points_.configuration(), axes_, simplex);
     };
-    // Half a turn at most from the first wall, or more? Two walls that meet in the ridge alone are
-    // in one hyperplane only if they are half a turn apart. Of two walls either is next to the other.
+    // At most half a turn from the first wall, or more? Two walls that meet only in the ridge are
+    // in one hyperplane only if they are half a turn apart. If there are two walls, each is next to
+    // the other.
     const Vertex first = apex(uses.front());
     const bool is_ordered = uses.size() <= 2;
     std::vector<std::pair<int, FacetUse>> order;
@@ -216,7 +217,7 @@ class Joining {
     return [this](const Point& from, const Point& to) { return walls_.crossings(from, to); };
   }
 
-  // A side that faces the unbounded region: the last that is left on a way to a point with a
+  // A side that faces the unbounded region: the last one that is left on a path to a point with a
   // greater first coordinate than any wall.
   std::size_t unbounded_side() const {
     std::size_t last = 0;
@@ -304,8 +305,7 @@ std::size_t Regions::in_front_of(const OrientedFacet& wall) const {
 std::optional<std::size_t> Regions::region_at(const Point& point) const {
   if (walls_->size() == 0) return kUnbounded;
   if (!walls_->at(point).empty()) return std::nullopt;
-  // On a way to a wall, with a bend as above, the first wall that is met faces the
-  // point.
+  // On a path to a wall, with a bend as above, the first wall that is met faces the point.
   const Point target = walls_->centre(walls_->not_far_from(point));
   for (int t = 1;; ++t) {
     const Point by = bend(point, target, t);

@@ -56,11 +56,12 @@ class WallSet {
 
   // Where a segment crosses walls, from its start to its end; nothing if it meets a wall otherwise
   // than by crossing it from one side to the other (or starting or ending there) in an interior
-  // point, or lies in the hyperplane of a wall that it comes near to.
+  // point, or lies in the hyperplane of a wall that it comes near.
   std::optional<std::vector<Crossing>> crossings(const Point& from, const Point& to) const;
 
-  // How much of the way, as half of it again and again, can be gone from a point in the interior of a wall until no
-  // other wall is met; nothing if the way lies in the hyperplane of a wall that it comes near to.
+  // How far one can go from a point in the interior of a wall without meeting another wall, as a
+  // fraction of the way that is halved until this holds; nothing if the way lies in the hyperplane
+  // of a wall that it comes near.
   std::optional<Rational> free_part(const Point& from, const Point& way) const;
 
   // The same as `crossings`, for some walls at the vertex `apex` (space only), each made longer without end: the
@@ -91,7 +92,7 @@ class WallSet {
 // In which part of the plane or of space a point is.
 enum class Where { kOnWall, kInside, kHole, kOutside };
 
-// A value: copies share what has been computed, and nothing needs to outlive it.
+// It has value semantics: copies share what has been computed, and nothing needs to outlive it.
 class Regions {
  public:
   // Walls are (d−1)-simplices (see `walls`) that meet in common faces or not at all, each once.
@@ -100,13 +101,13 @@ class Regions {
           const std::vector<Point>& hole_seeds, DomainKind kind);
   explicit Regions(const PiecewiseLinearComplex& complex)
       : Regions(complex, complex.hole_seeds, complex.kind) {}
-  // With other hole seeds, and of another kind, than the complex says.
+  // With other hole seeds and another kind than those of the complex.
   Regions(const PiecewiseLinearComplex& complex, const std::vector<Point>& hole_seeds,
           DomainKind kind);
 
-  // How many regions there are, the unbounded one among them, and what each is: never kOnWall.
-  // Without a wall there is the unbounded one alone. In the hull kind it is inside (what there is
-  // of it within the hull), unless all points lie in one hyperplane: then nothing is inside.
+  // The number of regions, including the unbounded one, and what each is: never kOnWall. Without
+  // walls, the unbounded region is the only one. In the hull kind it is inside (its part within the
+  // hull), unless all points lie in one hyperplane: then nothing is inside.
   std::size_t size() const { return where_.size(); }
   Where where(std::size_t region) const { return where_[region]; }
   static constexpr std::size_t kUnbounded = 0;
@@ -118,17 +119,17 @@ class Regions {
     return {region_of_side_[2 * wall + 1], region_of_side_[2 * wall]};
   }
 
-  // Where a point is; the region of it, if it is on no wall. (Hull kind: what is beyond the convex
-  // hull is outside, though no wall be there; points of the hull's boundary are inside.)
+  // Where a point is; the region of it, if it is on no wall. (Hull kind: points beyond the convex
+  // hull are outside, even where there is no wall; points of the hull's boundary are inside.)
   Where locate(const Point& point) const;
-  // The region that a point is in, nothing if it is on a wall.
+  // The region that contains a point; nothing if the point is on a wall.
   std::optional<std::size_t> region_at(const Point& point) const;
 
   // The hole seeds, by their places in the list, that make no hole: those in the unbounded region;
   // in the hull kind all of them.
   const std::vector<std::size_t>& ignored_seeds() const { return ignored_seeds_; }
 
-  // The same, of which some bounded regions are holes.
+  // The same regions, with some bounded ones as holes.
   Regions with_holes(const std::vector<std::size_t>& regions) const {
     Regions other = *this;
     for (const std::size_t region : regions) other.where_[region] = Where::kHole;

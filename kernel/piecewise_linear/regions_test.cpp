@@ -1,4 +1,4 @@
-// Regions of the plane and of space, and the polygons out of lines that bound them.
+// Regions of the plane and of space, and the polygons that bound them, made of lines.
 #include "kernel/piecewise_linear/regions.hpp"
 
 #include <algorithm>

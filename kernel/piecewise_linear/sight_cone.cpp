@@ -50,7 +50,7 @@ Halfspace left_of(const Point& a, const Point& b) {
   return {normal, -inner_product(normal, a)};
 }
 
-// Whose intersection the polygon (the interval) is.
+// The polygon (the interval) is the intersection of these.
 std::vector<Halfspace> sides(const ConvexPolygon& polygon) {
   if (polygon[0].size() == 1) return {{{1}, -polygon[0][0]}, {{-1}, polygon[1][0]}};
   std::vector<Halfspace> sides;
@@ -60,7 +60,7 @@ std::vector<Halfspace> sides(const ConvexPolygon& polygon) {
   return sides;
 }
 
-// Three corners (two ends) that are affinely independent; none if there are none.
+// Three corners (two ends) that are affinely independent; nothing if there are none.
 std::optional<ConvexPolygon> independent_corners(const ConvexPolygon& polygon) {
   if (polygon.size() < 2) return std::nullopt;
   if (polygon[0].size() == 1) return polygon;
@@ -77,8 +77,8 @@ bool is_clockwise(const ConvexPolygon& corners) {
   return left_of(corners[0], corners[1]).height(corners[2]) < 0;
 }
 
-// What is left of a polygon when another, with the given sides, is taken away: cut along one line
-// after the other, so that what lies outside falls off; or all of it if nothing is taken away.
+// A polygon minus another one with the given sides: it is cut along one line after the other, and
+// each part that lies outside is kept; or the whole polygon, if the two do not overlap.
 std::vector<ConvexPolygon> difference(const ConvexPolygon& polygon,
                                       const std::vector<Halfspace>& removed) {
   std::vector<ConvexPolygon> left;

@@ -97,7 +97,8 @@ void find_list_breaches(const PiecewiseLinearInput& input, BreachList& found) {
   find_line_list_breaches(input, found);
 }
 
-// The three vertices at hand may be nearly in one line, and the others far off their plane for that reason alone.
+// These three vertices may be nearly collinear; then the others may be far off their plane for that
+// reason alone.
 Breach not_planar(const PointSet& points, const std::vector<Vertex>& vertices,
                   std::size_t polygon) {
   const NearestPlane plane = nearest_plane(coordinates(points, vertices));
@@ -163,7 +164,7 @@ class Simplices {
   Simplices(const PointSet& points, const CellBoxes& boxes, std::vector<Simplex> simplices)
       : points_(points), simplices_(std::move(simplices)), index_(boxes.index_of(simplices_)) {}
 
-  // The place in the list of one that does.
+  // The place in the list of a simplex that holds one.
   std::optional<std::size_t> place_at(const Point& point) const {
     for (const std::size_t i : index_.meeting(box_around(point))) {
       if (!intersection(coordinates(points_, simplices_[i]), {point}).empty()) return i;
@@ -187,9 +188,9 @@ std::vector<Simplex> as_simplices(const std::vector<Vertex>& vertices) {
   return simplices;
 }
 
-// For each triangle of a polygon with all its holes filled: is it in a component of the complement of
-// the lines that is beside the unbounded one? Without such a component a polygon has an indentation,
-// or is nothing, but no hole.
+// For each triangle of a polygon with all its holes filled: is it in a component of the complement
+// of the lines that is next to the unbounded one? If the triangles of such a component were left
+// out, the polygon would have a notch, or be empty, but would not have a hole.
 std::vector<bool> beside_outside(const std::vector<Simplex>& filled,
                                  const std::set<Simplex>& edges) {
   const std::vector<FacetUse> uses = facet_uses(filled);
@@ -258,7 +259,7 @@ void find_area_breaches(const PiecewiseLinearInput& input, const PiecewiseLinear
 
 // ---- All stages ----
 
-// What is in `a` and not in `b`, both ascending.
+// The elements of `a` that are not in `b`; both ascending.
 template <typename A, typename B>
 std::vector<typename A::value_type> difference(const A& a, const B& b) {
   std::vector<typename A::value_type> result;

@@ -1,5 +1,5 @@
-// Whether an input is a piecewise linear complex, and what is wrong with it if it is none. Book:
-// Section 4.5.1, Definition 4.3.
+// Whether an input is a piecewise linear complex, and what is wrong with it if not. Book: Section
+// 4.5.1, Definition 4.3.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@
 namespace circumspect {
 
 // ---- Breach ----
-// What is wrong with an input that is no piecewise linear complex. Book: Definition 4.3.
+// What is wrong with an input that is not a piecewise linear complex. Book: Definition 4.3.
 
 // One breach with its witness: breaches.def says what each kind sets. Vertices are indices of the input,
 // segments ascending pairs of them, polygons places in its list of polygons.
 //
 // The offset of a point q from the plane through a, b, c: with n = (b − a) × (c − a) and i the first
-// axis on which |n_i| is greatest, n·(q − a) / n_i. That far q lies from the plane along axis i, in
-// its direction if positive.
+// axis on which |n_i| is greatest, n·(q − a) / n_i. It is the distance of q from the plane along
+// axis i, positive in the direction of the axis.
 struct Breach {
   BreachKind kind;
   std::vector<Vertex> vertices = {};
@@ -41,11 +41,11 @@ struct Breach {
 
 inline constexpr std::size_t kBreachLimit = 20;
 
-// Breaches up to a limit, at which the search may end.
+// Collects breaches up to a limit, at which the search may end.
 class BreachList {
  public:
-  // A limit of 0 means all. Whoever hears of each breach at once need not have all of them kept, of which
-  // there may be more than memory holds: then the first kBreachLimit are.
+  // A limit of 0 means all. A caller that listens to each breach at once does not need all of them
+  // kept, and there may be more than memory holds; then only the first kBreachLimit are kept.
   explicit BreachList(std::size_t limit, std::function<void(const Breach&)> on_breach = {})
       : limit_(limit), on_breach_(std::move(on_breach)) {}
   void add(Breach breach) {
@@ -72,7 +72,7 @@ class BreachList {
 Rational offset_from_plane(const std::vector<Point>& plane, const Point& q);
 
 // ---- Polygon breaches ----
-// The stages of `validated` that hold polygons against other cells. Book: Section 4.5.1, Definition
+// The stages of `validated` that compare polygons with other cells. Book: Section 4.5.1, Definition
 // 4.3.
 
 // Each adds what it finds and ends early when the list is full.
@@ -87,10 +87,10 @@ void find_hole_seed_breaches(const PiecewiseLinearComplex& complex, BreachList& 
 
 // ---- Validity ----
 
-// Who waits for `validated`.
+// The listener of `validated`.
 struct ValidityWatch {
   Progress progress = {};
-  // Hears of each breach as soon as it is found. Then no more than kBreachLimit come back.
+  // Called with each breach as soon as it is found. Then at most kBreachLimit are returned.
   std::function<void(const Breach&)> on_breach = {};
 };
 
@@ -107,10 +107,11 @@ struct ValidityWatch {
 // 5. polygons against polygons, and the hole seeds of the domain against polygons.
 //
 // Legal are dangling polygons and segments, isolated vertices, open surfaces, slits, several lines a
-// polygon, lines of two vertices or one, a segment listed twice or also an edge of a polygon, a line
-// that passes an edge or a vertex again (not at once), polygons that touch in a vertex. What a polygon
-// lists but what lies outside it belongs to the complex, not to the polygon.
-// Requires: points and hole seeds all have the same dimension, 2 or 3; in the plane no polygon.
+// polygon, lines of two vertices or one, a segment listed twice or also an edge of a polygon, a
+// line that passes an edge or a vertex again (not immediately), polygons that touch in a vertex.
+// Anything that a polygon lists but that lies outside it belongs to the complex, not to the
+// polygon. Requires: points and hole seeds all have the same dimension, 2 or 3; in the plane no
+// polygon.
 tl::expected<PiecewiseLinearComplex, std::vector<Breach>> validated(
     const PiecewiseLinearInput& input, std::size_t limit = kBreachLimit,
     const ValidityWatch& watch = {});
@@ -119,13 +120,13 @@ tl::expected<PiecewiseLinearComplex, std::vector<Breach>> validated(
 struct Adoption {
   std::size_t polygon;
   std::vector<Vertex> vertices;       // that lie in it, and were not listed
-  std::vector<Simplex> segments;      // likewise: slits
+  std::vector<Simplex> segments;      // the same for slits
   std::vector<Vertex> left_vertices;  // that are listed and do not lie in it
   std::vector<Simplex> left_segments;
 };
 
-// Those of polygons that differ, ascending.
-// Requires: the complex is what validated or assemble made of the input.
+// The adoptions of polygons that differ, ascending. Requires: the complex is what validated or
+// assemble made of the input.
 std::vector<Adoption> adoptions(const PiecewiseLinearInput& input,
                                 const PiecewiseLinearComplex& complex);
 

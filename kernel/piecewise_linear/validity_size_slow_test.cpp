@@ -1,4 +1,4 @@
-// Inputs large enough that anything quadratic would be felt.
+// Inputs large enough to show quadratic time.
 #include <doctest/doctest.h>
 
 #include "kernel/piecewise_linear/polygon_triangles.hpp"
@@ -7,7 +7,7 @@
 namespace circumspect {
 namespace {
 
-// A surface of 2·n² triangles over a square grid, with heights that follow no pattern.
+// A surface of 2·n² triangles over a square grid, with irregular heights.
 PiecewiseLinearInput height_field(Vertex n) {
   PiecewiseLinearInput input;
   unsigned state = 1;
@@ -106,7 +106,7 @@ PiecewiseLinearInput double_cone(Vertex rim) {
   return input;
 }
 
-// Pages about the z-axis; without the spine they cross in it.
+// Pages around the z-axis; without the spine they cross in it.
 PiecewiseLinearInput book(Vertex pages, bool has_spine) {
   PiecewiseLinearInput input;
   input.points = {{0, 0, 0}, {0, 0, 1}};

@@ -71,7 +71,7 @@ TEST_CASE("plc.degenerate-segment") {
   PiecewiseLinearInput input = square();
   input.segments = {{1}};
   CHECK(breaches(input) == std::vector<Breach>{{BreachKind::kDegenerateSegment, {}, {{1}}}});
-  // Twice, and an edge of a polygon.
+  // A segment listed twice, which is also an edge of a polygon.
   CHECK(is_valid(with_segment(with_segment(square(), 0, 1), 1, 0)));
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("plc.polygon-not-planar: how far off the plane that is nearest to all 
   CHECK(*breach.squared_distance > 0);
   CHECK(*breach.squared_distance <
         Rational(1, 1'000'000'000'000'000) * Rational(1, 1'000'000'000'000'000));
-  // Planar, but along no axis.
+  // Planar, but not parallel to an axis.
   PiecewiseLinearInput slanted = square();
   for (Point& p : slanted.points) p[2] = p[0] / 3 + p[1] / 7;
   CHECK(is_valid(slanted));
@@ -142,9 +142,9 @@ TEST_CASE("plc.segment-pierces-polygon") {
   CHECK(
       breaches(with_segment(square({{3, 1, -1}, {3, 1, 2}}), 4, 5)) ==
       std::vector<Breach>{{BreachKind::kSegmentPiercesPolygon, {}, {{4, 5}}, {0}, Point{3, 1, 0}}});
-  // Through the diagonal of the square, whichever is drawn: one breach.
+  // It goes through the diagonal of the square, whichever is drawn: one breach.
   CHECK(breaches(with_segment(square({{4, 4, -1}, {4, 4, 1}}), 4, 5)).size() == 1);
-  // Up to the polygon: its end is adopted.
+  // It reaches up to the polygon: its end is adopted.
   CHECK(is_valid(with_segment(input, 4, 6)));
   CHECK(is_valid(with_segment(square({{9, 1, -1}, {9, 1, 1}}), 4, 5)));
 }
@@ -159,9 +159,9 @@ TEST_CASE("plc.polygons-cross: their vertices are in place, the segment between 
   const Point& witness = *found[0].point;
   CHECK((witness[0] > 2 && witness[0] < 4 && witness[1] == 2 && witness[2] == 0));
   CHECK(is_valid(with_segment(input, 4, 5)));
-  // Standing on the square with an edge: it is a slit of it.
+  // It stands on the square with an edge, which is a slit of the square.
   CHECK(is_valid(with_polygon(square(upright), {4, 5, 6})));
-  // Touching it in a vertex.
+  // It touches the square in a vertex.
   CHECK(is_valid(with_polygon(square({{2, 2, 0}, {2, 2, 1}, {3, 2, 1}}), {4, 5, 6})));
 }
 
@@ -254,7 +254,7 @@ TEST_CASE("plc.polygon-hole-seed: a seed in what borders on the outside makes no
     const std::vector<Breach> found = breaches(with_seed(input, seed));
     return found == std::vector<Breach>{{BreachKind::kPolygonHoleSeed, {}, {}, {0}, seed}};
   };
-  // Nothing would be left of it, or only what was to be a hole.
+  // The polygon would be empty, or only what should be a hole would remain.
   CHECK(in_no_hole(square(), {3, 3, 0}));
   const auto holed = square({{2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}}, {{4, 5, 6, 7}});
   CHECK(in_no_hole(holed, {1, 1, 0}));
@@ -348,7 +348,7 @@ TEST_CASE("validated in the plane: vertices and segments") {
         std::vector<Breach>{{BreachKind::kVertexInSegment, {1}, {{0, 2}}, {}, Point{1, 1}}});
   // Segments of one line that overlap have vertices inside one another.
   CHECK(breaches(plane(row, {{0, 2}, {1, 3}})).size() == 2);
-  // A T: the end of one inside the other, which is no crossing.
+  // A T: the end of one inside the other, which is not a crossing.
   CHECK(breaches(plane({{0, 0}, {4, 0}, {2, 0}, {2, 3}}, {{0, 1}, {2, 3}})) ==
         std::vector<Breach>{{BreachKind::kVertexInSegment, {2}, {{0, 1}}, {}, Point{2, 0}}});
 }

@@ -2,13 +2,12 @@
 // are visible to each other if xy respects P, that is, xy ⊆ |P| and no linear cell occludes: none
 // intersects the relative interior of xy without including xy.
 //
-// Let σ respect P, let v be a vertex of P that is none of σ's, and H = aff(v ∪ σ), of dimension k.
-// A line of sight goes from v through relint σ; the directions of all of them are an open set of
-// dimension k − 1. Is v visible from a point of relint σ? In three steps, which the functions below
-// justify:
+// Let σ respect P, let v be a vertex of P but not of σ, and H = aff(v ∪ σ), of dimension k. A line
+// of sight goes from v through relint σ; the directions of all of them are an open set of dimension
+// k − 1. Is v visible from a point of relint σ? In three steps, which the functions below justify:
 //
 // 1. `entrances`: the faces φ of σ through which lines of sight enter σ.
-// 2. `unoccluded_point`: of each φ, the part that no cell before it occludes; and a point in it.
+// 2. `unoccluded_point`: the part of each φ that no cell before it occludes; and a point in it.
 // 3. `opens_into_domain`, `is_in_domain`: does |P| contain the way from there to v?
 #include "kernel/piecewise_linear/visibility.hpp"
 
@@ -98,20 +97,21 @@ class Visibility {
   //
   // Some cells meet H in a set that fills no more than k − 2 dimensions of directions: vertices;
   // segments, unless k = 2 and they lie in H; polygons whose plane contains v. They block a nowhere
-  // dense set of directions. All other cells that meet H between v and φ are obstacles: of those
-  // each blocks a closed set of directions. So v is visible iff the obstacles leave any direction
-  // open. For what they leave is open, and a nowhere dense set cannot fill that. The obstacles are
+  // dense set of directions. All other cells that meet H between v and φ are obstacles: each of
+  // these blocks a closed set of directions. So v is visible iff the obstacles leave any direction
+  // open, because the rest is an open set, and a nowhere dense set cannot fill it. The obstacles
+  // are
   //  - if k = 3, the walls, which are triangles of polygons;
   //  - if k = 2 in the plane, the walls, which are segments;
   //  - if k = 2 in space, segments in H, and what H cuts out of walls. A polygon that lies in H occludes
   //    nothing: a line in H that enters or leaves it crosses its boundary, which consists of segments.
   // If v ∉ aff σ, a polygon that contains σ meets no line of sight before σ, or includes it.
   //
-  // So as not to look at all cells, one line of sight is tried, through a part of φ that is still
-  // open. The obstacles on it are taken away from what is open, and so on, until one line is clear
-  // or nothing is open. This ends, because each obstacle on a line takes away part of what was
-  // open, and no later line meets it. If only cells that block few directions are on the line,
-  // others through the same part are tried, until they avoid those.
+  // To avoid looking at all cells, one line of sight is tried, through a part of φ that is still
+  // open. The obstacles on it are subtracted from what is open, and so on, until a line is clear or
+  // nothing is open. This ends, because each obstacle on a line removes part of what was open, and
+  // no later line meets it. If the line meets only cells that block few directions, other lines
+  // through the same part are tried, until one avoids these cells.
 
   // A point of relint σ on a line of sight through relint φ that nothing occludes.
   std::optional<Point> unoccluded_point(const Simplex& face) const {
@@ -133,8 +133,8 @@ class Visibility {
     return std::nullopt;
   }
 
-  // The segments and walls that occlude v from x. A wall in a plane with x and v is passed over: if
-  // its polygon occludes, so does one of the segments that bound that.
+  // The segments and walls that occlude v from x. A wall in a plane with x and v is skipped: if its
+  // polygon occludes, so does one of the segments that bound the polygon.
   struct Cells {
     std::vector<Simplex> cells;
     bool empty = true;  // of vertices, too
@@ -162,8 +162,8 @@ class Visibility {
     return found;
   }
 
-  // What H has in common with a segment or a wall, by the ends (corners), if that is an obstacle;
-  // else nothing.
+  // The intersection of H with a segment or a wall, given by its ends (corners), if it is an
+  // obstacle; else nothing.
   std::vector<Point> in_hull(const Simplex& face, const Simplex& cell) const {
     if (face.size() == dimension()) {
       return cell.size() == dimension() ? coordinates(points(), cell) : std::vector<Point>();
@@ -182,7 +182,7 @@ class Visibility {
     return ends.size() == 2 ? ends : std::vector<Point>();
   }
 
-  // On which side of H is w, if k = 2 in space? H is the plane through v and an edge φ.
+  // For k = 2 in space: on which side of H is w? H is the plane through v and an edge φ.
   int side(const Simplex& edge, Vertex w) const {
     if (w == v_ || contains(edge, w)) return 0;
     return orientation(points().configuration(), kSpace, Simplex{edge[0], edge[1], v_, w});

@@ -1,5 +1,5 @@
-// What respects a complex, what is visible in it, and the cone in which that is seen. Book:
-// Section 4.5.2, Definitions 2.11 and 2.13.
+// Simplices that respect a complex, visibility in it, and the cone of directions that decides it.
+// Book: Section 4.5.2, Definitions 2.11 and 2.13.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@
 namespace circumspect {
 
 // ---- Sight cone ----
-// What of a simplex can be seen from a point, past obstacles. Book: Definition 2.13 (visibility).
+// The part of a simplex that can be seen from a point, past obstacles. Book: Definition 2.13
+// (visibility).
 
 // The cone of directions from a point v over a simplex φ of k = 2 or 3 vertices, v not in its
 // affine hull: a segment seen in its plane with v, or a triangle seen in space. A point p of the
 // plane (of space) has the coordinates c with p − v = Σ c_i (φ_i − v): it is in the cone iff all
-// are non-negative, and before φ, or on it, iff their sum is at most 1. Divided by their sum they
-// are the barycentric coordinates of the point of φ that p is seen before.
+// are non-negative, and before φ, or on it, iff their sum is at most 1. Divided by their sum, they
+// are the barycentric coordinates of the point of φ behind p, as seen from v.
 //
-// Obstacles are cut off at the sides of the cone and at φ, and what is left of them is projected on
-// φ. That is a convex polygon (an interval), and what convex polygons leave of a convex polygon is
-// cut into convex polygons along their edges. Of these, only such with interior points are kept:
-// the obstacles count as closed.
+// Obstacles are clipped to the cone and to the near side of φ, and the rest is projected on φ,
+// which gives a convex polygon (an interval). What remains of φ is cut into convex polygons along
+// the edges of these. Only those with interior points are kept: the obstacles count as closed.
 class SightCone {
  public:
   SightCone(Point v, std::vector<Point> simplex);
@@ -31,10 +31,10 @@ class SightCone {
   // The coordinates of a point. Requires: it is in the affine hull of v and the simplex.
   Point coordinates(const Point& point) const;
 
-  // Takes away the directions in which an obstacle, a triangle (if k = 2, a segment) given by the
-  // coordinates of its corners, lies before the simplex. One in whose plane (line) v lies covers no
-  // open set of directions, nor does one that does not come before the simplex. Says whether fewer
-  // directions are open now.
+  // Subtracts the directions in which an obstacle, a triangle (if k = 2, a segment) given by the
+  // coordinates of its corners, lies before the simplex. An obstacle whose plane (line) contains v
+  // covers no open set of directions, and neither does one that is not before the simplex. Returns
+  // whether fewer directions are open now.
   bool obstruct(const std::vector<Point>& obstacle);
 
   // k affinely independent points of the simplex such that no obstacle lies before the interior of
@@ -42,7 +42,7 @@ class SightCone {
   std::optional<std::vector<Point>> open_part() const;
 
  private:
-  using Polygon = std::vector<Point>;  // counterclockwise; an interval: its ends in order
+  using Polygon = std::vector<Point>;  // counterclockwise; for an interval, its ends in order
 
   Polygon shadow(Polygon obstacle) const;
 

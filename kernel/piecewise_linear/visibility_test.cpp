@@ -8,7 +8,7 @@
 namespace circumspect {
 namespace {
 
-// Vertices that see a simplex, among all that are none of its own.
+// The vertices that see a simplex, among all vertices but its own.
 std::vector<Vertex> seen_from(const PiecewiseLinearInput& input, const Simplex& simplex) {
   const auto complex = assemble(input);
   const Regions regions(complex);
@@ -129,7 +129,7 @@ TEST_CASE("visibility: a dangling triangle outside sees in its own plane alone, 
   CHECK(seen_from(input, {8, 9, 10}) == std::vector<Vertex>{11, 12});
   input.segments.push_back({9, 10});
   CHECK(seen_from(input, {8, 9, 10}).empty());
-  // Its edge outlines the polygon, and is seen likewise.
+  // Its edge is on the outline of the polygon, and is seen in the same way.
   CHECK(seen_from(input, {8, 9}) == std::vector<Vertex>{10});
 }
 

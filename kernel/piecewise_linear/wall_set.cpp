@@ -61,8 +61,8 @@ std::vector<std::size_t> WallSet::at(const Point& p) const {
   return found;
 }
 
-// Where in a wall, or in the cone over it, a point of its hyperplane lies: it must be on the same
-// side as the corner opposite to it of every facet; of a cone, of every facet at the apex.
+// Where a point of the hyperplane lies in a wall, or in the cone over it: for every facet of the
+// wall (for a cone, every facet at the apex), it must be on the same side as the opposite corner.
 WallSet::Meeting WallSet::place_in(std::size_t wall, const Point& p,
                                    std::optional<Vertex> apex) const {
   const Simplex& w = walls_[wall];

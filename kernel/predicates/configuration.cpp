@@ -19,8 +19,8 @@ std::vector<std::size_t> ranks_by(std::size_t points, const IsBefore& is_before)
   return ranks;
 }
 
-// The numbers over the least power of two that makes words of them all, rounded down: in the same order, but for
-// numbers that become equal.
+// The numbers divided by the least power of two that makes all of them fit a word, rounded down:
+// they keep their order, except that some become equal.
 std::vector<long> leading_words(const std::vector<Integer>& numbers) {
   std::size_t bits = 0;
   for (const Integer& number : numbers) bits = std::max(bits, bit_length(number));
@@ -52,8 +52,8 @@ Configuration::Configuration(const std::vector<Point>& points, const std::vector
                       [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
     return;
   }
-  // Over one denominator numerators are in the order of the coordinates, and their leading bits tell almost
-  // all points apart.
+  // With one common denominator, numerators are in the order of the coordinates, and their leading
+  // bits distinguish almost all points.
   const auto d = static_cast<std::ptrdiff_t>(ambient_dimension_);
   const std::vector<long> leading = leading_words(numerators_);
   const auto at = [&](std::size_t v) {

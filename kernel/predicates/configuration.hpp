@@ -18,8 +18,8 @@ using Vertex = std::int64_t;
 // Point v is stored as integers X_1 … X_d over a positive denominator W, and its height
 // |p|² − weight as an integer H over W². One common W serves all points whenever it has at most
 // kLargestCommonScale bits, which holds for every set of doubles; points whose denominators have
-// little in common (rational points on a sphere) keep their own, or a common one would square the
-// size of the input. Both forms give the same signs.
+// little in common (rational points on a sphere) keep their own, because a common one would square
+// the size of the input. Both forms give the same signs.
 class Configuration {
  public:
   // Requires: points all have one dimension; weights is empty (all zero) or as long as points.
@@ -42,8 +42,8 @@ class Configuration {
   const Integer& height(Vertex v) const { return heights_[static_cast<std::size_t>(v)]; }
   bool has_common_denominator() const { return has_common_denominator_; }
 
-  // The place of v in the lexicographic order of the points, counted from 0; duplicates, which no
-  // point set has, would be ranked by index.
+  // The place of v in the lexicographic order of the points, counted from 0; duplicates, which a
+  // point set never has, would be ranked by index.
   std::size_t rank(Vertex v) const { return ranks_[static_cast<std::size_t>(v)]; }
 
   static constexpr std::size_t kLargestCommonScale = 2400;

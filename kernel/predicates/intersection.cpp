@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 #include <CGAL/mpq_class.h>
+#include <boost/variant.hpp>
 
 namespace circumspect {
 namespace {
@@ -16,7 +17,7 @@ using Kernel = CGAL::Simple_cartesian<Rational>;
 Point ours(const Kernel::Point_2& p) { return {p.x(), p.y()}; }
 Point ours(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
-// CGAL's objects of one dimension under common names.
+// CGAL's types for one dimension under common names.
 struct Plane {
   using Vertex = Kernel::Point_2;
   using Segment = Kernel::Segment_2;
@@ -64,12 +65,22 @@ struct Corners {
   }
 };
 
+// CGAL 6 answers with a std::variant of these, CGAL 5 with a boost::variant.
+template <typename In, typename... Kinds>
+std::vector<Point> corners(const std::variant<Kinds...>& common) {
+  return std::visit(Corners<In>(), common);
+}
+template <typename In, typename Common>
+std::vector<Point> corners(const Common& common) {
+  return boost::apply_visitor(Corners<In>(), common);
+}
+
 template <typename In>
 std::vector<Point> common_points(const std::vector<Point>& a, const std::vector<Point>& b) {
   const auto meet = [](const auto& one, const auto& other) -> std::vector<Point> {
     const auto common = CGAL::intersection(one, other);
     if (!common) return {};
-    return boost::apply_visitor(Corners<In>(), *common);
+    return corners<In>(*common);
   };
   return std::visit(meet, cell<In>(a), cell<In>(b));
 }

@@ -1,4 +1,4 @@
-// What two vertices, segments or triangles have in common. The work is CGAL's: its kernel over exact
+// What two vertices, segments or triangles have in common. CGAL's kernel does the work, over exact
 // rationals. Book: Definition 4.3 speaks of the intersections of linear cells.
 #pragma once
 

@@ -39,7 +39,7 @@ Rational orientation_determinant(const Configuration& points, std::span<const st
 // than k of them if its vertices are affinely dependent.
 std::vector<std::size_t> axes_of(const Configuration& points, std::span<const Vertex> simplex);
 
-// The axes of space, where a test is asked of them by number.
+// The axes of space, for tests that name them by number.
 inline constexpr std::array<std::size_t, 3> kSpace = {0, 1, 2};
 
 }  // namespace circumspect

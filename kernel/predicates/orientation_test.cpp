@@ -16,7 +16,7 @@
 namespace circumspect {
 
 // ---- Configuration ----
-// A configuration is its points: exact, whatever integers they are scaled to.
+// A configuration represents its points exactly, whatever integers they are scaled to.
 
 namespace {
 

@@ -163,7 +163,7 @@ TEST_CASE("perturbed_in_ball within the hull of all points is taken on the hull'
 }
 
 // Calls visit(points, facet, apex, q) for each facet of the leading simplex of the set, the vertex
-// opposite to it, and each other point q. Everything within the hull of the whole set.
+// opposite to it, and each other point q. Everything happens within the hull of the whole set.
 template <typename Visit>
 void for_all_facets(const PointsCase& set, const Visit& visit) {
   const generators::Scene scene = generators::scene(set, generators::Scaling::kCommon);

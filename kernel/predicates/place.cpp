@@ -38,7 +38,7 @@ std::span<const Axes> coordinate_planes(const Configuration& points) {
   return std::span(kCoordinatePlanes).first(points.ambient_dimension() == 2 ? 1 : 3);
 }
 
-// Does an edge of `a` have all of `b` on its other side, or in its line?
+// Does an edge of `a` have all of `b` on its outer side or in its line?
 bool an_edge_separates(const Configuration& points, std::span<const std::size_t> axes,
                        std::span<const Vertex> a, std::span<const Vertex> b) {
   const int front = orientation(points, axes, a);
@@ -66,8 +66,8 @@ bool lies_inside(const Configuration& points, std::span<const std::size_t> axes,
          least_barycentric_sign(points, axes, simplex, v) > 0;
 }
 
-// The hull is the graph of affine functions over the axes: v is on it iff it is on each of the
-// graphs of one function, seen on the axes and the one of its values.
+// The hull is the graph of affine functions over the axes: v is on it iff it is on the graph of
+// each of these functions, seen on the axes and the coordinate of its values.
 bool is_in_hull_of(const Configuration& points, std::span<const std::size_t> axes,
                    std::span<const Vertex> simplex, Vertex v) {
   std::vector<std::size_t> with_another(axes.begin(), axes.end());
@@ -114,8 +114,8 @@ bool segments_cross(const Configuration& points, std::span<const Vertex> a,
       orientation(points, kSpace, std::array{a[0], a[1], b[0], b[1]}) != 0) {
     return false;
   }
-  // Four points of one plane. Unless it is upright over a coordinate plane, in which case all signs
-  // are zero there, the projection keeps what there is to decide.
+  // Four coplanar points. Unless their plane is perpendicular to a coordinate plane, in which case
+  // all signs are zero there, the projection preserves the answer.
   for (const Axes& axes : coordinate_planes(points)) {
     const int b0 = orientation(points, axes, std::array{a[0], a[1], b[0]});
     const int b1 = orientation(points, axes, std::array{a[0], a[1], b[1]});

@@ -1,7 +1,7 @@
-// Where a vertex lies with respect to a simplex, and how segments and triangles lie to one another:
-// signs of integer determinants alone. Where two of them meet, `intersection` says in what.
-// Book: Definition 4.3 (cells that meet only in shared cells), Section 5.5 (the simplex that contains a point).
-// All of them require distinct points.
+// Where a vertex lies with respect to a simplex, and how segments and triangles lie with respect to
+// one another, by signs of integer determinants alone. If two of them meet, `intersection` computes
+// where. Book: Definition 4.3 (cells that meet only in shared cells), Section 5.5 (the simplex that
+// contains a point). All of them require distinct points.
 //
 // Laws (held by place_test.cpp under these numbers):
 //  P1 v lies in a closed simplex iff it is a convex combination of its vertices, and inside iff all
@@ -39,8 +39,8 @@ bool is_in_hull_of(const Configuration& points, std::span<const std::size_t> axe
 // Does v lie in the relative interior of the segment?
 bool lies_inside_segment(const Configuration& points, std::span<const Vertex> segment, Vertex v);
 
-// Have the segments a point in common that is inside both, without lying on one line?
-// Requires: no vertex in common.
+// Do the segments have a point in common that is inside both, without being collinear? Requires: no
+// vertex in common.
 bool segments_cross(const Configuration& points, std::span<const Vertex> a,
                     std::span<const Vertex> b);
 
@@ -52,12 +52,12 @@ std::vector<std::size_t> axes_of_plane(const Configuration& points,
 // On which side of the triangle is v? Zero in its plane. Requires: points of space.
 int side_of_triangle(const Configuration& points, std::span<const Vertex> triangle, Vertex v);
 
-// Has the segment an end strictly on either side of the triangle, and goes through it?
-// Requires: points of space.
+// Does the segment have ends strictly on both sides of the triangle, and pass through it? Requires:
+// points of space.
 bool segment_pierces_triangle(const Configuration& points, std::span<const Vertex> segment,
                               std::span<const Vertex> triangle);
 
-// Have the triangles of one plane, with coordinates `axes`, interior points in common?
+// Do two coplanar triangles, with coordinates `axes`, have interior points in common?
 bool interiors_meet(const Configuration& points, std::span<const std::size_t> axes,
                     std::span<const Vertex> a, std::span<const Vertex> b);
 

@@ -164,7 +164,7 @@ TEST_CASE("P5, P3: triangles of a plane whose interiors meet have an area in com
   for (const std::size_t d : {2U, 3U}) {
     CHECK(properties::holds("dimension " + std::to_string(d), [d] {
       std::vector<Point> six = distinct_points(2, 6);
-      // In space they lie in a plane that is aslant.
+      // In space they lie in an oblique plane.
       for (Point& p : six) {
         if (d == 3) p.push_back(2 * p[0] - p[1] + 1);
       }

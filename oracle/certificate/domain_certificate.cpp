@@ -43,8 +43,12 @@ void set_plane(const ScaledPoints& points, const Simplex& triangle, PolygonCerti
     polygon.normal[axis] =
         difference(1, next) * difference(2, last) - difference(1, last) * difference(2, next);
   }
+  // The least such integers: so the plane is the same, whichever triangle says it.
+  Integer common = gcd(gcd(polygon.normal[0], polygon.normal[1]), polygon.normal[2]);
   polygon.axis = 0;
   while (polygon.normal[polygon.axis] == 0) ++polygon.axis;
+  if (polygon.normal[polygon.axis] < 0) common = -common;
+  for (Integer& x : polygon.normal) x /= common;
   polygon.offset = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     polygon.offset += polygon.normal[axis] * points.coordinate(triangle[0], axis);
@@ -240,6 +244,20 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
   const auto pieces = check::wall_pieces(in, verdict);
   if (!pieces) return tl::unexpected(std::string(kNoCertificate) + "its walls are not tiled");
   return certificate_in(in, domain, listed, claim, *pieces, fillers);
+}
+
+tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledMesh& filled_mesh,
+                                                                   const Domain& domain,
+                                                                   const ListedSegments& listed,
+                                                                   const HullFillers& fillers) {
+  HullFillers known = fillers;
+  const std::size_t dimension = domain.complex.ambient_dimension();
+  known.fill = [&](const PointSet& points, const std::vector<Simplex>& simplices) {
+    return points.ambient_dimension() == dimension ? filled_mesh.rest
+                                                   : fillers.fill(points, simplices);
+  };
+  return domain_certificate_of(filled_mesh.mesh, domain, listed, Claim::kSteinerTriangulation,
+                               known);
 }
 
 }  // namespace circumspect::certificate

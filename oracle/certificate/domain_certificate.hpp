@@ -102,6 +102,13 @@ struct DomainCertificate {
   std::optional<ComplexPart> complex = {};
 };
 
+// A mesh of a domain in which nothing dangles, and the simplices that fill the hull of its points besides. Its points need
+// not be vertices of the mesh.
+struct FilledMesh {
+  ExactMesh mesh;
+  std::vector<Simplex> rest;
+};
+
 // What a domain certificate needs and does not construct: it need not be trusted.
 struct HullFillers {
   // d-simplices of points of the set that fill its convex hull together with the given ones, face to face;
@@ -111,8 +118,8 @@ struct HullFillers {
   Filler fill;
   Filler fill_delaunay;  // likewise, and all of them Delaunay
   std::function<std::vector<Simplex>(const PointSet&)> triangulate;
-  // A mesh of the domain, with Steiner points if it needs them, in which nothing dangles; or nothing.
-  std::function<std::optional<ExactMesh>(const PiecewiseLinearComplex&)> mesh;
+  // One with Steiner points, if it needs them; or nothing.
+  std::function<std::optional<FilledMesh>(const PiecewiseLinearComplex&)> mesh;
 };
 
 // Nothing if the boundary of a polygon or of what is filled is no union of segments and polygons.
@@ -126,6 +133,12 @@ tl::expected<DomainCertificate, std::string> domain_certificate_of(const ExactMe
                                                                    const Domain& domain,
                                                                    const ListedSegments& listed,
                                                                    Claim claim,
+                                                                   const HullFillers& fillers);
+
+// The same of a mesh with what fills its hull: a Steiner triangulation.
+tl::expected<DomainCertificate, std::string> domain_certificate_of(const FilledMesh& filled_mesh,
+                                                                   const Domain& domain,
+                                                                   const ListedSegments& listed,
                                                                    const HullFillers& fillers);
 
 // As proofs/CERTIFICATE.md lays it out.
@@ -217,6 +230,7 @@ struct Impossibility {
   std::vector<Simplex> segments = {};
   std::vector<HomogeneousPoint> holes = {};
   std::vector<PolygonCertificate> polygons = {};
+  DomainCertificate mesh;                 // of the domain: nothing dangles
   std::vector<std::string> fates = {};    // of the candidates, as lines of the file
   std::vector<std::string> reasons = {};  // of the clauses, likewise
   std::vector<ProofStep> steps = {};

@@ -115,6 +115,16 @@ class Finder {
     }
   }
 
+  // With fewer vertices it may dangle.
+  std::optional<Evidence> no_simplex() const {
+    for (std::size_t s = 0; s < mesh_.simplices.size(); ++s) {
+      const std::size_t size = mesh_.simplices[s].size();
+      if (size == 0 || size > points_.dimension + 1)
+        return Evidence{Rule::kWrongDimension, {to_integer(s) + 1}};
+    }
+    return std::nullopt;
+  }
+
   std::optional<Evidence> vertex_missing() const {
     for (Vertex v = 0; complex_.points.names(v); ++v) {
       if (!used_.contains(complex_.points[v]))
@@ -210,6 +220,31 @@ class Finder {
     return std::nullopt;
   }
 
+  // Of three simplices at a facet two are on one side of it: they overlap.
+  std::optional<Evidence> overlap_beside_facet(const Verdict& verdict) const {
+    for (const Violation& violation : verdict.violations()) {
+      if (violation.rule != Rule::kFacetOverused || !violation.witness.face) continue;
+      std::vector<Simplex> around;
+      for (const Simplex& simplex : mesh_.simplices) {
+        const bool has_facet =
+            std::all_of(violation.witness.face->begin(), violation.witness.face->end(),
+                        [&](Vertex v) { return contains(simplex, v); });
+        if (has_facet && simplex.size() == points_.dimension + 1) around.push_back(simplex);
+      }
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const auto point = improper_intersection(mesh_.points, around[i], around[j]);
+          if (!point) continue;
+          Witness witness;
+          witness.simplices = {around[i], around[j]};
+          witness.point = point;
+          return overlap_evidence(mesh_, points_, Rule::kOverlap, witness);
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
   // The midpoint of two vertices of the mesh that follow on each other on the segment and are no edge.
   std::optional<Evidence> segment_missing() const {
     std::set<Simplex> edges;
@@ -289,7 +324,10 @@ std::optional<Evidence> evidence_in(const ExactMesh& mesh, const ExactMesh& all,
     if (rule == Rule::kSegmentMissing) found = finder.segment_missing();
     if (rule == Rule::kVertexInEdge) found = finder.vertex_in_edge(verdict);
     if (rule == Rule::kNoEmptyBall) found = finder.no_empty_ball(verdict);
-    if (refutes(rule, verdict.claim())) {
+    if (rule == Rule::kFacetOverused) found = finder.overlap_beside_facet(verdict);
+    if (rule == Rule::kWrongDimension) {
+      found = finder.no_simplex();
+    } else if (refutes(rule, verdict.claim())) {
       found = evidence_for(rule == Rule::kOverlap ? all : mesh, verdict, points, rule);
     }
     if (found) return found;

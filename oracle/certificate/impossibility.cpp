@@ -17,7 +17,6 @@
 
 namespace circumspect::certificate {
 namespace {
-
 struct Plane {
   Point normal;
   Rational offset;
@@ -118,9 +117,8 @@ class Search {
 
   std::string text(const Point& point) const {
     const HomogeneousPoint q = scaled(points_, point);
-    std::string words;
-    for (const Integer& x : q.numerators) words += x.get_str() + " ";
-    return words + q.denominator.get_str();
+    return fmt::format("{} {} {} {}", q.numerators[0].get_str(), q.numerators[1].get_str(),
+                       q.numerators[2].get_str(), q.denominator.get_str());
   }
 
   // What is called so, with the point if it is no vertex.
@@ -412,13 +410,16 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, 
                                                           const HullFillers& fillers,
                                                           const Decide& decide) {
   const PiecewiseLinearComplex& complex = domain.complex;
-  auto points = scaled_to_integers(complex.points);
-  if (!points) return tl::unexpected(points.error());
+  const auto filled = fillers.mesh(complex);
+  if (!filled) return tl::unexpected(std::string("no mesh of the domain was found"));
+  auto mesh = domain_certificate_of(*filled, domain, listed, fillers);
+  if (!mesh) return tl::unexpected(mesh.error());
   Impossibility made{.claim = claim,
                      .kind = complex.kind,
-                     .points = std::move(*points),
-                     .segments = complex.segments};
-  for (const Point& seed : complex.hole_seeds) made.holes.push_back(scaled(made.points, seed));
+                     .points = in_scale_of(mesh->mesh.points, complex.points),
+                     .segments = complex.segments,
+                     .mesh = std::move(*mesh)};
+  for (const Hole& hole : made.mesh.part.holes) made.holes.push_back(hole.seed);
   const PolygonPlace place{complex, complex.points, made.points, [](Vertex) { return true; },
                            [&](std::size_t segment) { return complex.segments[segment]; }};
   for (std::size_t cell = 0; cell < complex.polygons.size(); ++cell) {
@@ -440,8 +441,8 @@ tl::expected<Impossibility, std::string> impossibility_of(const Domain& domain, 
     }
     if (!search.add_overlaps(*decision->model)) {
       return tl::unexpected(
-          std::string("what is proved of every triangulation does not suffice: tetrahedra can be "
-                      "chosen that do not overlap"));
+          std::string("what is proved of every triangulation does not suffice: "
+                      "tetrahedra can be chosen that do not overlap"));
     }
   }
 }

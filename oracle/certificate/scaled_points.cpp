@@ -112,6 +112,15 @@ HomogeneousPoint scaled(const ScaledPoints& points, const Point& point) {
   return result;
 }
 
+ScaledPoints in_scale_of(const ScaledPoints& points, const PointSet& those) {
+  ScaledPoints made{points.dimension, points.scale_numerator, points.scale_denominator};
+  for (const Point& point : those.points()) {
+    const HomogeneousPoint there = scaled(points, point);
+    for (const Integer& x : there.numerators) made.coordinates.push_back(x / there.denominator);
+  }
+  return made;
+}
+
 HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices) {
   HomogeneousPoint sum{std::vector<Integer>(points.dimension, Integer(0)),
                        Integer(static_cast<unsigned long>(vertices.size()))};

@@ -52,6 +52,9 @@ HomogeneousPoint in_lowest_terms(HomogeneousPoint point);
 // A point among the integer points. `point` is in the user's own coordinates.
 HomogeneousPoint scaled(const ScaledPoints& points, const Point& point);
 
+// Some of these points, in their scale. Requires: `those` are among the points.
+ScaledPoints in_scale_of(const ScaledPoints& points, const PointSet& those);
+
 // The barycentre of some of the points. Requires: vertices is not empty.
 HomogeneousPoint barycentre(const ScaledPoints& points, const Simplex& vertices);
 

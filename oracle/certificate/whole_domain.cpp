@@ -247,11 +247,11 @@ class WholeSearch {
   std::optional<WholeEvidence> uncovered_inside() {
     const auto other = fillers_.mesh(domain_.complex);
     if (!other) return std::nullopt;
-    auto certificate =
-        domain_certificate_of(*other, domain_, listed_, Claim::kSteinerTriangulation, fillers_);
+    auto certificate = domain_certificate_of(*other, domain_, listed_, fillers_);
     if (!certificate) return std::nullopt;
-    for (std::size_t s = 0; s < other->simplices.size(); ++s) {
-      for (const Point& point : samples(coordinates(other->points, other->simplices[s]))) {
+    const ExactMesh& mesh = other->mesh;
+    for (std::size_t s = 0; s < mesh.simplices.size(); ++s) {
+      for (const Point& point : samples(coordinates(mesh.points, mesh.simplices[s]))) {
         const HomogeneousPoint here = scaled(points_, point);
         if (!is_in_none(ordinary(here))) continue;
         const Point there = ordinary(scaled(certificate->mesh.points, point));

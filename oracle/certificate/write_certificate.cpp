@@ -357,7 +357,7 @@ void write(std::ostream& out, const ExactMesh& mesh, const DomainRefutation& ref
 
 void write(std::ostream& out, const Impossibility& impossibility) {
   Lines lines(out);
-  write_first_line(lines, "circumspect-impossibility 1", impossibility.claim, 3,
+  write_first_line(lines, "circumspect-impossibility 2", impossibility.claim, 3,
                    name_of(impossibility.kind));
   write_scale(lines, impossibility.points);
   begin_section(lines, "vertices", impossibility.points.size());
@@ -367,6 +367,9 @@ void write(std::ostream& out, const Impossibility& impossibility) {
   }
   write_domain(lines, impossibility.points.size(), impossibility.segments, impossibility.holes,
                impossibility.polygons);
+  lines << "mesh";
+  lines.end_line();
+  write_body(lines, impossibility.mesh);
   begin_section(lines, "candidates", impossibility.fates.size());
   for (const std::string& fate : impossibility.fates) {
     lines << fate;

@@ -22,7 +22,7 @@
 
 namespace circumspect::distributed {
 
-// The names of several simplices, or of their facets.
+// Names of several simplices, or of their facets.
 using FacetNames = std::vector<FacetName>;
 
 template <class Item>
@@ -30,7 +30,8 @@ void append(std::vector<Item>& list, const std::vector<Item>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-// Groups of names of all ranks at the first one. They travel in one list, each behind its size.
+// Gathers groups of names of all ranks at the first one. They are sent in one list, each after its
+// size.
 inline std::vector<FacetNames> groups_at_first(Ranks& ranks, const std::vector<FacetNames>& own) {
   FacetNames list;
   for (const FacetNames& group : own) {
@@ -57,12 +58,12 @@ std::uint64_t hash_of(const std::array<std::int64_t, kSize>& indices) {
 
 // ---- Facets ----
 
-// What is across the facets of the own simplices, and what is wrong with it.
+// What is across the facets of this rank's simplices, and what is wrong there.
 struct FacetFindings {
   std::vector<FacetNames> overused = {};     // of three and more simplices
   std::vector<FacetNames> same_side = {};    // of two, on the same side
   std::vector<FacetNames> not_local = {};    // of two, not locally Delaunay
-  std::vector<std::uint32_t> boundary = {};  // own ones that no other simplex has
+  std::vector<std::uint32_t> boundary = {};  // this rank's, which no other simplex has
   bool unique = true;                        // as in fast::Swept
   bool canonical = true;
   fast::Stages stages = {};
@@ -70,10 +71,10 @@ struct FacetFindings {
   bool match() const { return overused.empty() && same_side.empty(); }
 };
 
-// What is asked of balls.
+// The question about balls.
 struct BallQuestions {
   bool asked = false;
-  fast::Lattice lattice = {};  // one that the points of all ranks lie on
+  fast::Lattice lattice = {};  // one that contains the points of all ranks
 };
 
 template <std::size_t kDimension>
@@ -84,10 +85,10 @@ class FacetMeeting {
                const fast::Orientations& orientations, const BallQuestions& balls)
       : ranks_(ranks), mesh_(mesh), orientations_(orientations), balls_(balls) {}
 
-  // Facet i of the `count` own ones that are to meet is facet_of(i). Called by all ranks.
+  // facet_of(i) is facet i of this rank's `count` facets that have to meet. Called by all ranks.
   template <class FacetOf>
   FacetFindings run(std::size_t count, const FacetOf& facet_of) {
-    std::pmr::vector<Pair> pairs;  // of which an own facet is the first
+    std::pmr::vector<Pair> pairs;  // the first of each is a facet of this rank
     meet<Pair>(
         ranks_, count, [&](std::size_t i) { return hash_of(vertices_of(facet_of(i))); },
         [&](std::size_t i) { return item(facet_of(i)); },
@@ -102,7 +103,7 @@ class FacetMeeting {
             pairs.push_back(pair);
           }
         });
-    // The apexes of those that are of two ranks, some at a time.
+    // Exchanges the apexes of pairs on two ranks, in batches.
     const std::size_t some = ranks_.some(3 * sizeof(Apex));
     const std::uint64_t rounds = ranks_.most((pairs.size() + some - 1) / some);
     for (std::uint64_t round = 0; round < rounds; ++round) {
@@ -132,12 +133,12 @@ class FacetMeeting {
     std::uint64_t hash() const { return hash_of(vertices); }
     bool same(const Item& other) const { return vertices == other.vertices; }
   };
-  // Two facets that are one; no rank: the other does not exist.
+  // Two equal facets; without a rank: the other does not exist.
   struct Pair {
     std::uint32_t facet;  // of whom it is posted to
     FacetName other;
   };
-  // What the owner of a facet is asked about the ball of its simplex.
+  // The question to the owner of a facet about the ball of its simplex.
   struct Apex {
     std::uint32_t facet;  // of whom it is posted to
     FacetName other;      // across it
@@ -190,7 +191,7 @@ class FacetMeeting {
     } else if (a.is_positive() == b.is_positive()) {
       found_.same_side.push_back({a.name(), b.name()});
     } else if (balls_.asked) {
-      // Either side may ask: half of the ranks' work for each.
+      // Either side may ask, so each takes half of the work.
       const bool first = (a.hash() >> 40 & 1) != 0;
       tell(first ? a : b, first ? b.name() : a.name());
     }
@@ -240,8 +241,8 @@ struct FaultyRidgeName {
   FacetNames facets = {};
 };
 
-// Condition 2, of the boundary facets of all ranks: the ridges of those whose hash names this rank that are not
-// in order. Called by all ranks.
+// Condition 2 for the boundary facets of all ranks. Returns the faulty ridges among those whose
+// hash names this rank. Called by all ranks.
 template <std::size_t kDimension>
 std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
                                                        const LocalMesh<kDimension>& mesh,
@@ -251,7 +252,7 @@ std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
   struct Item {
     std::array<std::int64_t, kDimension - 1> ridge;  // ascending
     FacetName facet;
-    fast::SiteRow<kDimension> hinge;  // as fast::makes_no_reflex_angle wants it
+    fast::SiteRow<kDimension> hinge;  // as fast::makes_no_reflex_angle requires it
 
     std::uint64_t hash() const { return hash_of(ridge); }
     bool same(const Item& other) const { return ridge == other.ridge; }
@@ -291,7 +292,7 @@ std::vector<FaultyRidgeName<kDimension>> faulty_ridges(Ranks& ranks,
 
 // ---- Sample point ----
 
-// Own boundary facets that do not have the sample point strictly on their inner sides.
+// This rank's boundary facets that do not have the sample point strictly on their inner sides.
 template <std::size_t kDimension>
 FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
                   const std::vector<std::uint32_t>& boundary,
@@ -309,7 +310,8 @@ FacetNames beyond(const Ranks& ranks, const LocalMesh<kDimension>& mesh,
 
 // ---- Simplices and points listed twice ----
 
-// Simplices that have the same vertices as another, be they points or not, group by group. Called by all ranks.
+// Simplices that have the same vertices as another, whether these are points or not, group by
+// group. Called by all ranks.
 template <std::size_t kDimension>
 std::vector<FacetNames> equal_simplices(Ranks& ranks, const LocalMesh<kDimension>& mesh) {
   constexpr std::size_t kVertices = kDimension + 1;
@@ -337,7 +339,8 @@ std::vector<FacetNames> equal_simplices(Ranks& ranks, const LocalMesh<kDimension
   return equal;
 }
 
-// Points that are equal to an earlier one: how many, and the first of them with the one that it repeats.
+// The number of points that are equal to an earlier one, and the first of them with the point that
+// it repeats.
 struct EqualPoints {
   std::uint64_t count = 0;
   std::uint64_t kept = 0;
@@ -354,7 +357,8 @@ EqualPoints equal_points(Ranks& ranks, const LocalMesh<kDimension>& mesh) {
     std::uint64_t hash() const {
       std::array<std::int64_t, kDimension> bits;
       for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        // Each axis by itself: the sum of hashes is that of any order.
+        // Each axis gets its own hash, because a sum of equal hashes would not depend on the order
+        // of the axes.
         bits[axis] = static_cast<std::int64_t>(
             std::bit_cast<std::uint64_t>(at[axis] + 0.0) * (2 * axis + 1) + axis);
       }

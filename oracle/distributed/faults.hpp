@@ -1,4 +1,4 @@
-// Lists all places at fault of a mesh that is spread over several ranks, by the stages of fast::faults.
+// Lists all faults of a mesh that is spread over several ranks, by the stages of fast::faults.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace circumspect::distributed {
 
-// What fast::Faults has, by the names that ranks give to simplices and facets. The first rank has all of it,
-// others nothing.
+// The contents of fast::Faults, by the names that ranks give to simplices and facets. The first
+// rank has everything, the others nothing.
 template <std::size_t kDimension>
 struct NamedFaults {
   FacetNames unsound = {}, duplicates = {}, beyond = {}, covering = {};
@@ -57,7 +57,7 @@ struct NamedFaults {
     return {std::move(simplices), std::move(points)};
   }
 
-  // The same of a part that has all of these.
+  // The same faults as named in a part that has all of these simplices and points.
   fast::Faults in_part(const Gathered<kDimension>& part) const {
     const auto simplices = [&](const FacetNames& names) {
       std::vector<std::size_t> list;
@@ -163,7 +163,7 @@ class FaultSearch {
     return {static_cast<std::int32_t>(ranks_.rank()), static_cast<std::uint32_t>(s * kVertices)};
   }
 
-  // Brings what all ranks found to the first one; true if there is anything.
+  // Gathers at the first rank what all ranks found; true if there is anything.
   template <class Item>
   bool take(std::vector<Item> own, std::vector<Item>& all) {
     const bool any = ranks_.any(!own.empty());
@@ -176,7 +176,7 @@ class FaultSearch {
     return any;
   }
 
-  // Of the simplices that ranks name, one each or none, the first in the whole list.
+  // The first, in the whole list, of the simplices that ranks name; each names one or none.
   FacetName first_of_all(std::size_t own) {
     struct Candidate {
       std::uint64_t place;
@@ -190,7 +190,7 @@ class FaultSearch {
     return first.name;
   }
 
-  // Here each facet meets, so that none of three simplices is taken for one of two.
+  // Here all facets meet, so that a facet of three simplices is not mistaken for one of two.
   void judge_facets(const fast::Orientations& orientations) {
     const BallQuestions balls{claim_ != Claim::kTriangulation};
     FacetFindings found = FacetMeeting<kDimension>(ranks_, mesh_, orientations, balls)

@@ -1,4 +1,4 @@
-// Brings the simplices and points at fault from all ranks together on the first rank.
+// Gathers the faulty simplices and points of all ranks at the first rank.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace circumspect::distributed {
 
-// A part of a mesh as a mesh of its own, in which simplices and points are numbered anew in the order of the whole;
-// an index that names no point of the whole stays what it is, and names none of the part. Other ranks than the first
-// have an empty one.
+// A part of a mesh as a mesh of its own, with simplices and points renumbered in the order of the
+// whole; an index that names no point of the whole is kept, and names none of the part. All ranks
+// but the first have an empty one.
 template <std::size_t kDimension>
 class Gathered {
  public:
-  // The simplices of these facets, with their vertices, and further points. Called by all ranks; what is wanted
-  // the first one says alone.
+  // Gathers the simplices of these facets, with their vertices, and further points. Called by all
+  // ranks; only the first rank's arguments count.
   Gathered(Ranks& ranks, const LocalMesh<kDimension>& mesh, std::vector<FacetName> wanted,
            const std::vector<NumberedPoint<kDimension>>& further)
       : first_index_(mesh.dealt().first_index), weighted_(mesh.is_weighted()) {
@@ -55,7 +55,7 @@ class Gathered {
     return {coordinates_, weights_, simplices_};
   }
 
-  // As the part numbers a simplex and its facets. Requires: it has the simplex.
+  // The name of a simplex or a facet in the part. Requires: the part has the simplex.
   std::size_t simplex(FacetName name) const {
     const auto found =
         std::lower_bound(names_.begin(), names_.end(), simplex_of_name(name),
@@ -64,14 +64,14 @@ class Gathered {
   }
   fast::FacetId facet(FacetName name) const { return {simplex(name), name.facet % kVertices}; }
 
-  // As the part numbers a point. Requires: it has the point.
+  // The number of a point in the part. Requires: the part has the point.
   std::size_t point(std::uint64_t index) const {
     return static_cast<std::size_t>(
         std::lower_bound(labels_.begin(), labels_.end(), static_cast<Vertex>(index)) -
         labels_.begin());
   }
 
-  // For whoever puts witnesses into words: vertices have the names that they have in the whole.
+  // For the report: vertices have the names that they have in the whole.
   Mesh named() const {
     Mesh mesh;
     Rows<double> coordinates(labels_.size(), kDimension);

@@ -57,7 +57,7 @@ class DistributedJudge {
 
   // ── A mesh that holds, or fails by facets that are not locally Delaunay alone ──────────────────
 
-  // What the parts have in common with the sweep of a whole mesh: false if a condition is not met.
+  // Does what the sweep of a whole mesh does, on the parts; false if a condition is not met.
   struct Swept {
     fast::Orientations orientations{1};
     std::pmr::vector<std::uint32_t> open = {};  // facets with nothing across them at this rank
@@ -102,7 +102,7 @@ class DistributedJudge {
     return true;
   }
 
-  // Of a mesh that is a triangulation.
+  // For a mesh that is a triangulation.
   void conclude(bool unique, bool canonical, const std::vector<FacetNames>& own_not_local,
                 Judged& judged) {
     const std::vector<FacetNames> not_local = groups_at_first(ranks_, own_not_local);
@@ -189,7 +189,7 @@ class DistributedJudge {
 
   // ── A mesh that fails otherwise ────────────────────────────────────────────────────────────────
 
-  // The exact checkers look at the places at fault at the first rank. False if no simplex is sound.
+  // At the first rank, the exact checkers look at the faults. False if no simplex is sound.
   bool judge_by_faults(Judged& judged) {
     FaultSearch<kDimension> search(ranks_, mesh_, claim_);
     const auto found = search.run();

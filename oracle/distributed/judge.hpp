@@ -1,4 +1,4 @@
-// Judges a mesh that is spread over many ranks. Each rank has a part, and none has the whole.
+// Judges a mesh that is spread over many ranks. Each rank has a part, and none has the whole mesh.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace circumspect::distributed {
 
 struct Judged {
-  // At all ranks: does the claim hold? Or are there points that are equal? Then there is no verdict.
+  // At all ranks: does the claim hold? If there are equal points, there is no verdict.
   bool holds = false;
   EqualPoints equal = {};
   // At the first rank: the verdict that check::judge gives on the whole mesh, and a mesh by which the report
@@ -23,13 +23,14 @@ struct Judged {
   Mesh named = {};
 };
 
-// Does the claim hold of the mesh that all ranks together have? The verdict is that of check::judge, word for word,
-// however many ranks there are and however the simplices are dealt. Called by all ranks.
+// Does the claim hold for the mesh that all ranks have together? The verdict is that of
+// check::judge, word for word, however many ranks there are and however the simplices are
+// distributed. Called by all ranks.
 //
-// Of `options` only max_violations and threads count; threads are those of each rank, 0 stands for 1.
-// Memory: see docs/distributed.md; the first rank also holds every place that is at fault.
-// Requires: a claim about points; dimension 2 or 3, and simplices in rows of one vertex more, at all ranks;
-// weights at all ranks, if the claim is about them; what LocalMesh requires.
+// Only max_violations and threads of `options` count; threads are those of each rank, and 0 stands
+// for 1. Memory: see docs/distributed.md; the first rank also holds all faults. Requires: a claim
+// about points; dimension 2 or 3, and simplices in rows of one vertex more, at all ranks; weights
+// at all ranks, if the claim is about them; what LocalMesh requires.
 Judged judge(Ranks& ranks, Claim claim, Dealt dealt, const check::Options& options);
 
 }  // namespace circumspect::distributed

@@ -12,7 +12,8 @@
 
 namespace circumspect::distributed {
 
-// Some of many points, numbered in their order. Memory for those pages of the list alone that have one of them.
+// Some of many points, numbered in their order. It takes memory only for pages of the list that
+// contain one of them.
 class PointNumbers {
  public:
   explicit PointNumbers(std::uint64_t points) : pages_(points / kPage + 1) {}
@@ -23,7 +24,7 @@ class PointNumbers {
     page->words[v % kPage / 64] |= std::uint64_t{1} << (v % 64);
   }
 
-  // Numbers those that are marked; how many?
+  // Numbers the marked points; returns how many there are.
   std::size_t number() {
     std::size_t count = 0;
     for (const std::unique_ptr<Page>& page : pages_) {
@@ -37,7 +38,7 @@ class PointNumbers {
     return count;
   }
 
-  // Those that are marked, ascending. Requires: they have numbers.
+  // The marked points, ascending. Requires: they have numbers.
   std::pmr::vector<std::uint64_t> numbered() const {
     std::pmr::vector<std::uint64_t> marked;
     marked.reserve(count_);
@@ -72,10 +73,11 @@ class PointNumbers {
 
 namespace {
 
-// So many simplices are read at a time.
+// How many simplices are read at a time.
 constexpr std::size_t kSomeRows = std::size_t{1} << 13;
 
-// The lowest bits of a number, 31 in the plane and 20 in space, with places for those of the other axes between.
+// Spreads the lowest bits of a number, 31 in the plane and 20 in space, so that the bits of the
+// other axes fit between.
 template <std::size_t kDimension>
 std::uint64_t spread(std::uint64_t bits) {
   if constexpr (kDimension == 2) {
@@ -113,7 +115,7 @@ LocalMesh<kDimension>::LocalMesh(Ranks& ranks, Dealt dealt, bool weighted)
     return numbers;
   };
   auto numbers = marked();
-  // Points that several ranks name: few, if each has its place in space.
+  // Points that several ranks name; there are few if each rank has its own part of space.
   std::uint64_t named = numbers->number();
   if (ranks.share_memory()) numbers = nullptr;
   named = ranks.sum(named);
@@ -170,7 +172,7 @@ typename LocalMesh<kDimension>::SiteBox LocalMesh<kDimension>::box_of_all(Ranks&
   return box;
 }
 
-// Where points are on the curve, as their owners say. Called by all ranks.
+// The places of points on the curve, which their owners compute. Called by all ranks.
 template <std::size_t kDimension>
 std::vector<std::uint64_t> LocalMesh<kDimension>::curve_places(
     Ranks& ranks, std::span<const std::uint64_t> points, const SiteBox& box) const {
@@ -186,7 +188,7 @@ std::vector<std::uint64_t> LocalMesh<kDimension>::curve_places(
     for (const std::size_t end = i + from[rank]; i < end; ++i) {
       std::uint64_t key = 0;
       for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        // Halves, so that no difference of doubles is infinite.
+        // Halved first, so that no difference of doubles overflows.
         const double x = dealt_.coordinates[(wanted[i] - slice_.begin) * kDimension + axis];
         const double width = box.high[axis] / 2 - box.low[axis] / 2;
         const double part = width > 0 ? (x / 2 - box.low[axis] / 2) / width : 0;
@@ -208,7 +210,7 @@ std::vector<std::uint64_t> LocalMesh<kDimension>::curve_places(
 template <std::size_t kDimension>
 void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
   struct Key {
-    std::uint64_t curve, place;  // of the first vertex; of the simplex, mixed: no two are equal
+    std::uint64_t curve, place;  // of the first vertex; of the simplex, hashed: no two are equal
     auto operator<=>(const Key&) const = default;
   };
   struct Moved {
@@ -241,7 +243,7 @@ void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
     }
     return keys;
   };
-  // A sample says where the parts begin.
+  // A sample determines where the parts begin.
   constexpr std::size_t kUsual = 512;
   const std::uint64_t wanted = std::min<std::uint64_t>(
       {own, 2 * kUsual, (own * ranks.size() * kUsual + dealt_.simplices - 1) / dealt_.simplices});
@@ -253,7 +255,7 @@ void LocalMesh<kDimension>::deal_by_place(Ranks& ranks) {
     begins.push_back(sampled[sampled.size() * part / ranks.size()]);
   }
   begins = ranks.of_rank(0, std::move(begins));
-  // Rows and places of those that come here.
+  // Rows and places of the simplices that come to this rank.
   auto rows = std::make_shared<std::pmr::vector<std::int64_t>>();
   std::pmr::vector<std::uint64_t> places;
   const auto expected = static_cast<std::size_t>(dealt_.simplices / ranks.size() * 9 / 8 + 64);
@@ -293,7 +295,7 @@ void LocalMesh<kDimension>::append_owned(std::uint64_t point, std::vector<double
   if (weighted_) numbers.push_back(dealt_.weights[i]);
 }
 
-// Some points at a time from each owner.
+// Asks each owner for points in batches.
 template <std::size_t kDimension>
 void LocalMesh<kDimension>::fetch_points(Ranks& ranks) {
   coordinates_.resize(global_of_.size() * kDimension);

@@ -21,10 +21,10 @@ namespace circumspect::distributed {
 
 // ---- Dealt ----
 
-// Rows of indices: in memory, or where they are read some at a time, as often as they are asked for.
+// Rows of indices: in memory, or in a file that is read in batches, each time they are asked for.
 class ListedRows {
  public:
-  // Puts rows `first`, … in place; as many as there is room for.
+  // Writes the rows from `first` on into the span, as many as fit.
   using Read = std::function<void(std::uint64_t first, std::span<std::int64_t> rows)>;
 
   ListedRows() = default;
@@ -43,7 +43,7 @@ class ListedRows {
   std::size_t columns() const { return columns_; }
   void read(std::uint64_t first, std::span<std::int64_t> to) const { read_(first, to); }
 
-  // Calls visit(number of the first, values of all) for some rows after the other.
+  // Calls visit(number of the first row, values of all rows) for one batch of rows after the other.
   template <class Visit>
   void for_some(std::size_t some, const Visit& visit) const {
     std::vector<std::int64_t> values;
@@ -60,7 +60,8 @@ class ListedRows {
   Read read_;
 };
 
-// What a rank is dealt. Points are in slices (PartOf); of simplices a rank may have any.
+// The part of the input that a rank gets. Points are in slices (PartOf); a rank may get any
+// simplices.
 struct Dealt {
   std::uint64_t points = 0;     // of the whole mesh
   std::uint64_t simplices = 0;  // of the whole mesh
@@ -69,7 +70,7 @@ struct Dealt {
   std::pmr::vector<double> weights = {};      // of its slice, or none
   ListedRows lists = {};                      // its simplices, by the user's indices of points
   std::uint64_t first_simplex = 0;
-  std::pmr::vector<std::uint64_t> places = {};  // in the whole list; empty: they follow each other
+  std::pmr::vector<std::uint64_t> places = {};  // in the whole list; empty: they are consecutive
   Vertex first_index = 0;                       // the user's index of the first point
 };
 
@@ -98,11 +99,12 @@ class LocalMesh {
   static constexpr std::size_t kVertices = kDimension + 1;
   static constexpr std::size_t kMostSimplices = (std::size_t{1} << 29) - 1;
 
-  // Asks the owners for the points that the simplices name; they learn which points are used. Where ranks name many
-  // points that others name too, the simplices are dealt anew before that, so that each has those of a place in
-  // space: then fewer of their facets have to meet those of other ranks. Called by all
-  // ranks. Requires: at most kMostSimplices simplices; `dealt.lists` are rows of kVertices, or empty; weights at
-  // all ranks or at none. Does not take weights if they do not count.
+  // Asks the owners for the points that the simplices name; they learn which points are used. If
+  // ranks name many points that others also name, the simplices are first redistributed, so that
+  // each rank has those of one region of space and fewer of their facets have to meet those of
+  // other ranks. Called by all ranks. Requires: at most kMostSimplices simplices; `dealt.lists` are
+  // rows of kVertices, or empty; weights at all ranks or at none. Pass no weights if they do not
+  // count.
   LocalMesh(Ranks& ranks, Dealt dealt, bool weighted);
 
   // Simplices as the fast judge sees them. The order of points is that of the whole mesh; −1 stands for an index
@@ -114,8 +116,8 @@ class LocalMesh {
   bool names_points_alone() const { return unknown_.empty(); }
   bool is_weighted() const { return weighted_; }
 
-  // As the whole mesh counts: a vertex of a simplex, whether it names a point or not; a vertex that is a local
-  // number; a simplex.
+  // Numbers in the whole mesh: of a vertex of a simplex, whether it names a point or not; of a
+  // vertex given by its local number; of a simplex.
   std::int64_t vertex(std::size_t s, std::size_t place) const;
   std::int64_t global(std::int32_t v) const {
     return static_cast<std::int64_t>(global_of_[static_cast<std::size_t>(v)]);
@@ -123,7 +125,8 @@ class LocalMesh {
   std::uint64_t place(std::size_t s) const {
     return dealt_.places.empty() ? dealt_.first_simplex + s : dealt_.places[s];
   }
-  // Of a local number that is not −1; of all vertices of a simplex, if they name points.
+  // Coordinates: of a local number that is not −1; of all vertices of a simplex, if they name
+  // points.
   fast::Site<kDimension> site(std::int32_t v) const {
     return weighted_ ? view().template site<true>(v) : view().template site<false>(v);
   }
@@ -133,7 +136,7 @@ class LocalMesh {
     return row;
   }
 
-  // The points that the rank owns; those of them that no simplex of any rank names, ascending.
+  // The points that this rank owns; those that no simplex of any rank names, ascending.
   std::size_t owned() const { return slice_.size(); }
   NumberedPoint<kDimension> owned_point(std::size_t i) const;
   std::vector<std::size_t> unused() const;
@@ -157,7 +160,7 @@ class LocalMesh {
   void fetch_points(Ranks& ranks);
   void append_owned(std::uint64_t point, std::vector<double>& numbers);
 
-  // Does an index of the user's name a point? Which?
+  // The point that a user's index names, if any.
   bool names_point(std::int64_t place) const {
     return static_cast<std::uint64_t>(place) < dealt_.points;
   }

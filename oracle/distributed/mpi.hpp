@@ -1,4 +1,4 @@
-// Ranks that are the processes of an MPI program.
+// The ranks of an MPI program, one for each process.
 #pragma once
 
 #include <cstddef>
@@ -56,7 +56,7 @@ class MpiCommunicator : public Communicator {
   }
 
  private:
-  // As MPI wants them.
+  // In the types that MPI requires.
   struct Places {
     explicit Places(const std::vector<std::uint64_t>& all)
         : counts(all.begin(), all.end()), begins(all.size()) {

@@ -20,8 +20,8 @@
 namespace circumspect::distributed {
 
 // ---- Communicator ----
-// How bytes get from rank to rank: by MPI (mpi.hpp), or within one process (turns.hpp). Every member but rank(),
-// size() and room() is called by all ranks together, in the same order.
+// Transfers bytes between ranks: by MPI (mpi.hpp), or within one process (turns.hpp). All ranks
+// together call every member but rank(), size() and room(), in the same order.
 
 enum class Reduction { kSum, kMost, kLeast };
 
@@ -31,24 +31,25 @@ class Communicator {
 
   virtual std::size_t rank() const = 0;
   virtual std::size_t size() const = 0;
-  // How many bytes all ranks together may have on their way at a time; 0: as many as they like.
+  // How many bytes all ranks together may have in transit at a time; 0: no limit.
   virtual std::size_t room() const { return 0; }
 
   virtual std::uint64_t reduced(std::uint64_t own, Reduction how) = 0;
-  // The bytes of one rank, at all.
+  // Gives all ranks the bytes of one rank.
   virtual void broadcast(std::byte* bytes, std::size_t count, std::size_t root) = 0;
-  // As many bytes of each rank, in their order, at all.
+  // Gives all ranks the bytes of each rank, the same number of each, in the order of ranks.
   virtual void gather(const std::byte* own, std::size_t count, std::byte* all) = 0;
-  // Number i of each rank, at rank i.
+  // Gives rank i number i of each rank.
   virtual std::vector<std::uint64_t> turned(const std::vector<std::uint64_t>& own) = 0;
-  // Items of `bytes_each`: so many for each rank, one rank's after the other's; and so many of each.
+  // Items of `bytes_each` bytes: how many for each rank, stored rank after rank, and how many come
+  // from each.
   virtual void exchange(std::size_t bytes_each, const std::byte* sent,
                         const std::vector<std::uint64_t>& counts, std::byte* received,
                         const std::vector<std::uint64_t>& from_counts) = 0;
 };
 
 // ---- Course ----
-// What a phase of the work cost one rank.
+// The cost of a phase of the work on one rank.
 
 struct Phase {
   std::array<char, 24> name = {};
@@ -59,12 +60,12 @@ struct Phase {
 };
 
 // ---- Ranks ----
-// Every member but rank(), size(), is_first() and those that say how much is sent at a time is called by all ranks
-// together, in the same order.
+// All ranks together call every member, in the same order, except rank(), size(), is_first() and
+// those that say how much is sent at a time.
 
 class Ranks {
  public:
-  // Fewer items than `few` are never worth sending some at a time. Requires: the communicator outlives this
+  // Fewer items than `few` are never sent in batches. Requires: the communicator outlives this
   // object; few > 0.
   explicit Ranks(Communicator& communicator, std::size_t few = std::size_t{1} << 15)
       : communicator_(communicator),
@@ -76,7 +77,7 @@ class Ranks {
   std::size_t size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
 
-  // Do ranks share the memory of one process? Then what waits for other ranks should be small.
+  // Do ranks share the memory of one process? Then data that wait for other ranks should be small.
   bool share_memory() const { return communicator_.room() > 0; }
 
   // How many items of so many bytes a rank sends at a time, to all others together.
@@ -85,8 +86,8 @@ class Ranks {
     const std::size_t most = 4 * few_;
     return std::max<std::size_t>(1, room == 0 ? most : std::min(most, room / size_ / bytes_each));
   }
-  // In how many rounds the ranks send their items, `most` at most and `all` together. Of many no more than about
-  // a sixteenth is on its way.
+  // In how many rounds the ranks send their items, at most `most` for one rank and `all` together.
+  // If there are many, at most about a sixteenth is in transit.
   std::size_t rounds(std::uint64_t most, std::uint64_t all, std::size_t bytes_each) const {
     const std::uint64_t usual = std::min<std::uint64_t>(16, most / few_ + 1);
     const std::size_t room = communicator_.room();
@@ -103,12 +104,12 @@ class Ranks {
   std::uint64_t least(std::uint64_t own) const {
     return communicator_.reduced(own, Reduction::kLeast);
   }
-  // The first rank that says yes; size() if none does.
+  // The first rank with a true argument; size() if there is none.
   std::size_t first_with(bool own) const {
     return static_cast<std::size_t>(least(own ? rank_ : size_));
   }
 
-  // The value of one rank, at all.
+  // Gives all ranks the value of one rank.
   template <class Value>
   Value of_rank(std::size_t root, Value value) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -123,7 +124,7 @@ class Ranks {
     return list_of(root, std::move(items));
   }
 
-  // One value of each rank, in their order, at all.
+  // Gives all ranks one value of each rank, in the order of ranks.
   template <class Value>
   std::vector<Value> of_each(const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -134,8 +135,9 @@ class Ranks {
     return all;
   }
 
-  // What other ranks have for this one, in their order, for what it has for each of them; `from`: how many items
-  // each of them has sent. Requires: fewer than 2^31 items in all, at each rank.
+  // Sends items to each rank, and returns those that the ranks have sent to this one, in the order
+  // of ranks; `from`: how many items each rank has sent. Requires: fewer than 2^31 items in all, at
+  // each rank.
   template <class Item>
   std::vector<Item> exchanged(std::vector<std::vector<Item>> out,
                               std::vector<std::uint64_t>* from = nullptr) {
@@ -160,7 +162,7 @@ class Ranks {
     return received;
   }
 
-  // All items of all ranks, in their order, at the first rank; elsewhere nothing.
+  // At the first rank, all items of all ranks in the order of ranks; elsewhere nothing.
   template <class Item>
   std::vector<Item> at_first(std::vector<Item> own) {
     std::vector<std::vector<Item>> out(size_);
@@ -168,7 +170,7 @@ class Ranks {
     return exchanged(std::move(out));
   }
 
-  // What was done since the phase before, or since the beginning.
+  // Ends a phase: what was done since the previous phase, or since the beginning.
   void end_phase(const std::string& name) {
     const auto now = std::chrono::steady_clock::now();
     now_.name = {};
@@ -237,10 +239,11 @@ void for_each_group(std::span<const Item> items, const Hash& hash, const Same& s
 template <class Reply>
 using Post = std::vector<std::vector<Reply>>;
 
-// Brings the same things of all ranks together, each at the rank that its hash names: item(i) makes number i of
-// the `count` own ones, and hash(i) is its hash. There visit(items, group, post) sees each group of the same and
-// posts replies, and take(reply) gets them where they are posted to. Some hashes at a time (Ranks::rounds). Item
-// has std::uint64_t hash() and bool same(other).
+// Brings equal items of all ranks together, each at the rank that its hash names: item(i) makes
+// number i of this rank's `count` items, and hash(i) is its hash. There visit(items, group, post)
+// sees each group of equal items and posts replies, and take(reply) receives them at the rank that
+// they are posted to. It takes some hashes at a time (Ranks::rounds). Item has std::uint64_t hash()
+// and bool same(other).
 template <class Reply, class HashOf, class MakeItem, class Visit, class Take>
 void meet(Ranks& ranks, std::size_t count, const HashOf& hash, const MakeItem& item,
           const Visit& visit, const Take& take) {
@@ -288,7 +291,7 @@ void meet(Ranks& ranks, std::size_t count, const HashOf& hash, const MakeItem& i
   }
 }
 
-// The same where there is nothing to reply.
+// The same without replies.
 struct NoReply {};
 template <class MakeItem, class Visit>
 void meet(Ranks& ranks, std::size_t count, const MakeItem& item, const Visit& visit) {

@@ -6,7 +6,7 @@
 namespace circumspect::distributed {
 namespace {
 
-// A file as one rank sees it. Its digest is 0 where it cannot be read any more.
+// A file as one rank sees it. The digest is 0 if the file can no longer be read.
 struct Seen {
   Counted counted;
   std::uint64_t size = 0;

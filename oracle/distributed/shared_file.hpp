@@ -1,4 +1,4 @@
-// Do all ranks see one file under the name that they were given?
+// Do all ranks see the same file under the given name?
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace circumspect::distributed {
 
-// What a rank has read of the whole file.
+// What a rank has read about the whole file.
 struct Counted {
   std::uint64_t rows = 0;
   std::uint64_t columns = 0;
@@ -20,10 +20,11 @@ struct Counted {
   bool operator==(const Counted&) const = default;
 };
 
-// A name may lead to another file on another machine, or in another folder. Slices of two files are no mesh, and ranks
-// that count other points wait for each other for ever. Called by all ranks, of which each has read its
-// part. Errors, the same at all ranks: a file has other counts, another size, or other bytes at its beginning, where its
-// header is, or its end. This finds mistakes, and does not defend against anybody.
+// A name may refer to different files on different machines, or in different folders. Slices of two
+// files do not form a mesh, and ranks with different numbers of points would wait for each other
+// for ever. Called by all ranks when each has read its part. Errors, the same at all ranks: the
+// ranks' files differ in their counts, their size, or the bytes at the beginning, where the header
+// is, or at the end. This finds mistakes, and is no defence against an attack.
 formats::Status check_shared(Ranks& ranks, const std::string& path, const Counted& own);
 
 }  // namespace circumspect::distributed

@@ -29,7 +29,7 @@ tl::unexpected<FormatError> fail(const std::string& file, std::string expected, 
 Result<RandomAccess> opened(const std::string& path) {
   auto file = RandomAccess::open(path);
   if (file) return std::move(*file);
-  // What load() says of what is no file, or may not be read.
+  // The message of load() about something that is not a file, or may not be read.
   if (const auto source = formats::load(path); !source) return tl::unexpected(source.error());
   return fail(path, "a file that each rank can read a part of", "a pipe");
 }
@@ -45,10 +45,10 @@ Result<std::uint64_t> rows_of_npy(const RandomAccess& file, const std::string& p
   return header->shape.empty() ? 0 : header->shape.front();
 }
 
-// So many rows of an array are read at a time, to be looked at or put where they belong.
+// How many rows of an array are read at a time, to be checked or stored.
 constexpr std::size_t kRowsAtATime = std::size_t{1} << 14;
 
-// Calls visit(rows) for some points of a slice of an array after the other.
+// Calls visit(rows) for the points of a slice of an array, batch after batch.
 template <class Visit>
 formats::Status for_some_points(const RandomAccess& file, const std::string& path, Slice slice,
                                 const Visit& visit) {
@@ -61,7 +61,7 @@ formats::Status for_some_points(const RandomAccess& file, const std::string& pat
   }
 }
 
-// The points of the part, and what is known of all.
+// The points of the part, and facts about all points.
 formats::Status read_points(const std::string& path, bool weighted, PartOf part, Dealt& dealt) {
   const auto file = opened(path);
   if (!file) return tl::unexpected(file.error());
@@ -103,8 +103,9 @@ formats::Status read_points(const std::string& path, bool weighted, PartOf part,
   return {};
 }
 
-// Rows of an array of which everything is known to be in order but what somebody changes meanwhile. No file is open
-// between: there may be as many ranks as a process may have files.
+// Rows of an array that has been checked, so that only a change of the file meanwhile can cause a
+// fault. The file is not kept open, because there may be as many ranks as a process may have open
+// files.
 ListedRows rows_of_array(const std::string& path, Slice slice, std::size_t columns) {
   const auto read = [path, slice, columns](std::uint64_t first, std::span<std::int64_t> to) {
     const auto file = opened(path);
@@ -126,7 +127,7 @@ ListedRows rows_of_array(const std::string& path, Slice slice, std::size_t colum
   return ListedRows(slice.size(), columns, read);
 }
 
-// The simplices of the part, as they are listed.
+// The simplices of the part, as listed.
 formats::Status read_simplices(const std::string& path, PartOf part, Dealt& dealt) {
   const auto file = opened(path);
   if (!file) return tl::unexpected(file.error());
@@ -134,7 +135,7 @@ formats::Status read_simplices(const std::string& path, PartOf part, Dealt& deal
     const auto header = formats::read_npy_header(*file, path);
     if (!header) return tl::unexpected(header.error());
     const std::uint64_t count = header->shape.empty() ? 0 : header->shape.front();
-    // All of it is read later, but for indices that have no room in 64 bits with a sign.
+    // All of it is read later, except indices that do not fit signed integers of 64 bits.
     const bool may_overflow = header->type.ends_with("u8");
     const Slice slice = part.slice(count);
     std::size_t columns = 0;
@@ -164,13 +165,13 @@ formats::Status read_simplices(const std::string& path, PartOf part, Dealt& deal
   return {};
 }
 
-// Is there anything?
+// Is the mesh non-empty?
 formats::Status check_not_empty(const std::string& path, const Dealt& dealt) {
   if (dealt.points > 0 || dealt.simplices > 0) return {};
   return fail(path, "a mesh", "neither points nor simplices");
 }
 
-// Has a simplex as many vertices as the dimension wants?
+// Does a simplex have as many vertices as the dimension requires?
 formats::Status check_width(const std::string& path, const Dealt& dealt) {
   const std::size_t columns = dealt.lists.columns();
   if (columns == dealt.dimension + 1) return {};
@@ -209,7 +210,7 @@ std::string of_part(const std::string& pattern, std::size_t part) {
   return pattern.substr(0, place) + std::to_string(part) + pattern.substr(place + 2);
 }
 
-// A part as it is read: simplices name its own points.
+// A part as it is read: simplices name the part's own points.
 struct Part {
   std::size_t dimension;
   std::pmr::vector<double> points;
@@ -228,7 +229,7 @@ std::vector<std::int64_t> wide(const formats::NpySimplices& lists) {
 Result<Part> read_part(const Files& files, PartOf part) {
   const std::string points = of_part(*files.points, part.part);
   const std::string indices = of_part(*files.indices, part.part);
-  // Files of more parts would be left out.
+  // Files of further parts would be ignored.
   if (formats::exists(of_part(files.mesh, part.parts))) {
     return fail(of_part(files.mesh, part.parts), "no more parts than ranks", "one more");
   }
@@ -268,7 +269,7 @@ Result<Part> read_part(const Files& files, PartOf part) {
   return own;
 }
 
-// Brings the points of all parts to their owners; several parts may have a point.
+// Sends the points of all parts to their owners; several parts may have the same point.
 formats::Status deal_points(Ranks& ranks, const Part& part, const std::string& name, Dealt& dealt) {
   struct Sent {
     std::uint64_t index;
@@ -280,7 +281,8 @@ formats::Status deal_points(Ranks& ranks, const Part& part, const std::string& n
   }
   dealt.points = ranks.most(most);
   const Slice slice = PartOf{ranks.rank(), ranks.size()}.slice(dealt.points);
-  // There cannot be more points than parts have in all; only then is there memory for them.
+  // There cannot be more points than all parts have together; this is checked before memory is
+  // allocated for them.
   if (dealt.points > ranks.sum(part.indices.size())) {
     return fail(name, "all indices from 0 to the largest, " + std::to_string(dealt.points - 1),
                 "fewer points in all parts");
@@ -322,7 +324,7 @@ formats::Status deal_points(Ranks& ranks, const Part& part, const std::string& n
   return {};
 }
 
-// `settled` makes one fault of those of all ranks, as in read_slices.
+// `settled` combines the faults of all ranks into one, as in read_slices.
 template <class Settled>
 std::string read_all_parts(Ranks& ranks, const Files& files, const Settled& settled, Dealt& dealt) {
   if (files.weighted) return files.mesh + ": expected no claim about weights of parts, found one";
@@ -352,7 +354,8 @@ tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& fil
   ReadSlices read;
   read.points_name =
       files.points ? *files.points : files.mesh.substr(0, files.mesh.find_last_of('.')) + ".node";
-  // In the order in which one process finds what is wrong with files; of several ranks the first one says it.
+  // In the order in which one process finds faults of files; if several ranks find one, the first
+  // of them reports it.
   const auto settled = [&](const formats::Status& own) -> std::string {
     const std::size_t failed = ranks.first_with(!own);
     if (failed == ranks.size()) return "";

@@ -1,4 +1,4 @@
-// Reads one mesh from files, of which each rank reads its part.
+// Reads one mesh from files; each rank reads its part.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,15 @@ namespace circumspect::distributed {
 
 struct Files {
   std::string mesh;                        // .npy, or .ele
-  std::optional<std::string> points = {};  // .npy, or .node; of x.ele without it: x.node
+  std::optional<std::string> points = {};  // .npy, or .node; for x.ele the default is x.node
   // If there are parts, a file for each rank (all of them .npy), in whose names %d stands for its number: which point
   // of the whole each point of the part is, counted from 0.
   std::optional<std::string> indices = {};
   bool weighted = false;  // the first attributes of a .node file count
 };
 
-// Thrown where simplices are read once more, as ListedRows are, and the file has become another: in one line.
+// Thrown if simplices are read again, as ListedRows are, and the file has changed; the message is
+// one line.
 struct FileChanged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -31,12 +32,15 @@ struct ReadSlices {
   std::string points_name;  // of the file, for messages
 };
 
-// Each rank reads slices of the points and of the simplices, as long as those of the others but for one row; or its
-// own part, whose simplices follow those of the parts before and name its own points. Called by all ranks. Errors, in one line and the same at all ranks: those of the readers, for .npy in their words; a text
-// file that is not of the plain form (formats/plain_files.hpp); points of a dimension other than 2 and 3, simplices
-// that have not one vertex more; no weights where they count; neither points nor simplices; more simplices than a rank
-// can number; a file that has another size, header or end at another rank, or other counts; in parts, a vertex that is none of the part's points, a point that has other coordinates in another part
-// or is in none, more parts than ranks.
+// Each rank reads slices of the points and of the simplices, whose lengths differ by at most one
+// row between ranks; or its own part, whose simplices follow those of the parts before and name its
+// own points. Called by all ranks. Errors, in one line and the same at all ranks: those of the
+// readers, in the same words for .npy; a text file that is not of the plain form
+// (formats/plain_files.hpp); points of a dimension other than 2 and 3, or simplices that do not
+// have one vertex more; missing weights where they count; neither points nor simplices; more
+// simplices than a rank can number; a file that has another size, header, end or count at another
+// rank; in parts, a vertex that is not one of the part's points, a point that has other coordinates
+// in another part or is in no part, more parts than ranks.
 tl::expected<ReadSlices, std::string> read_slices(Ranks& ranks, const Files& files);
 
 }  // namespace circumspect::distributed

@@ -21,7 +21,7 @@ namespace circumspect::distributed {
 
 // ---- Points in boxes ----
 
-// Points, and which of them are in a box: halved along one axis after the other.
+// Points, and a search for those in a box: the points are halved along one axis after the other.
 template <std::size_t kDimension>
 class PointTree {
  public:
@@ -31,7 +31,7 @@ class PointTree {
     build(0, points_.size(), 0);
   }
 
-  // Calls visit(point) for each that is in the closed box of the row.
+  // Calls visit(point) for each point in the closed box of the row.
   template <class Visit>
   void for_each_in_box(const fast::SiteRow<kDimension>& row, const Visit& visit) const {
     std::array<double, kDimension> low = row[0].at, high = row[0].at;
@@ -81,28 +81,29 @@ class PointTree {
 
 // ---- Submerged points ----
 
-// A point that is in no simplex, or below the witness plane of the first one that has it.
+// A point that is in no simplex, or below the witness plane of the first simplex that contains it.
 template <std::size_t kDimension>
 struct FaultyPoint {
   NumberedPoint<kDimension> point = {};
-  FacetName simplex = {};  // no rank: none
+  FacetName simplex = {};  // without a rank: none
 };
 
 template <std::size_t kDimension>
 struct SubmergedFindings {
-  std::vector<FaultyPoint<kDimension>> faulty = {};  // own points
+  std::vector<FaultyPoint<kDimension>> faulty = {};  // this rank's points
   bool unique = true;                                // as in fast::Swept
   bool canonical = true;
 };
 
-// Looks at the points that no simplex names, some at a time: each rank at those of all, in its own simplices. Called
-// by all ranks. Requires: conditions 0–3 hold; these are the orientations of the simplices.
+// Looks at the points that no simplex names, in batches: each rank looks for those of all ranks in
+// its own simplices. Called by all ranks. Requires: conditions 0–3 hold; these are the orientations
+// of the simplices.
 template <std::size_t kDimension>
 SubmergedFindings<kDimension> look_at_unused_points(Ranks& ranks, const LocalMesh<kDimension>& mesh,
                                                     const fast::Orientations& orientations,
                                                     fast::Stages& stages) {
   constexpr std::size_t kVertices = kDimension + 1;
-  // A simplex that contains a point, and what it says of it.
+  // A simplex that contains a point, and what it says about the point.
   struct Containing {
     std::uint64_t index;  // of the point
     std::uint64_t place;  // of the simplex, in the whole mesh

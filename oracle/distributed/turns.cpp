@@ -26,12 +26,13 @@ namespace {
 constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
 thread_local std::size_t own_part = kNoPart;
 
-// Large arrays are mapped files without names; the system writes to the disk what it needs the memory of.
+// Large arrays are mapped anonymous files; the system writes them to the disk when it needs their
+// memory.
 class FileMemory : public std::pmr::memory_resource {
  public:
   explicit FileMemory(std::string folder) : folder_(std::move(folder)) {}
 
-  // Gives back the memory of a part's arrays, not what is in them.
+  // Releases the memory of a part's arrays, but keeps their contents.
   void put_away(std::size_t part) {
     const std::lock_guard lock(mutex_);
     for (const auto& [address, array] : arrays_) {
@@ -50,13 +51,13 @@ class FileMemory : public std::pmr::memory_resource {
   void* do_allocate(std::size_t bytes, std::size_t alignment) override {
     if (bytes < kLarge) return std::pmr::new_delete_resource()->allocate(bytes, alignment);
     const int file = opened();
-    // Where a mapped file has no room, a signal would say so.
+    // If the disk is full, access to a mapped file would raise a signal.
     const int failure = file < 0 ? errno : posix_fallocate(file, 0, static_cast<off_t>(bytes));
     void* address = MAP_FAILED;
     if (failure == 0) {
       address = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     }
-    if (file >= 0) close(file);  // the mapping keeps it
+    if (file >= 0) close(file);  // the mapping keeps the file alive
     if (failure != 0) {
       throw NoRoomOnDisk("expected room for " + std::to_string(bytes) + " bytes more in " +
                          folder_ + ", where --memory keeps what it puts away, found none: " +
@@ -80,7 +81,8 @@ class FileMemory : public std::pmr::memory_resource {
     return this == &other;
   }
 
-  // A file of nobody else's, of which nothing is left however this process ends; −1, and errno, if there is none.
+  // An anonymous file that vanishes with the process, however it ends; −1, with errno set, if there
+  // is none.
   int opened() const {
     const int flags = O_RDWR | O_CLOEXEC;
     const int file = open(folder_.c_str(), O_TMPFILE | flags, 0600);
@@ -96,7 +98,7 @@ class FileMemory : public std::pmr::memory_resource {
   std::map<void*, Array> arrays_;
 };
 
-// While it lives, containers of std::pmr take memory from there.
+// While this object lives, containers of std::pmr take their memory from there.
 class AsDefault {
  public:
   explicit AsDefault(std::pmr::memory_resource* memory)
@@ -111,7 +113,7 @@ class AsDefault {
 
 // ---- Parts ----
 
-// Thrown at parts that wait for one that has failed.
+// Thrown in parts that wait for one that has failed.
 struct AnotherHasFailed {};
 
 // What the parts have in common.
@@ -124,7 +126,7 @@ class Parts {
 
   const Turns& turns() const { return turns_; }
 
-  // A part goes on only between these two.
+  // A part runs only between these two calls.
   void begin() {
     std::unique_lock lock(mutex_);
     go_on(lock, [] { return true; });
@@ -143,7 +145,7 @@ class Parts {
     if (failure_) std::rethrow_exception(failure_);
   }
 
-  // Returns when all parts have come to it.
+  // Returns when all parts have called it.
   void meet(std::size_t part) {
     if (memory_ != nullptr) memory_->put_away(part);
     std::unique_lock lock(mutex_);
@@ -159,7 +161,7 @@ class Parts {
     go_on(lock, [this, own = meetings_] { return meetings_ != own; });
   }
 
-  // The bytes of all parts, until the second meeting from now.
+  // The bytes of all parts, valid until the second meeting from now.
   std::span<const std::string> gathered(std::size_t part, std::size_t& turn, std::string own) {
     std::vector<std::string>& all = values_[turn++ % 2];
     all[part] = std::move(own);
@@ -167,7 +169,7 @@ class Parts {
     return all;
   }
 
-  // What a part has for all, where it lies.
+  // A view of what a part has for all parts.
   struct Sent {
     const std::byte* items = nullptr;
     const std::vector<std::uint64_t>* counts = nullptr;
@@ -245,7 +247,7 @@ class PartCommunicator : public Communicator {
       if (bytes > 0) std::memcpy(received, items + before * bytes_each, bytes);
       received += bytes;
     }
-    parts_.meet(part_);  // until then others read what lies here
+    parts_.meet(part_);  // until then others read from here
   }
 
  private:
@@ -273,7 +275,7 @@ void in_turns(const Turns& turns, const std::function<void(Ranks&)>& work) {
       Ranks ranks(communicator, turns.few);
       work(ranks);
     } catch (const AnotherHasFailed&) {
-      // It is that one's failure that is told.
+      // The failure of that part is reported.
     } catch (...) {
       parts.fail(std::current_exception());
     }

@@ -8,6 +8,7 @@
 #include "oracle/formats/element_formats.hpp"
 #include "oracle/formats/json.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/point_file.hpp"
 #include "oracle/formats/reading_test.hpp"
@@ -41,9 +42,10 @@ void read_as_every_domain(const Source& source, NumberReading reading) {
     Result<ElementFile> elements = read(source, reading);
     expect_success_or_one_line(elements);
     if (!elements) continue;
-    take_for_plane(*elements, "f");
     expect_success_or_one_line(check_simplices(*elements, "f"));
-    expect_success_or_one_line(domain_of(*elements, "f"));
+    const Result<DomainFile> domain = domain_of(*elements, "f");
+    expect_success_or_one_line(domain);
+    if (domain) taken_for_plane(*domain);
   }
 }
 

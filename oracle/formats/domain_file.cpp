@@ -11,6 +11,7 @@
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/mesh_formats.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/formats/ply.hpp"
 #include "oracle/formats/surface_formats.hpp"
 #include "oracle/formats/tetgen.hpp"
@@ -120,6 +121,7 @@ DomainFile with_duplicates_merged(DomainFile file) {
   }
   DomainFile merged = file;
   merged.labels.clear();
+  merged.faces.clear();
   merged.input =
       PiecewiseLinearInput{{}, {}, {}, std::move(file.input.hole_seeds), file.input.kind};
   merged.segment_lines.clear();
@@ -151,6 +153,13 @@ DomainFile with_duplicates_merged(DomainFile file) {
     add_facet(merged, std::move(file.input.polygons[i]), file.polygon_lines[i],
               file.polygon_markers[i]);
   }
+  for (PolygonLines& face : file.faces) {
+    for (auto& line : face.lines) {
+      renumber(line);
+      line = without_repetitions(line);
+    }
+    merged.faces.push_back(std::move(face));
+  }
   return merged;
 }
 
@@ -172,6 +181,7 @@ Status add_faces(DomainFile& file, const SimplexFile& faces) {
       continue;
     }
     corners = without_repetitions(corners);
+    if (corners.size() > 2) file.faces.push_back({{corners}, {}});
     for (std::size_t j = 0; corners.size() > 1 && j < corners.size(); ++j) {
       const Simplex edge = sorted({corners[j], corners[(j + 1) % corners.size()]});
       if (edges.insert(edge).second) add_segment(file, edge, line);
@@ -227,19 +237,29 @@ Result<DomainFile> domain_of_off(const Source& source, NumberReading reading) {
   return file;
 }
 
-Result<DomainFile> domain_of_medit(const Source& source, NumberReading reading) {
-  const Result<ElementFile> medit = read_medit(source, reading);
-  if (!medit) return tl::unexpected(medit.error());
-  return domain_of(*medit, source.name);
-}
-
-// Formats that know points of space alone.
+// Where edges are listed these are the domain, and triangles are cells of its mesh.
 template <Result<ElementFile> (*read)(const Source&, NumberReading)>
 Result<DomainFile> domain_of_elements(const Source& source, NumberReading reading) {
-  Result<ElementFile> file = read(source, reading);
+  const Result<ElementFile> file = read(source, reading);
   if (!file) return tl::unexpected(file.error());
-  take_for_plane(*file, source.name);
-  return domain_of(*file, source.name);
+  Result<DomainFile> domain = domain_of(*file, source.name);
+  if (!domain || !is_of_plane(*file)) return domain;
+  DomainFile taken = taken_for_plane(std::move(*domain));
+  if (!taken.flat || file->edges.simplices.empty()) return taken;
+  ElementFile plane = *file;
+  for (Point& point : plane.points.points) point.pop_back();
+  plane.points.dimension = 2;
+  domain = domain_of(plane, source.name);
+  if (!domain) return domain;
+  domain->notes.push_back(taken.notes.back());
+  domain->flat = std::move(taken.flat);
+  return domain;
+}
+
+template <Result<DomainFile> (*read)(const Source&, NumberReading)>
+Result<DomainFile> plane_or_space(const Source& source, NumberReading reading) {
+  Result<DomainFile> file = read(source, reading);
+  return file ? taken_for_plane(std::move(*file)) : std::move(file);
 }
 
 struct DomainFormat {
@@ -248,13 +268,13 @@ struct DomainFormat {
 };
 
 constexpr std::array kDomainFormats = {
-    DomainFormat{".poly", domain_of_poly},
-    DomainFormat{".smesh", domain_of_smesh},
-    DomainFormat{".off", domain_of_off},
-    DomainFormat{".stl", read_stl},
-    DomainFormat{".ply", read_ply},
+    DomainFormat{".poly", plane_or_space<domain_of_poly>},
+    DomainFormat{".smesh", plane_or_space<domain_of_smesh>},
+    DomainFormat{".off", plane_or_space<domain_of_off>},
+    DomainFormat{".stl", plane_or_space<read_stl>},
+    DomainFormat{".ply", plane_or_space<read_ply>},
     DomainFormat{".obj", domain_of_elements<read_obj>},
-    DomainFormat{".mesh", domain_of_medit},
+    DomainFormat{".mesh", domain_of_elements<read_medit>},
     DomainFormat{".msh", domain_of_elements<read_gmsh>},
     DomainFormat{".vtk", domain_of_elements<read_vtk>},
     DomainFormat{".vtu", domain_of_elements<read_vtu>},

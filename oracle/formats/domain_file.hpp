@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,16 @@ struct DomainFile {
   std::string points_name = {};  // the file of the points, if they are elsewhere
   std::vector<std::string> notes =
       {};  // what was read otherwise than it stands there, one line each
+  // In the plane: what the file lists as faces. Nothing else is filled, unless the user says so;
+  // none: all that segments enclose.
+  std::vector<PolygonLines> faces = {};
+  // The file has points in space, and was taken for one in the plane (plane.hpp): what was left
+  // out, and the file as it stands, with its faces among the polygons.
+  struct Flat {
+    Rational height;
+    std::shared_ptr<const DomainFile> in_space;
+  };
+  std::optional<Flat> flat = {};
 
   Vertex label(Vertex v) const {
     return labels.empty() ? v + first_index : labels[static_cast<std::size_t>(v)];
@@ -53,7 +65,7 @@ void add_segment(DomainFile& file, const Simplex& segment, std::size_t line);
 DomainFile with_duplicates_merged(DomainFile file);
 
 // Adds the faces of a surface: in space they are polygons, in the plane their edges are segments,
-// each once. Vertices are the indices of the file.
+// each once, and they are faces. Vertices are the indices of the file.
 Status add_faces(DomainFile& file, const SimplexFile& faces);
 
 // ---- Domain files ----

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "kernel/complex/simplex.hpp"
-#include "kernel/exact/number.hpp"
 
 namespace circumspect::formats {
 
@@ -137,19 +136,6 @@ std::vector<Simplex> surface_of(const ElementFile& file) {
 bool is_of_plane(const ElementFile& file) {
   return file.tetrahedra.simplices.empty() && file.other_solids.simplices.empty() &&
          !file.first_curved;
-}
-
-void take_for_plane(ElementFile& file, const std::string& name) {
-  std::vector<Point>& points = file.points.points;
-  if (file.points.dimension != 3 || points.empty() || !is_of_plane(file)) return;
-  const Rational height = points.front()[2];
-  const bool is_flat = std::all_of(points.begin(), points.end(),
-                                   [&height](const Point& point) { return point[2] == height; });
-  if (!is_flat) return;
-  for (Point& point : points) point.pop_back();
-  file.points.dimension = 2;
-  file.notes.push_back(name + ": the third coordinate, " + to_text_of_double_or_fraction(height) +
-                       " for all points, was left out");
 }
 
 // ---- Element domain ----

@@ -42,7 +42,7 @@ struct ElementFile {
   std::vector<std::size_t> triangles_before = {};
   SimplexFile tetrahedra = {};
   SimplexFile other_solids = {};
-  // The first element that is no simplex, and the first that is curved: what it is and its line.
+  // The first element that is not a simplex, and the first that is curved: what it is and its line.
   struct Named {
     std::string name;  // "a hexahedron"
     std::size_t line = 0;
@@ -62,7 +62,7 @@ std::optional<std::string> add_element(ElementFile& file, ElementShape shape, Si
 // Fills in what follows from the simplices, once all have been added.
 void finish_elements(ElementFile& file);
 
-// Why the elements are no mesh of simplices: nothing if they are one.
+// Why the elements are not a mesh of simplices: nothing if they are one.
 Status check_simplices(const ElementFile& file, const std::string& name);
 
 // The simplices of highest dimension, and those below them.
@@ -74,10 +74,6 @@ TopElements top_elements(ElementFile& file);
 
 // Is no element one of space?
 bool is_of_plane(const ElementFile& file);
-
-// Many formats know points of three coordinates alone. If no element is one of space and the third
-// coordinate is exactly the same for all points, it is left out, which is noted.
-void take_for_plane(ElementFile& file, const std::string& name);
 
 // What of the elements can be seen: the triangles, and the facets that belong to one tetrahedron alone, their
 // vertices counterclockwise seen from outside, if those of tetrahedra are positively oriented.

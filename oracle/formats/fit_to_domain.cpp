@@ -2,24 +2,10 @@
 #include <iterator>
 #include <set>
 
-#include "kernel/exact/number.hpp"
 #include "oracle/formats/mesh_files.hpp"
 
 namespace circumspect::formats {
 namespace {
-
-// Points in space without their third coordinate, or none if it differs.
-template <class Value>
-std::optional<Rows<Value>> in_plane(const Rows<Value>& points) {
-  for (std::size_t i = 1; i < points.rows(); ++i) {
-    if (points.row(i)[2] != points.row(0)[2]) return std::nullopt;
-  }
-  Rows<Value> plane(points.rows(), 2);
-  for (std::size_t i = 0; i < points.rows(); ++i) {
-    std::copy_n(points.row(i).begin(), 2, plane.row(i).begin());
-  }
-  return plane;
-}
 
 // Where labels are listed in a message, no more are begun behind so many bytes.
 constexpr std::size_t kLongestListOfLabels = 60;
@@ -121,19 +107,6 @@ void leave_out_points(Mesh& mesh, const IsLeftOut& is_left_out) {
 }
 
 }  // namespace
-
-void leave_out_constant_coordinate(MeshFile& file) {
-  Mesh& mesh = file.mesh;
-  if (mesh.dimension() != 3 || mesh.points() == 0) return;
-  const Rational height = mesh.point(0)[2];
-  std::optional<Numbers> plane =
-      std::visit([](const auto& points) -> std::optional<Numbers> { return in_plane(points); },
-                 mesh.coordinates);
-  if (!plane) return;
-  mesh.coordinates = std::move(*plane);
-  file.notes.push_back(file.points_name + ": the third coordinate, " +
-                       to_text_of_double_or_fraction(height) + " for all points, was left out");
-}
 
 void take_for_faces(MeshFile& file) {
   Mesh& mesh = file.mesh;

@@ -32,10 +32,6 @@ TEST_CASE("a constant third coordinate is left out where the domain is in the pl
     CHECK(mesh->notes == std::vector<std::string>{
                              path + ": the third coordinate, 5 for all points, was left out"});
   }
-  const auto alone = read_mesh({.mesh = medit});
-  REQUIRE(alone);
-  CHECK(alone->mesh.dimension() == 3);
-  CHECK(alone->notes.empty());
 }
 
 TEST_CASE("a third coordinate that differs, by an ulp even, stays") {

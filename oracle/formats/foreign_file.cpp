@@ -44,7 +44,7 @@ bool is_fluent(std::string_view first) {
   return first.size() > 1 && first[0] == '(' && is_digit(first[1]);
 }
 
-// The first line that is no comment is a keyword, "*Node". Comments begin with two asterisks.
+// The first line that is not a comment is a keyword, "*Node". Comments begin with two asterisks.
 bool is_abaqus(const Source& beginning) {
   Lines lines(beginning);
   while (lines.next()) {
@@ -108,10 +108,10 @@ std::optional<std::string> foreign_kind(const Source& source) {
   Lines lines(beginning);
   if (!lines.next()) return std::nullopt;
   if (is_fluent(lines.tokens()[0])) {
-    return "a mesh of Fluent (meshio convert --input-format ansys IN.msh IN.vtu)";
+    return "a mesh of Fluent (" + read_by_meshio("IN" + end, "ansys") + ")";
   }
   if (is_abaqus(beginning)) {
-    return "a mesh of Abaqus (meshio convert --input-format abaqus IN.inp IN.vtu)";
+    return "a mesh of Abaqus (" + read_by_meshio("IN" + end, "abaqus") + ")";
   }
   if (is_gid(lines.tokens())) {
     return "a mesh of GiD (copy its coordinates to IN.node and its elements to IN.ele, each below "

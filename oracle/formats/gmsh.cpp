@@ -60,6 +60,7 @@ Status GmshReader::expect_word(std::string_view word) {
 Status GmshReader::read_header() {
   Status status = expect_word("$MeshFormat");
   if (!status) return status;
+  text_.begin_section();
   const std::string_view version = text_.word();
   version_ = version == "4.1" ? 4 : version == "2" || version.starts_with("2.") ? 2 : 0;
   if (version_ == 0) {
@@ -290,6 +291,7 @@ Status GmshReader::read_elements_4() {
 // Requires: `keyword` has just been read, and begins with '$'.
 Status GmshReader::read_section(std::string_view keyword) {
   const std::string end = "$End" + std::string(keyword.substr(1));
+  text_.begin_section();
   if (keyword == "$Nodes" || keyword == "$Elements") {
     bool& is_there = keyword == "$Nodes" ? has_nodes_ : has_elements_;
     if (is_there) return text_.fail_at_word("one section " + std::string(keyword));

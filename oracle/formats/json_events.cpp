@@ -234,7 +234,7 @@ Status JsonEvents::check_whole() const {
   return check_faces();
 }
 
-// What has as many vertices as a simplex of full dimension is no face of one.
+// What has as many vertices as a simplex of full dimension is not a face of one.
 Status JsonEvents::check_faces() const {
   const SimplexFile& faces = file_.faces;
   for (std::size_t i = 0; i < faces.simplices.size(); ++i) {

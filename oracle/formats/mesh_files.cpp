@@ -9,6 +9,7 @@
 #include "oracle/formats/foreign_file.hpp"
 #include "oracle/formats/mesh_formats.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/formats/tetgen.hpp"
 #include "oracle/model/exact_mesh.hpp"
 
@@ -72,15 +73,16 @@ Result<RawPoints> points_of(const Result<Source>& source, const std::string& pat
 
 // Reads a file that goes with another, and says so if it is missing.
 Result<RawPoints> read_points_beside(const std::string& mesh, std::string_view points_beside,
-                                     NumberReading reading) {
+                                     const MeshRequest& request) {
   if (points_beside.empty()) {
-    return tl::unexpected(
-        FormatError{mesh, 0, "--points FILE, with the points of these simplices", "none"});
+    return tl::unexpected(FormatError{
+        mesh, 0, request.points_option + " FILE, with the points of these simplices", "none"});
   }
   const std::string path = with_extension(mesh, points_beside);
-  if (exists(path)) return read_points(path, reading);
-  return tl::unexpected(FormatError{path, 0, "a file with the points of " + mesh,
-                                    "no file of that name (--points names another)"});
+  if (exists(path)) return read_points(path, request.reading);
+  return tl::unexpected(
+      FormatError{path, 0, "a file with the points of " + mesh,
+                  "no file of that name (" + request.points_option + " names another)"});
 }
 
 // What has been loaded of a file, or the file.
@@ -180,7 +182,8 @@ Result<Contents> read_contents(const MeshRequest& request, const std::string& pa
   name = source->name;
   format = format_of(extension(path));
   const std::string expected = "a mesh (" + kinds_of_meshes() +
-                               "; .ele goes with .node, .qhull-i with .qhull, .npy with --points)";
+                               "; .ele goes with .node, .qhull-i with .qhull, .npy with " +
+                               request.points_option + ")";
   if (format == nullptr) {
     if (const auto other = other_kind(extension(path))) {
       return tl::unexpected(FormatError{name, 0, expected, *other});
@@ -202,10 +205,19 @@ Result<RawPoints> points_of_mesh(const MeshRequest& request, const std::string& 
     return points_of(source_of(request, *request.points), *request.points, request.reading);
   }
   if (contents.points) return std::move(*contents.points);
-  return read_points_beside(path, format.points_beside, request.reading);
+  return read_points_beside(path, format.points_beside, request);
 }
 
 }  // namespace
+
+bool may_be_of_plane(const MeshRequest& request) {
+  return !request.keeps_coordinates && request.domain_dimension != 3;
+}
+
+bool is_of_domain_dimension(const MeshRequest& request, const Mesh& mesh) {
+  return request.domain_dimension == mesh.dimension() ||
+         (request.domain_height && mesh.dimension() == 3);
+}
 
 std::string extension(const std::string& path) {
   const std::size_t slash = path.rfind('/');
@@ -267,10 +279,11 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
   mesh.first_index = points->points.first_index;
   file.points_name = points->name;
   file.notes = std::move(contents->notes);
-  if (request.domain_dimension == 2 || (contents->may_be_of_plane && !request.domain_dimension)) {
-    leave_out_constant_coordinate(file);
-  }
   SimplexFile& simplices = contents->simplices;
+  if (may_be_of_plane(request) &&
+      !needs_space(simplices.simplices, simplices.vertices_per_simplex, contents->faces)) {
+    leave_out_height(file, request.domain_height);
+  }
   const std::vector<Vertex> labels = std::move(simplices.labels);
   if (Status sizes = check_sizes(simplices, mesh.dimension(), file.mesh_name); !sizes) {
     return tl::unexpected(sizes.error());
@@ -293,7 +306,7 @@ Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request) {
     if (Status read = read_neighbors(path, listed, mesh); !read) {
       return tl::unexpected(read.error());
     }
-  } else if (request.domain_dimension == mesh.dimension()) {
+  } else if (is_of_domain_dimension(request, mesh)) {
     take_for_faces(file);
   }
   Result<std::vector<Rational>> weights = weights_of(*points, request.weights);

@@ -53,12 +53,17 @@ struct LoadedFile {
 struct MeshRequest {
   std::string mesh;                        // a file; of .node and .qhull, the simplices beside it
   std::optional<std::string> points = {};  // instead of those beside or inside the mesh
+  std::string points_option = "--points";  // what names them, for messages
   NumberReading reading = NumberReading::kDouble;
   bool with_neighbors = false;  // read the .neigh beside an .ele, if there is one
   bool with_faces = false;      // and the .face and the .edge
   // Of the points of the domain that the mesh is held against, if it is: what says the same in other
   // words is read as the domain's dimension wants it; see below.
   std::optional<std::size_t> domain_dimension = {};
+  // Of a domain in the plane that has points in space: what was left out of them. A mesh of another
+  // height is held against the domain in space.
+  std::optional<Rational> domain_height = {};
+  bool keeps_coordinates = false;            // no third coordinate is left out (plane.hpp)
   std::optional<PointFile> own_points = {};  // instead of any file's
   Weights weights = Weights::kNone;
   // Only simplices with one of these labels, if there are any: in Medit's files the reference, in Gmsh's the
@@ -66,6 +71,11 @@ struct MeshRequest {
   std::vector<Vertex> kept_labels = {};
   std::vector<LoadedFile> loaded = {};  // taken for what the files hold; see load_streams
 };
+
+// Does nobody say that the mesh is one of space? And is it of the dimension of the domain, or of
+// the space of a flat one?
+bool may_be_of_plane(const MeshRequest& request);
+bool is_of_domain_dimension(const MeshRequest& request, const Mesh& mesh);
 
 // Reads into `loaded` what can be read but once, pipes and standard input, and the files whose names do
 // not say their format. Nothing if mesh and points are both to come from standard input.
@@ -92,27 +102,24 @@ struct MeshFile {
   std::map<Simplex, Vertex> face_markers = {};
   std::string points_name = {};  // of the files, for messages
   std::string mesh_name = {};
+  std::optional<Rational> height = {};  // the third coordinate of all points, which was left out
   std::vector<std::string> notes = {};  // what was read otherwise than it stands there, a line each
 };
 
 // Reads a mesh and its points: files as programs write them at the speed of memory (read_plain_mesh), all
 // others by their own readers, which have the messages. `threads`: 0: as many as the machine has; the
 // answer is the same for any number.
-// Errors: a file that is missing or malformed; elements of second order, faces that are no triangles and
-// facets that are no simplices, none of which can be judged; neighbours of other simplices than these;
-// no weights where they are demanded.
+// Errors: a file that is missing or malformed; elements of second order, faces that are not
+// triangles and facets that are no simplices, none of which can be judged; neighbours of other
+// simplices than these; no weights where they are demanded.
 Result<MeshFile> read_mesh(MeshRequest request, unsigned threads = 0);
 
 // The same, all by the readers that have the messages.
 Result<MeshFile> read_mesh_line_by_line(const MeshRequest& request);
 
 // ---- What programs write otherwise ----
-// What programs write otherwise than the domain that their mesh is of: points of the plane with a
-// third coordinate, and dangling triangles and edges as if they were all there is.
-
-// Gmsh and many others write a mesh of the plane as one in space, z = 0. Leaves out the third
-// coordinate of points in space if it is exactly the same for all, and notes that; else nothing.
-void leave_out_constant_coordinate(MeshFile& file);
+// What programs write otherwise than the domain that their mesh is of: dangling triangles and edges
+// as if they were all there is. (Points of the plane with a third coordinate: plane.hpp.)
 
 // A mesh without simplices of full dimension can only be of what dangles in a domain: takes its
 // simplices, if all have as many vertices, 2 at least and fewer than one of full dimension, for the

@@ -31,11 +31,9 @@ const std::string kJson =
 const std::string kOff = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
 const std::vector<Simplex> kTwo = {{0, 1, 2}, {0, 2, 3}};
 
-Result<MeshFile> mesh_of(const std::string& path) {
-  return read_mesh({path, std::nullopt, NumberReading::kDouble});
-}
+Result<MeshFile> mesh_of(const std::string& path) { return read_mesh({.mesh = path}); }
 Result<MeshFile> mesh_of(const std::string& path, const std::string& points) {
-  return read_mesh({path, points, NumberReading::kDouble});
+  return read_mesh({.mesh = path, .points = points});
 }
 Result<MeshFile> weighted(const std::string& path, const std::optional<std::string>& points,
                           Weights weights) {
@@ -204,6 +202,14 @@ TEST_CASE("files without a telling name are known by what they hold") {
   CHECK(read_points(folder.write("b.dat", kOff), reading)->points.dimension == 3);
   CHECK(read_points(folder.write("c.txt", kSquareQhull), reading)->points.points.size() == 4);
   CHECK(read_points(folder.write("d", kSquareFrom1), reading)->points.first_index == 1);
+  // A point on each line, and no header that announces as many columns.
+  CHECK(read_points(folder.write("l.txt", "0 0\n3 0\n0 3\n2 2\n"), reading)->points.points.size() ==
+        4);
+  CHECK(read_points(folder.write("l.dat", "1 2 3 4\n5 6 7 8\n"), reading)->points.dimension == 4);
+  CHECK(
+      read_points(folder.write("l", "2 3 0 0\n7 1 2 3\n8 1 2 4\n"), reading)->points.first_index ==
+      7);
+  CHECK(read_points(folder.write("l", "1 0.5\n2 1.5\n"), reading)->points.points.size() == 2);
   const std::string points = folder.write("p.node", kSquareFrom1);
   CHECK(mesh_of(folder.write("e", kTwoFrom1), points)->mesh.simplices.lists() == kTwo);
   CHECK(mesh_of(folder.write("f", kTwoQhull), points));
@@ -230,7 +236,7 @@ TEST_CASE("formats of elements: faces, points of the plane, points alone, names 
     // A domain of space says that they are points of space.
     request.domain_dimension = 3;
     CHECK(read_mesh(request)->mesh.dimension() == 3);
-    CHECK(read_points(path, NumberReading::kDouble)->points.dimension == 2);
+    CHECK(read_points(path, NumberReading::kDouble)->points.dimension == 3);
     const auto domain = read_domain(path, NumberReading::kDouble);
     REQUIRE(domain);
     CHECK(domain->dimension == 2);
@@ -287,7 +293,9 @@ TEST_CASE("what cannot be found or judged") {
                                           ".xyz, .csv, .npy, .npz, .qhull), found a .ele file");
   const auto abaqus = read_points(folder.write("x.inp", "1, 0, 0, 0\n"), NumberReading::kDouble);
   REQUIRE(!abaqus);
-  CHECK(abaqus.error().found == "a mesh of Abaqus (meshio convert IN.inp IN.vtu)");
+  CHECK(abaqus.error().found ==
+        "a mesh of Abaqus (with Debian's python3-meshio: python3 -c 'import meshio; "
+        "meshio.read(\"IN.inp\").write(\"OUT.vtu\")')");
   const std::string bare =
       folder.write("bare.json", "{\"circumspect\": 1, \"dimension\": 2, \"points\": []}");
   CHECK(error_of(mesh_of(bare)) ==

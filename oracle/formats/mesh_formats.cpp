@@ -20,30 +20,31 @@ namespace {
 struct OtherKind {
   std::string_view extension;
   std::string_view what;
-  std::string_view command;  // IN stands for its name without the extension
+  // What converts it, IN being its name without the extension; or the packages with which meshio
+  // does.
+  std::string_view command;
 };
 
-// `meshio convert` keeps 16 digits and more of the coordinates.
 constexpr std::array kOtherKinds = {
-    OtherKind{".meshb", "Medit's binary form", "gmsh -0 IN.meshb -format mesh -o IN.mesh"},
+    OtherKind{".meshb", "Medit's binary form", "python3-meshio"},
     OtherKind{".geo", "a geometry of Gmsh", "gmsh -3 IN.geo -o IN.msh"},
     OtherKind{".step", "a STEP geometry", "gmsh -3 IN.step -o IN.msh"},
     OtherKind{".stp", "a STEP geometry", "gmsh -3 IN.stp -o IN.msh"},
     OtherKind{".iges", "an IGES geometry", "gmsh -3 IN.iges -o IN.msh"},
     OtherKind{".igs", "an IGES geometry", "gmsh -3 IN.igs -o IN.msh"},
     OtherKind{".brep", "a BREP geometry", "gmsh -3 IN.brep -o IN.msh"},
-    OtherKind{".inp", "a mesh of Abaqus", "meshio convert IN.inp IN.vtu"},
-    OtherKind{".bdf", "a mesh of Nastran", "meshio convert IN.bdf IN.vtu"},
-    OtherKind{".nas", "a mesh of Nastran", "meshio convert IN.nas IN.vtu"},
+    OtherKind{".inp", "a mesh of Abaqus", "python3-meshio"},
+    OtherKind{".bdf", "a mesh of Nastran", "python3-meshio"},
+    OtherKind{".nas", "a mesh of Nastran", "python3-meshio"},
     OtherKind{".unv", "a mesh of I-DEAS", "gmsh -0 IN.unv -o IN.msh"},
-    OtherKind{".med", "a mesh of Salome", "meshio convert IN.med IN.vtu"},
-    OtherKind{".cgns", "a CGNS mesh", "meshio convert IN.cgns IN.vtu"},
-    OtherKind{".xdmf", "an XDMF mesh", "meshio convert IN.xdmf IN.vtu"},
-    OtherKind{".e", "an Exodus mesh", "meshio convert IN.e IN.vtu"},
-    OtherKind{".exo", "an Exodus mesh", "meshio convert IN.exo IN.vtu"},
-    OtherKind{".h5m", "a MOAB mesh", "meshio convert IN.h5m IN.vtu"},
-    OtherKind{".su2", "a mesh of SU2", "meshio convert IN.su2 IN.vtu"},
-    OtherKind{".vol", "a mesh of Netgen", "meshio convert IN.vol IN.vtu"},
+    OtherKind{".med", "a mesh of Salome", "python3-meshio and python3-h5py"},
+    OtherKind{".cgns", "a CGNS mesh", "python3-meshio and python3-h5py"},
+    OtherKind{".xdmf", "an XDMF mesh", "python3-meshio and python3-h5py"},
+    OtherKind{".e", "an Exodus mesh", "python3-meshio and python3-netcdf4"},
+    OtherKind{".exo", "an Exodus mesh", "python3-meshio and python3-netcdf4"},
+    OtherKind{".h5m", "a MOAB mesh", "python3-meshio and python3-h5py"},
+    OtherKind{".su2", "a mesh of SU2", "python3-meshio"},
+    OtherKind{".vol", "a mesh of Netgen", "python3-meshio"},
     OtherKind{".pvtu", "a list of .vtu files", "pass one of these"},
     OtherKind{".vtm", "a list of VTK's files", "pass one of these"},
     OtherKind{".3mf", "a 3MF model", "write it as STL or OBJ"},
@@ -64,7 +65,18 @@ std::optional<std::string> other_kind(std::string_view extension) {
       std::find_if(kOtherKinds.begin(), kOtherKinds.end(),
                    [extension](const OtherKind& kind) { return kind.extension == extension; });
   if (found == kOtherKinds.end()) return std::nullopt;
-  return std::string(found->what) + " (" + std::string(found->command) + ")";
+  const std::string in = "IN" + std::string(extension);
+  return std::string(found->what) + " (" +
+         (found->command.starts_with("python3-") ? read_by_meshio(in, "", found->command)
+                                                 : std::string(found->command)) +
+         ")";
+}
+
+std::string read_by_meshio(const std::string& in, const std::string& format,
+                           std::string_view packages) {
+  const std::string as = format.empty() ? "" : ", file_format=\"" + format + "\"";
+  return "with Debian's " + std::string(packages) + ": python3 -c 'import meshio; meshio.read(\"" +
+         in + "\"" + as + ").write(\"OUT.vtu\")'";
 }
 
 // ---- Mesh formats ----
@@ -168,14 +180,13 @@ Result<Contents> mesh_of_json(const Source& source, NumberReading reading) {
   return Contents{std::move(file->simplices), std::move(points), std::move(file->faces.simplices)};
 }
 
-// Files of elements. Where a format knows points of space alone, those of the plane are recognized.
+// Files of elements.
 using ElementReader = Result<ElementFile> (*)(const Source&, NumberReading);
 
 template <ElementReader read>
 Result<RawPoints> points_of_elements(const Source& source, NumberReading reading) {
   Result<ElementFile> file = read(source, reading);
   if (!file) return tl::unexpected(file.error());
-  if (read != read_medit) take_for_plane(*file, source.name);
   return points_alone(source, std::move(file->points));
 }
 
@@ -187,7 +198,6 @@ Result<Contents> mesh_of_elements(const Source& source, NumberReading reading) {
   const Status simplices = check_simplices(*file, source.name);
   if (!simplices) return tl::unexpected(simplices.error());
   Contents contents;
-  contents.may_be_of_plane = read != read_medit && is_of_plane(*file);
   TopElements top = top_elements(*file);
   contents.simplices = std::move(top.simplices);
   contents.faces = std::move(top.faces);
@@ -244,12 +254,27 @@ struct Beginning {
     first_token = lines.tokens()[0];
     on_first_line = lines.size();
     if (on_first_line > 1) second_token = lines.tokens()[1];
+    // "points dimension [attributes [markers]]" announces an index and so many numbers for each.
+    columns_announced = 1;
+    for (std::size_t column = 1; column < on_first_line && column < 4; ++column) {
+      Vertex number = 0;
+      const bool is_count = parse_integer(lines.tokens()[column], number) == std::errc();
+      columns_announced += is_count && number >= 0 ? count_of(number) : 0;
+    }
     if (lines.next()) on_second_line = lines.size();
   }
+
+  // A point on each line, from the first on, and no header?
+  bool is_list() const {
+    return on_first_line > 1 && on_first_line == on_second_line &&
+           columns_announced != on_second_line;
+  }
+
   std::string_view first_token;
   std::string_view second_token;
   std::size_t on_first_line = 0;
   std::size_t on_second_line = 0;
+  std::size_t columns_announced = 0;  // if the first line is the header of a .node file
 };
 
 // The format of a file that says by its first bytes what it is; null if it does not.
@@ -282,6 +307,7 @@ const MeshFormat* sniff_points(const Source& source) {
   const bool begins_with_number =
       beginning.first_token.find_first_of("0123456789") <= 1;  // there may be a sign
   if (!beginning.first_token.empty() && !begins_with_number) return nullptr;
+  if (beginning.is_list()) return format_of(".xyz");
   return format_of(beginning.on_second_line == 1 ? ".qhull" : ".node");
 }
 

@@ -17,6 +17,11 @@ namespace circumspect::formats {
 // or points were expected; none if nothing is known of it. A domain (".poly") is one of these.
 std::optional<std::string> other_kind(std::string_view extension);
 
+// The command that makes a .vtu of what meshio reads; `format`: what meshio calls it, if the name
+// does not say so.
+std::string read_by_meshio(const std::string& in, const std::string& format = "",
+                           std::string_view packages = "python3-meshio");
+
 // The same for what is read, but not as a domain: meshes (".ele") and points (".node").
 std::optional<std::string> kind_of_mesh(std::string_view extension);
 
@@ -30,8 +35,6 @@ struct Contents {
   std::optional<RawPoints> points = {};
   std::vector<Simplex> faces = {};  // listed beside the simplices
   std::vector<std::string> notes = {};
-  bool may_be_of_plane =
-      false;  // the format knows points of space alone, and no element is one of space
 };
 
 // What files of an extension hold, and what stands beside them.

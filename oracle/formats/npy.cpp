@@ -193,7 +193,11 @@ SimplexFile as_lists(const Rows<Index>& rows) {
 
 constexpr std::string_view kEntry = "PK\1\2", kLocalHeader = "PK\3\4", kEndOfArchive = "PK\5\6";
 constexpr std::size_t kSizeOfEnd = 22, kLongestComment = 0xffff;
-constexpr std::size_t kLargestGrowth = 1032;  // of what zlib packs
+
+// How large an array may be: so many bytes in any case, and more for each byte of the archive. What
+// zlib packs it makes up to 1032 times smaller, but not the numbers of meshes.
+constexpr std::size_t kSmallArray = 1'000'000;
+constexpr std::size_t kLargestGrowth = 100;
 
 // What an archive says of a file in it.
 struct ZipEntry {
@@ -258,7 +262,6 @@ std::optional<std::string_view> stored_bytes(std::string_view archive, const Zip
 
 // What zlib made of so many bytes, without a head of its own; none if it did not. Requires: both sizes fit 32 bits.
 std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
-  if (size / kLargestGrowth > packed.size()) return std::nullopt;
   std::string bytes(size, '\0');
   z_stream stream = {};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return std::nullopt;
@@ -302,6 +305,13 @@ Result<Source> array_of_npz(const Source& archive, std::string_view name) {
   }
   if (wanted->size == 0xffffffff || wanted->packed_size == 0xffffffff) {
     return fail(path, "less than 4 GiB (numpy.save writes larger arrays)", "more");
+  }
+  const std::size_t most = kSmallArray + kLargestGrowth * archive.text.size();
+  if (wanted->size > most) {
+    return fail(path,
+                "at most " + std::to_string(most) + " bytes in an archive of " +
+                    std::to_string(archive.text.size()),
+                std::to_string(wanted->size));
   }
   const auto stored = stored_bytes(archive.text, *wanted);
   std::optional<std::string> bytes;

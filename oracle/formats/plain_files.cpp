@@ -71,7 +71,7 @@ bool skip_empty_lines(PlainTokens& tokens) {
   return false;
 }
 
-// The first index of these lines; none if there is no line with a token, or that is no integer.
+// The first index of these lines; none if there is no line with a token, or that is not an integer.
 std::optional<std::int64_t> first_index(PlainTokens tokens) {
   std::int64_t index = 0;
   if (!skip_empty_lines(tokens) || !tokens.integer(index)) return std::nullopt;

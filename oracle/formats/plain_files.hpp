@@ -121,7 +121,7 @@ class PlainTokens {
 // ---- Plain rows ----
 // The files of Triangle and TetGen as programs write them: a header, then numbered rows, read by
 // several threads. Whatever is not exactly of that form is left to NumberedLines, which says what is
-// wrong with it, or reads it all the same: here that is no error, there is just no answer.
+// wrong with it, or reads it all the same: here that is not an error, there is just no answer.
 
 // The numbers on the first line that has any.
 struct PlainHeader {
@@ -140,7 +140,7 @@ struct PlainBlock {
   std::size_t last = 0;
 };
 
-// More columns are no mesh.
+// More columns are not a mesh.
 inline constexpr std::size_t kMostPlainColumns = 1000;
 
 // Small enough for a core's own cache, large enough that cutting costs nothing.

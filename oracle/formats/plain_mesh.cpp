@@ -3,6 +3,7 @@
 
 #include "oracle/formats/mesh_files.hpp"
 #include "oracle/formats/npy.hpp"
+#include "oracle/formats/plane.hpp"
 #include "oracle/formats/tetgen.hpp"
 
 namespace circumspect::formats {
@@ -126,13 +127,13 @@ std::optional<MeshFile> read_rows(const MeshRequest& request, const PlainReading
   auto simplices = read_simplices(*bytes.file, kind, mesh.first_index, reading);
   if (!simplices) return std::nullopt;
   mesh.simplices = std::move(*simplices);
-  if (request.domain_dimension == 2) leave_out_constant_coordinate(file);
   const std::size_t columns = columns_of(mesh.simplices);
+  if (may_be_of_plane(request) && columns <= 3) leave_out_height(file, request.domain_height);
   if (columns > mesh.dimension() + 1) return std::nullopt;
   if (request.with_faces && has_files_beside && !read_plain_faces(path, file)) return std::nullopt;
   if (request.with_neighbors) {
     if (!read_neighbors(path, columns, reading, mesh)) return std::nullopt;
-  } else if (request.domain_dimension == mesh.dimension()) {
+  } else if (is_of_domain_dimension(request, mesh)) {
     take_for_faces(file);
   }
   return file;

@@ -150,7 +150,7 @@ TEST_CASE("plain meshes: triangles and edges beside them, if they are asked for"
   folder.write("x.face", "1 1\n1 1 2 3 7\n");
   CHECK(is_read(request));
   CHECK(read_plain_mesh(request)->mesh.faces == std::vector<Simplex>{{0, 1, 2}, {2, 1}, {8, -6}});
-  // A triangle is no proper face of a mesh in the plane.
+  // A triangle is not a proper face of a mesh in the plane.
   CHECK(read_mesh(request)->mesh.faces == std::vector<Simplex>{{2, 1}, {8, -6}});
   CHECK(read_plain_mesh({request.mesh})->mesh.faces.empty());
   folder.write("x.face", "1 1\n1 1 2\n");
@@ -162,7 +162,7 @@ TEST_CASE("plain meshes: all else is read as ever") {
   const ScratchFolder folder;
   folder.write("x.node", kNode);
   const std::string ele = folder.write("x.ele", kEle);
-  CHECK(!is_read({ele, {}, NumberReading::kDecimal}));
+  CHECK(!is_read({.mesh = ele, .reading = NumberReading::kDecimal}));
   MeshRequest request{ele};
   request.domain_dimension = 2;
   CHECK(is_read(request));

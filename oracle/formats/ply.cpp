@@ -71,10 +71,13 @@ class TextRows final : public PlyRows {
 
 class BinaryRows final : public PlyRows {
  public:
-  BinaryRows(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(bytes) {}
+  // `end`: where the bytes end in the file.
+  BinaryRows(std::string name, Bytes bytes, std::size_t end)
+      : name_(std::move(name)), bytes_(bytes), end_(end) {}
 
   Status begin_row(const std::string& what) override {
     what_ = what;
+    go_on();
     if (bytes_.left() == 0) return ended();
     return {};
   }
@@ -86,12 +89,14 @@ class BinaryRows final : public PlyRows {
     return count_of(*count);
   }
   Status skip(PlyType type, std::size_t count) override {
+    go_on();
     // The count may be anything: no product of it before it is known to be small.
     if (count > bytes_.left() / type.size) return ended();
     bytes_.skip(count * type.size);
     return {};
   }
   Result<Vertex> read_index(PlyType type) override {
+    go_on();
     const auto bits = bytes_.unsigned_integer(type.size);
     if (!bits) return ended();
     return type.kind == Kind::kSigned ? as_signed(*bits, type.size) : static_cast<Vertex>(*bits);
@@ -102,6 +107,7 @@ class BinaryRows final : public PlyRows {
       if (!value) return tl::unexpected(value.error());
       return Rational(to_integer(*value));
     }
+    go_on();
     const auto bits = bytes_.unsigned_integer(type.size);
     if (!bits) return ended();
     const auto value = as_floating(*bits, type.size);
@@ -111,18 +117,23 @@ class BinaryRows final : public PlyRows {
   std::size_t line() const override { return 0; }
   Status expect_end() override {
     if (bytes_.left() == 0) return {};
+    go_on();
     return fail("the end of the file after the last element",
                 std::to_string(bytes_.left()) + " more bytes");
   }
 
  private:
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const {
-    return tl::unexpected(FormatError{name_, 0, std::move(expected), std::move(found)});
+    return tl::unexpected(
+        FormatError{name_, 0, std::move(expected), found + " at byte " + std::to_string(at_)});
   }
+  void go_on() { at_ = end_ - bytes_.left(); }
   tl::unexpected<FormatError> ended() const { return fail(what_, "the end of the file"); }
 
   std::string name_;
   Bytes bytes_;
+  std::size_t end_;
+  std::size_t at_ = 0;  // where what is read next, or was read last, begins
   std::string what_;
 };
 
@@ -258,7 +269,8 @@ Result<PlyFile> read_points_and_faces(const Source& source, NumberReading readin
   }
   const std::string_view text = source.text;
   BinaryRows rows(source.name,
-                  Bytes(text.substr(text.size() - lines.bytes_left()), *header->binary));
+                  Bytes(text.substr(text.size() - lines.bytes_left()), *header->binary),
+                  text.size());
   return read_ply_body(rows, *header);
 }
 

@@ -152,14 +152,17 @@ class TextReader {
   bool has_noted_end_ = false;
 };
 
-Result<Point> read_corner(Bytes& bytes, const std::string& name, const std::string& triangle) {
+Result<Point> read_corner(Bytes& bytes, const Source& source, const std::string& triangle) {
   Point corner;
   for (int i = 0; i < 3; ++i) {
+    const std::size_t at = source.text.size() - bytes.left();
     const auto bits = bytes.unsigned_integer(4);
     const std::optional<Rational> value = bits ? as_floating(*bits, 4) : std::nullopt;
     if (!value) {
-      return tl::unexpected(FormatError{name, 0, "finite coordinates of " + triangle,
-                                        bits ? "NaN or an infinity" : "the end of the file"});
+      return tl::unexpected(
+          FormatError{source.name, 0, "finite coordinates of " + triangle,
+                      (bits ? "NaN or an infinity at byte " : "the end of the file at byte ") +
+                          std::to_string(at)});
     }
     corner.push_back(*value);
   }
@@ -180,12 +183,14 @@ Result<DomainFile> read_binary(const Source& source) {
     const std::string triangle =
         "triangle " + std::to_string(i + 1) + " of " + std::to_string(*count);
     if (bytes.left() < kTriangle) {
-      return tl::unexpected(FormatError{source.name, 0, triangle, "the end of the file"});
+      return tl::unexpected(
+          FormatError{source.name, 0, triangle,
+                      "the end of the file at byte " + std::to_string(source.text.size())});
     }
     bytes.skip(12);
     std::array<Point, 3> corners;
     for (Point& corner : corners) {
-      Result<Point> point = read_corner(bytes, source.name, triangle);
+      Result<Point> point = read_corner(bytes, source, triangle);
       if (!point) return tl::unexpected(point.error());
       corner = std::move(*point);
     }

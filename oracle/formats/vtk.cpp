@@ -302,6 +302,7 @@ void VtkReader::skip_information() {
 }
 
 Status VtkReader::read_section(const std::string& keyword) {
+  text_.begin_section();
   if (keyword == "POINTS") return read_points();
   if (keyword == "METADATA") {
     skip_information();

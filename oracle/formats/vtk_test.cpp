@@ -70,8 +70,8 @@ TEST_CASE("vtk: numbers in text are what is written; binary floats are exact") {
   CHECK(third->points.points.front()[0] == Rational(11184811, 33554432));
   CHECK(third->points.points.front()[1] == exact_value(std::ldexp(1, -149)));
   CHECK(error_of(floats(0x7fc00000)) ==
-        "f: expected a coordinate of point 1 of 1, a finite number, found NaN or an infinity at "
-        "byte 72");
+        "f:5: expected a coordinate of point 1 of 1, a finite number, found NaN or an infinity at "
+        "byte 72, in POINTS");
 }
 
 TEST_CASE("vtk: what is refused") {
@@ -216,7 +216,7 @@ TEST_CASE("vtu: bytes that are not what their lengths promise") {
         "f:6: expected compressed blocks, found 4294967295, more than there are bytes");
   std::string large = packed;
   CHECK(error_of(xml(large.replace(head + 4, 4, "\xff\xff\xff\xff")))
-            .starts_with("f:6: expected block 1 of 2, compressed, of 4294967295 bytes, found "));
+            .starts_with("f:6: expected at most 1"));
   std::string broken = packed;
   CHECK(error_of(xml(broken.replace(head + 20, 4, "abcd"))) ==
         "f:6: expected block 1 of 2, compressed, of 50 bytes, found other data");
@@ -235,6 +235,64 @@ TEST_CASE("base 64: padding within, blanks, faults") {
   CHECK(!decode_base64("QU*D", 3));
   CHECK(!decode_base64("Q=BD", 3));
   CHECK(!decode_base64("Q===", 3));
+}
+
+namespace {
+
+// Pieces that all have the same points, `count` of them, whose bytes stand once behind the
+// document.
+std::string pieces_of_one_array(std::size_t pieces, std::size_t count) {
+  std::string text =
+      "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"UInt32\">"
+      "<UnstructuredGrid>\n";
+  for (std::size_t i = 0; i < pieces; ++i) {
+    text += "<Piece NumberOfPoints=\"" + std::to_string(count) +
+            "\" NumberOfCells=\"0\"><Points><DataArray type=\"Float64\" "
+            "NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points></Piece>\n";
+  }
+  const std::string numbers(24 * count, '\0');
+  return text + "</UnstructuredGrid><AppendedData encoding=\"raw\">_" +
+         stored(numbers.size(), 4, ByteOrder::kLittleEndian) + numbers +
+         "</AppendedData></VTKFile>\n";
+}
+
+}  // namespace
+
+TEST_CASE("vtu: pieces may share an array, but not make a large mesh of a small file") {
+  const auto few = read_vtu({"f", pieces_of_one_array(3, 5000)}, kDouble);
+  REQUIRE_MESSAGE(few, error_of(few));
+  CHECK(few->points.points.size() == 15000);
+  const std::string text = pieces_of_one_array(1000, 10000);
+  CHECK(text.size() < 500'000);
+  // 100000 numbers and one for each byte, of which each piece has 30000.
+  const std::size_t most = 100'000 + text.size();
+  CHECK(error_of(read_vtu({"f", text}, kDouble)) ==
+        "f:" + std::to_string(2 + most / 30'000) + ": expected at most " + std::to_string(most) +
+            " numbers in all arrays of a file of " + std::to_string(text.size()) +
+            " bytes, found more, with this array (one that several pieces share counts for each of "
+            "them)");
+}
+
+TEST_CASE("vtk: a fault behind binary numbers is named by its byte and its section with its line") {
+  const auto points = [](const std::string& behind) {
+    return "# vtk DataFile Version 5.1\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 double\n" +
+           std::string(24, '\n') + "\nCELLS 2 1\nOFFSETS vtktypeint64\n" + std::string(15, '\0') +
+           "\1" + behind;
+  };
+  const auto read = [](const std::string& text) {
+    return error_of(read_vtk({"f", text}, kDouble));
+  };
+  const std::string text = points("\nIVITY vtktypeint64\n");
+  // The numbers of the points are 24 ends of lines, as an editor sees it.
+  CHECK(read(text) == "f:31: expected CONNECTIVITY, found \"IVITY\" at byte " +
+                          std::to_string(text.find("IVITY")) + ", in CELLS");
+  const std::string cut = points("\nCONNECTIVITY vtktypeint64\n\1");
+  CHECK(read(cut) == "f:31: expected a number of CONNECTIVITY, found the end of the data at byte " +
+                         std::to_string(cut.size() - 1) + ", in CELLS");
+  const std::string other =
+      points("\nCONNECTIVITY vtktypeint64\n" + std::string(8, '\0') + "\nKELLS 1\n");
+  CHECK(read(other) == "f:36: expected a section, as POINTS or CELLS, found \"KELLS\" at byte " +
+                           std::to_string(other.find("KELLS")));
 }
 
 }  // namespace circumspect::formats

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 #include <zlib.h>
@@ -50,10 +51,14 @@ namespace {
 
 constexpr std::string_view kAppended = "<AppendedData";
 
-// zlib makes at most this of a byte.
-constexpr std::size_t kLargestGrowth = 1032;
+// How many numbers a file may have: so many in any case, and more for each of its bytes. A number
+// has a byte at least. Where zlib has packed them, those of meshes have about two bytes each, even
+// if cells and points are in rows.
+constexpr std::size_t kNumbersOfSmallFile = 100'000;
+constexpr std::size_t kNumbersPerByte = 1;
+constexpr std::size_t kNumbersPerPackedByte = 12;
 
-// Where the bytes stand that are no XML; none: begin is the end of the text.
+// Where the bytes stand that are not XML; none: begin is the end of the text.
 struct Appended {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -158,19 +163,35 @@ Status VtuDocument::read_attributes() {
   if (!is_compressed_ && !compressor.empty()) {
     return fail(root(), "no compressor or vtkZLibDataCompressor", quote(compressor));
   }
+  const std::size_t per_byte = is_compressed_ ? kNumbersPerPackedByte : kNumbersPerByte;
+  most_numbers_ = kNumbersOfSmallFile + per_byte * source_.text.size();
   is_appended_base64_ =
       std::string_view(root().child("AppendedData").attribute("encoding").value()) == "base64";
   return {};
 }
 
+Status VtuDocument::take_numbers(pugi::xml_node node, std::size_t bytes, std::size_t bytes_each) {
+  const std::size_t numbers = bytes / bytes_each;
+  if (numbers <= most_numbers_ - numbers_) {
+    numbers_ += numbers;
+    return {};
+  }
+  return fail(node,
+              "at most " + std::to_string(most_numbers_) + " numbers in all arrays of a file of " +
+                  std::to_string(source_.text.size()) + " bytes",
+              "more, with this array (one that several pieces share counts for each of them)");
+}
+
 // Behind one length: so many bytes.
 Result<std::string> VtuDocument::decode(pugi::xml_node node, std::string_view stored,
-                                        bool is_base64) const {
+                                        bool is_base64, std::size_t bytes_each) {
   const auto head = first_bytes(stored, is_base64, size_of_lengths_);
   if (!head) return fail(node, "bytes in base 64", "other characters");
   const auto length = Bytes(*head, order_).unsigned_integer(size_of_lengths_);
   if (!length) return fail(node, "the number of bytes of the array", "the end of the data");
   const std::size_t most = stored.size();  // base 64 never holds more
+  const Status taken = take_numbers(node, std::min<std::size_t>(*length, most), bytes_each);
+  if (!taken) return tl::unexpected(taken.error());
   auto bytes =
       first_bytes(stored, is_base64, size_of_lengths_ + std::min<std::size_t>(*length, most));
   if (!bytes) return fail(node, "bytes in base 64", "other characters");
@@ -184,7 +205,7 @@ Result<std::string> VtuDocument::decode(pugi::xml_node node, std::string_view st
 
 // Behind the number of blocks, their size, that of the last and the size of each when compressed.
 Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view stored,
-                                         bool is_base64) const {
+                                         bool is_base64, std::size_t bytes_each) {
   const std::size_t most = stored.size();  // base 64 never holds more
   const auto beginning = first_bytes(stored, is_base64, size_of_lengths_);
   if (!beginning) return fail(node, "bytes in base 64", "other characters");
@@ -217,17 +238,22 @@ Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view s
   if (all->size() < head_size + total) {
     return fail(node, "compressed blocks", "the end of the data");
   }
+  const std::size_t of_last = last != 0 ? last : whole;
+  std::size_t all_made = 0;
+  if (__builtin_mul_overflow(*blocks - 1, whole, &all_made) ||
+      __builtin_add_overflow(all_made, of_last, &all_made)) {
+    all_made = std::numeric_limits<std::size_t>::max();
+  }
+  if (Status taken = take_numbers(node, all_made, bytes_each); !taken) {
+    return tl::unexpected(taken.error());
+  }
   std::string_view rest = std::string_view(*all).substr(head_size);
   std::string bytes;
   for (std::size_t i = 0; i < *blocks; ++i) {
     const std::string block =
         "block " + std::to_string(i + 1) + " of " + std::to_string(*blocks) + ", compressed";
     const std::size_t size = sizes[i];
-    const std::size_t wanted = i + 1 == *blocks && last != 0 ? last : whole;
-    if (wanted / kLargestGrowth > size) {
-      return fail(node, block + ", of " + std::to_string(wanted) + " bytes",
-                  std::to_string(size) + " bytes, which cannot hold as many");
-    }
+    const std::size_t wanted = i + 1 == *blocks ? of_last : whole;
     const std::size_t begin = bytes.size();
     bytes.resize(begin + wanted);
     uLongf made = wanted;
@@ -241,7 +267,7 @@ Result<std::string> VtuDocument::inflate(pugi::xml_node node, std::string_view s
   return bytes;
 }
 
-Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) const {
+Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) {
   using enum NumberType::Kind;
   static const std::map<std::string, NumberType, std::less<>> types = {
       {"Int8", {kSigned, 1}},     {"UInt8", {kUnsigned, 1}},  {"Int16", {kSigned, 2}},
@@ -276,8 +302,9 @@ Result<VtuDocument::Array> VtuDocument::array(pugi::xml_node node) const {
     return fail(node, "format=\"ascii\", \"binary\" or \"appended\"", quote(format));
   }
   const bool is_base64 = format == "binary" || is_appended_base64_;
-  Result<std::string> bytes =
-      is_compressed_ ? inflate(node, stored, is_base64) : decode(node, stored, is_base64);
+  const std::size_t each = type->second.size;
+  Result<std::string> bytes = is_compressed_ ? inflate(node, stored, is_base64, each)
+                                             : decode(node, stored, is_base64, each);
   if (!bytes) return tl::unexpected(bytes.error());
   auto kept = std::make_unique<std::string>(std::move(*bytes));
   MixedText text(source_.name + ":" + std::to_string(line_of(node)), *kept, reading_);

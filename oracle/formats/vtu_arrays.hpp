@@ -53,14 +53,19 @@ class VtuDocument {
     std::unique_ptr<std::string> bytes;  // where `text` looks at, unless that is the document
     MixedText text;
   };
-  Result<Array> array(pugi::xml_node node) const;
+  // Errors: also, more numbers in all arrays that were asked for than a file of this size can have.
+  Result<Array> array(pugi::xml_node node);
 
  private:
   VtuDocument(const Source& source, NumberReading reading) : source_(source), reading_(reading) {}
 
   Status read_attributes();
-  Result<std::string> decode(pugi::xml_node node, std::string_view stored, bool is_base64) const;
-  Result<std::string> inflate(pugi::xml_node node, std::string_view stored, bool is_base64) const;
+  // Takes so many bytes of numbers out of what is left for all arrays.
+  Status take_numbers(pugi::xml_node node, std::size_t bytes, std::size_t bytes_each);
+  Result<std::string> decode(pugi::xml_node node, std::string_view stored, bool is_base64,
+                             std::size_t bytes_each);
+  Result<std::string> inflate(pugi::xml_node node, std::string_view stored, bool is_base64,
+                              std::size_t bytes_each);
 
   const Source& source_;
   NumberReading reading_;
@@ -70,6 +75,8 @@ class VtuDocument {
   ByteOrder order_ = ByteOrder::kLittleEndian;
   std::size_t size_of_lengths_ = 4;  // of those in front of bytes
   bool is_compressed_ = false;
+  std::size_t most_numbers_ = 0;  // in all arrays that are not text
+  std::size_t numbers_ = 0;       // so far
 };
 
 }  // namespace circumspect::formats

@@ -128,6 +128,8 @@ std::optional<Difference> difference(const Mesh& a, const Mesh& b) {
       difference_of_cells(cells_of(a), cells_of(b), place_in_b, places_of_b->size());
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
+  result.b_has_too = std::move(cells.b_has_too);
+  result.a_has_too = std::move(cells.a_has_too);
   return result;
 }
 

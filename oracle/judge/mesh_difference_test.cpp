@@ -16,6 +16,8 @@ void are_compared_alike(const ExactMesh& a, const ExactMesh& b) {
   CHECK(found->points_only_in_b == expected.points_only_in_b);
   CHECK(found->simplices_only_in_a == expected.simplices_only_in_a);
   CHECK(found->simplices_only_in_b == expected.simplices_only_in_b);
+  CHECK(found->b_has_too == expected.b_has_too);
+  CHECK(found->a_has_too == expected.a_has_too);
 }
 
 TEST_CASE("random meshes: points in any order, weighted or not, of either dimension, with faces") {

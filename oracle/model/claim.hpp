@@ -1,4 +1,4 @@
-// What may be claimed of a mesh.
+// What may be claimed about a mesh.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ enum class Claim {
   kDelaunay,
   kWeightedDelaunay,
   kComplex,  // nothing of a hull, of balls, of a domain
-  // Of a mesh and a domain.
+  // About a mesh and a domain.
   kPlcTriangulation,
   kSteinerTriangulation,
   kCdt,
@@ -22,10 +22,10 @@ enum class Claim {
 struct ClaimEntry {
   Claim claim;
   std::string_view name;   // "steiner-cdt"
-  bool is_about_a_domain;  // is one needed to judge it?
+  bool is_about_a_domain;  // does judging it need a domain?
 };
 
-// All claims, as a user may choose among them.
+// All claims that a user may choose.
 std::span<const ClaimEntry> claims();
 
 std::string_view name(Claim claim);

@@ -1,4 +1,4 @@
-// The domain that a mesh is meant to fill, as a user gives it.
+// The domain that a mesh must fill, as a user gives it.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,15 @@
 
 namespace circumspect {
 
-// A valid piecewise linear complex, and what the user calls its parts. A mesh has its own indices:
+// A valid piecewise linear complex, and the user's names for its parts. A mesh has its own indices:
 // vertices of mesh and domain are matched by their coordinates.
 struct Domain {
   PiecewiseLinearComplex complex;
   std::vector<Vertex> labels = {};              // of its vertices; empty: the index itself
   Vertex first_index = 0;                       // the user's index of the first vertex
   std::vector<std::string> polygon_names = {};  // "3 (line 17)"; empty: counted from 1
-  // Of the complex, if they have been found already: whoever changes the complex takes them away.
+  // The regions of the complex, if they have been found already; a change of the complex must reset
+  // them.
   std::optional<Regions> known_regions = {};
 
   Regions regions() const { return known_regions ? *known_regions : Regions(complex); }

@@ -1,5 +1,5 @@
-// Indices as users list them, and meshes of exact numbers in lists. The checkers that are written for clarity
-// judge these.
+// Indices as users list them, and meshes of exact numbers in lists, which the checkers that are
+// written for clarity judge.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,10 @@
 namespace circumspect {
 
 // ---- Listed index ----
-// Indices as users list them, and places from 0. All of this is modulo 2^64: then every index of 64 bits
-// has a place of its own, comes back from it as it was listed, and has the place of a point only if it
-// names one. What goes round at the ends names no point, since the indices of all points fit 64 bits.
+// Indices as users list them, and places from 0. The arithmetic is modulo 2^64: every index of 64
+// bits then has a place of its own, can be recovered from it, and has the place of a point only if
+// it names one. An index that wraps around names no point, because the indices of all points fit 64
+// bits.
 
 static_assert(sizeof(Vertex) == sizeof(std::uint64_t));
 
@@ -27,13 +28,13 @@ constexpr Vertex place_of_index(Vertex index, Vertex first_index) {
                              static_cast<std::uint64_t>(first_index));
 }
 
-// What a user calls the thing at a place.
+// The user's index of the item at a place.
 constexpr Vertex index_of_place(Vertex place, Vertex first_index) {
   return static_cast<Vertex>(static_cast<std::uint64_t>(place) +
                              static_cast<std::uint64_t>(first_index));
 }
 
-// Do the indices of so many things, counted from `first_index`, fit 64 bits?
+// Do the indices of so many items, counted from `first_index`, fit 64 bits?
 constexpr bool has_room(Vertex first_index, std::size_t count) {
   const std::uint64_t after_first = static_cast<std::uint64_t>(std::numeric_limits<Vertex>::max()) -
                                     static_cast<std::uint64_t>(first_index);
@@ -41,8 +42,8 @@ constexpr bool has_room(Vertex first_index, std::size_t count) {
 }
 
 // ---- Exact mesh ----
-// A mesh of exact numbers and of lists: what the checkers judge that are written for clarity, and what
-// constructions are compared with. Of a mesh that was read (mesh.hpp) one is made where it is needed.
+// A mesh of exact numbers and lists, which the checkers that are written for clarity judge and
+// constructions are compared with. A mesh that was read (mesh.hpp) is converted to it where needed.
 
 // Which simplex is across the facet opposite each vertex, as a program lists it.
 struct Neighbors {
@@ -59,9 +60,9 @@ struct ExactMesh {
   std::vector<Vertex> labels = {};  // empty: the index itself
   Vertex first_index = 0;           // the user's index of the first point, and of the first simplex
   std::optional<Neighbors> neighbors = {};
-  // Triangles and edges that a program lists beside (.face, .edge), each of fewer vertices than a
-  // simplex above. Those that are faces of no simplex with more vertices are the dangling ones; the
-  // others say nothing new. Only claims about a domain look at them.
+  // Triangles and edges that a program lists beside the simplices (.face, .edge), each with fewer
+  // vertices than a simplex. Those that are faces of no simplex with more vertices dangle; the
+  // others add nothing. Only claims about a domain use them.
   std::vector<Simplex> faces = {};
 
   // The user's own index of a vertex, whether it names a point or not.

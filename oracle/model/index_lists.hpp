@@ -16,9 +16,9 @@
 namespace circumspect {
 
 // ---- Rows ----
-// Numbers in one piece of memory, row after row: what large meshes are read into.
+// Numbers in one piece of memory, row after row; large meshes are read into these.
 
-// The memory is its own, or somebody else's that outlives it. It moves, and is never copied.
+// It owns the memory, or views memory that outlives it. It can be moved, but not copied.
 template <class Value>
 class Rows {
  public:
@@ -39,7 +39,7 @@ class Rows {
     return *this;
   }
 
-  // Rows where they lie, which nothing here changes. Requires: whole rows, if there are columns.
+  // A view of rows in memory, which it does not change. Requires: whole rows, if there are columns.
   static Rows of(std::span<const Value> values, std::size_t columns) {
     Rows rows;
     rows.columns_ = columns;
@@ -51,12 +51,12 @@ class Rows {
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
   std::span<const Value> values() const { return {values_, rows_ * columns_}; }
-  // Requires: the memory is its own.
+  // Requires: it owns the memory.
   std::span<Value> values() {
     assert(own_ != nullptr || rows_ * columns_ == 0);
     return {own_.get(), rows_ * columns_};
   }
-  // Requires: i < rows(); to write, that the memory is its own.
+  // Requires: i < rows(); for writing, that it owns the memory.
   std::span<const Value> row(std::size_t i) const {
     return values().subspan(i * columns_, columns_);
   }
@@ -80,7 +80,8 @@ struct Slice {
   bool has(std::uint64_t item) const { return begin <= item && item < end; }
 };
 
-// One of several parts of any list, as long as the others but for one item. Together they are the list, in order.
+// One of several parts of any list, whose lengths differ by at most one. Together they are the
+// list, in order.
 struct PartOf {
   std::size_t part = 0;
   std::size_t parts = 1;
@@ -101,25 +102,27 @@ struct PartOf {
 };
 
 // ---- Index lists ----
-// Lists of indices, as the simplices of a mesh: in one piece of memory where all are of one length.
+// Lists of indices, such as the simplices of a mesh: in one piece of memory if all have the same
+// length.
 
 class IndexLists {
  public:
   IndexLists() = default;
   IndexLists(Rows<std::int32_t> rows) : lists_(std::move(rows)) {}
   IndexLists(Rows<std::int64_t> rows) : lists_(std::move(rows)) {}
-  // In rows of 32 bits if these hold all indices, in rows of 64 if lists are of one length, 1 at least.
+  // In rows of 32 bits if these hold all indices, else in rows of 64 bits, if all lists have the
+  // same length, at least 1.
   explicit IndexLists(std::vector<Simplex> lists);
 
   std::size_t size() const;
   bool empty() const { return size() == 0; }
-  // How many indices every list has; 0 if there are none, or they differ.
+  // How many indices every list has; 0 if there are no lists, or if the numbers differ.
   std::size_t columns() const;
   // Requires: i < size().
   Simplex operator[](std::size_t i) const;
   std::vector<Simplex> lists() const;
 
-  // Null if they are not in such rows.
+  // Null if the lists are not in such rows.
   template <class Index>
   const Rows<Index>* rows() const {
     return std::get_if<Rows<Index>>(&lists_);

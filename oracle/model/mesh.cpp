@@ -39,7 +39,7 @@ Numbers in_narrowest(std::size_t rows, std::size_t columns, const Number& number
   return exact_rows;
 }
 
-// Its indices in the order in which the vertices stand here.
+// Its indices, in the order of the vertices here.
 Simplex in_order(const AsListed::Cell& cell, const Simplex& vertices) {
   if (cell.vertices == vertices) return cell.indices;
   Simplex indices;
@@ -50,7 +50,7 @@ Simplex in_order(const AsListed::Cell& cell, const Simplex& vertices) {
   return indices;
 }
 
-// Every index but −1 less `before`, plus `after`.
+// Subtracts `before` from every index but −1, and adds `after`.
 void shift(std::vector<Simplex>& lists, Vertex before, Vertex after) {
   for (Simplex& list : lists) {
     for (Vertex& index : list) {
@@ -165,7 +165,7 @@ Mesh in_rows(const ExactMesh& mesh) {
 
 namespace {
 
-// The points so that equal ones follow each other, the first of them first.
+// The points sorted so that equal ones are adjacent, the first of them first.
 template <class Value>
 std::vector<std::size_t> in_order(const Rows<Value>& rows) {
   std::vector<std::size_t> order(rows.rows());
@@ -181,8 +181,8 @@ std::vector<std::size_t> in_order(const Rows<Value>& rows) {
   return order;
 }
 
-// Rows of doubles, by a table of their hashes; nothing if that takes long, as it does where many hashes are alike.
-// Requires: the numbers are finite.
+// For rows of doubles, by a hash table; nothing if that takes long, as it does if many hashes
+// collide. Requires: the numbers are finite.
 std::optional<std::vector<Duplicate>> equal_rows_by_hash(const Rows<double>& rows) {
   constexpr std::size_t kFree = ~std::size_t{0};
   const std::size_t count = rows.rows();
@@ -193,7 +193,8 @@ std::optional<std::vector<Duplicate>> equal_rows_by_hash(const Rows<double>& row
     const auto row = rows.row(i);
     std::uint64_t hash = 0;
     for (const double number : row) {
-      // 0 for −0, which equals it. The product's upper half is mixed with its lower one, as all bits are to count.
+      // 0 for −0, which equals it. The product's upper half is mixed with its lower half, so that
+      // all bits count.
       hash = (hash ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9e3779b97f4a7c15U;
       hash ^= hash >> 32;
     }
@@ -234,7 +235,7 @@ std::vector<Duplicate> equal_rows(const Rows<Value>& rows) {
   return found;
 }
 
-// For each point the one that stands for it: itself, or an equal one.
+// For each point the one that represents it: itself, or an equal one.
 std::vector<Vertex> representatives(const Mesh& mesh, const std::vector<Duplicate>& repeated) {
   std::vector<Vertex> first(mesh.points());
   std::iota(first.begin(), first.end(), Vertex{0});
@@ -242,7 +243,7 @@ std::vector<Vertex> representatives(const Mesh& mesh, const std::vector<Duplicat
     first[static_cast<std::size_t>(duplicate.again)] = duplicate.kept;
   }
   if (!mesh.is_weighted()) return first;
-  std::vector<Vertex> heaviest = first;  // of the points that are equal to a first one
+  std::vector<Vertex> heaviest = first;  // the points that are equal to an earlier one
   for (const Duplicate& duplicate : repeated) {
     Vertex& best = heaviest[static_cast<std::size_t>(duplicate.kept)];
     if (mesh.weight(best) < mesh.weight(duplicate.again)) best = duplicate.again;
@@ -264,7 +265,7 @@ Numbers rows_at(const Numbers& numbers, const std::vector<std::size_t>& places) 
       numbers);
 }
 
-// Names what is left, and keeps what was listed by other names.
+// Renames the vertices to the points that are left, and keeps the lists with the original names.
 class Renaming {
  public:
   Renaming(Mesh& mesh, std::vector<Vertex> representative_of, std::vector<Vertex> place_of)
@@ -286,7 +287,7 @@ class Renaming {
   }
 
  private:
-  // Is a vertex called otherwise now?
+  // Does a vertex have another name now?
   bool rename(Simplex& cell) const {
     bool changes = false;
     for (Vertex& v : cell) {

@@ -1,4 +1,4 @@
-// A mesh as it was read, and how equal points of it are merged.
+// A mesh as it was read, and the merging of its equal points.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 namespace circumspect {
 
 // ---- Mesh ----
-// What a user hands in, as it was read: points and a list of simplices that some program made of them, in
-// arrays. exact() makes of it what the exact checkers judge.
+// A user's mesh as it was read: points and a list of simplices that some program made of them, in
+// arrays. exact() converts it to what the exact checkers judge.
 
-// Doubles, all finite, where all numbers are; else exact ones.
+// Finite doubles if all numbers are doubles, else exact numbers.
 using Numbers = std::variant<Rows<double>, Rows<Rational>>;
 
 // Requires: all points have `dimension` coordinates.
@@ -32,11 +32,11 @@ struct ListedNeighbors {
   // Counted from 0, −1 for none; `first`: the user's index of the first simplex.
   ListedNeighbors(IndexLists counted_from_0, Vertex first)
       : rows(std::move(counted_from_0)), first_index(first) {}
-  // As they are listed: counted from the index of the first simplex, −1 for none.
+  // As listed: counted from the index of the first simplex, −1 for none.
   explicit ListedNeighbors(Neighbors listed);
 
-  // Counted from 0, −1 for none. Only where somebody lists the index before the first simplex, which is no
-  // simplex but would then be −1, they are as listed.
+  // Counted from 0, −1 for none. They stay as listed only if some entry is the index before that of
+  // the first simplex, which names no simplex but would become −1.
   IndexLists rows = {};
   Vertex first_index = 0;
   bool are_as_listed = false;
@@ -44,20 +44,20 @@ struct ListedNeighbors {
   Neighbors as_listed() const;
 };
 
-// Simplices and faces whose user named some of their vertices by points that were merged into equal ones.
+// Simplices and faces whose vertices include points that were merged into equal ones.
 struct AsListed {
   struct Cell {
     Simplex vertices;  // as the mesh has them
-    Simplex indices;   // the user's own of each
+    Simplex indices;   // the user's own for each
   };
   std::map<std::size_t, Simplex> by_place = {};  // indices of simplices, by their place among them
   std::map<Simplex, Cell> by_set =
-      {};  // by the vertices, sorted; of several that became the same: the first
+      {};  // by the sorted vertices; if several became the same, the first
 };
 
 // Simplices name points by their index from 0; an index that names no point stays in place, for the
-// judge to report. `labels` translates back: the user's own index of each point. It moves, and is not
-// copied.
+// judge to report. `labels` translates back: the user's own index of each point. It can be moved,
+// but not copied.
 struct Mesh {
   Numbers coordinates = {};  // n × d
   Numbers weights = {};      // n × 1, or none
@@ -66,7 +66,7 @@ struct Mesh {
   Vertex first_index = 0;           // the user's index of the first point
   std::optional<ListedNeighbors> neighbors = {};
   std::vector<Simplex> faces = {};  // as ExactMesh has them
-  AsListed as_listed = {};          // empty unless points were merged: see below
+  AsListed as_listed = {};          // empty unless points were merged (below)
 
   std::size_t points() const { return rows_of(coordinates); }
   // How many coordinates a point has.
@@ -84,8 +84,8 @@ struct Mesh {
     if (!names(v) || labels.empty()) return index_of_place(v, first_index);
     return labels[static_cast<std::size_t>(v)];
   }
-  // A simplex or a face of the mesh by the user's own indices, as it is listed. `place`: where among the
-  // simplices, if several may have these vertices.
+  // A simplex or a face of the mesh by the user's own indices, as listed. `place`: its place among
+  // the simplices, if several may have these vertices.
   Simplex listed(const Simplex& simplex, std::optional<std::size_t> place = {}) const;
 };
 
@@ -96,15 +96,15 @@ ExactMesh exact(const Mesh& mesh);
 Mesh in_rows(const ExactMesh& mesh);
 
 // ---- Equal points ----
-// Points of a mesh that are equal: which, and how they are made one.
+// The equal points of a mesh, and how they are merged.
 
-// Every point that repeats an earlier one, in order of `again`. Of doubles, by a table of their hashes.
+// Every point that repeats an earlier one, in order of `again`. Doubles are found by a hash table.
 std::vector<Duplicate> equal_points(const Mesh& mesh);
 
-// Makes equal points one: the first of them, or the heaviest (of these the first) if they have weights,
-// since the others are submerged below it. It stands where the first stood, and keeps its own index and
-// its weight. Simplices and faces that name another of them name that one instead, and Mesh::as_listed
-// knows what they named. Returns what equal_points said.
+// Replaces equal points by one: the first of them, or the heaviest (the first of several such) if
+// they have weights, since the others are submerged below it. It takes the place of the first, and
+// keeps its own index and its weight. Simplices and faces that name another of these points then
+// name the kept one, and Mesh::as_listed keeps what they named. Returns the result of equal_points.
 // Requires: nothing has been merged before.
 std::vector<Duplicate> merge_equal_points(Mesh& mesh);
 

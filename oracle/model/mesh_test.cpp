@@ -8,13 +8,13 @@
 namespace circumspect {
 
 // ---- Mesh ----
-// A mesh in arrays: in the narrowest that hold it, and the same mesh as the exact one.
+// A mesh in arrays uses the narrowest that hold it, and is the same mesh as the exact one.
 
 namespace {
 
 constexpr Vertex kWide = Vertex{1} << 40;
 
-// What in_rows makes of it, and exact() of that.
+// The result of in_rows, and that of exact() on it.
 ExactMesh there_and_back(const ExactMesh& mesh) { return exact(in_rows(mesh)); }
 
 bool are_doubles(const Numbers& numbers) { return std::holds_alternative<Rows<double>>(numbers); }
@@ -28,7 +28,7 @@ TEST_CASE("numbers are doubles where all of them are") {
   CHECK(are_doubles(numbers_of({}, 3)));
   CHECK(columns_of(numbers_of({}, 3)) == 3);
   CHECK(!are_doubles(numbers_of(std::vector<Rational>{1, third})));
-  // More than doubles hold, and less than the least of them.
+  // Larger than any double, and smaller than the least positive one.
   Rational huge = 2;
   for (int i = 0; i < 11; ++i) huge *= huge;
   CHECK(!are_doubles(numbers_of(std::vector<Rational>{huge})));
@@ -99,7 +99,7 @@ TEST_CASE("neighbours are counted from 0, unless that makes one of them none") {
 }
 
 // ---- Equal points ----
-// What is left of equal points, and what the user calls it; indices at the ends of 64 bits.
+// The points left by merging and their user indices; indices at the ends of 64 bits.
 
 namespace {
 
@@ -136,7 +136,7 @@ TEST_CASE("of equal points the first is left, in the place and by the name of th
   CHECK(mesh.listed(mesh.simplices[0], 0) == Simplex{12, 14, 15});
   CHECK(mesh.listed(mesh.simplices[1], 1) == Simplex{10, 11, 15});
   CHECK(mesh.listed(mesh.simplices[2], 2) == Simplex{13, 17, 9});
-  // Without its place, and in another order, as the first that was renamed.
+  // Found without its place, and in another order, as the first that was renamed.
   CHECK(mesh.listed({2, 0, 1}) == Simplex{15, 12, 14});
   CHECK(mesh.listed({0, 1}) == Simplex{10, 11});
 }

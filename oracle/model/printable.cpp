@@ -5,7 +5,7 @@
 namespace circumspect {
 namespace {
 
-// The bits of a byte that goes on with a character; none if it begins one.
+// The payload bits of a continuation byte; nothing if the byte begins a character.
 bool continues(char byte, char32_t& code) {
   const auto bits = static_cast<unsigned char>(byte);
   code = code << 6 | (bits & 0x3FU);

@@ -7,28 +7,30 @@
 
 namespace circumspect {
 
-// The text with all that is not printable written as \xNN, byte by byte: control characters (those of eight
-// bits too), separators of lines and paragraphs, controls of the direction of text, bytes that are no UTF-8
-// and the two noncharacters that XML excludes. What is printable stays, in any language, a backslash too.
+// The text with everything that is not printable written as \xNN, byte by byte: control characters
+// (those of eight bits too), separators of lines and paragraphs, controls of the direction of text,
+// bytes that are not UTF-8 and the two noncharacters that XML excludes. Printable text of any
+// language is kept, including backslashes.
 std::string on_one_line(std::string_view text);
 
-// The same, but for line ends and tabs, which stay.
+// The same, but line ends and tabs are kept.
 std::string on_lines(std::string_view text);
 
-// The same as on_lines, with two blanks before every line: the words of another program among our own.
+// The same as on_lines, with two blanks before every line, to quote another program.
 std::string indented(std::string_view text);
 
 // Appends \xNN.
 void append_escaped(std::string& text, char byte);
 
-// How many bytes at the beginning are one character of UTF-8, and which; 0 bytes if none is.
+// How many bytes at the beginning form one character of UTF-8, and which one; 0 bytes if they do
+// not.
 struct Character {
   std::size_t size = 0;
   char32_t code = 0;
 };
 Character first_character(std::string_view text);
 
-// Is it one of those that on_one_line writes otherwise?
+// Is it one of those that on_one_line escapes?
 bool is_printable(char32_t code);
 
 }  // namespace circumspect

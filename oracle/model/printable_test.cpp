@@ -1,4 +1,4 @@
-// What may be printed of names and of what other programs say.
+// What may be printed of names and of other programs' output.
 #include "oracle/model/printable.hpp"
 
 #include <doctest/doctest.h>

@@ -35,7 +35,7 @@ constexpr bool is_unique(Column column) {
 static_assert(is_unique(&RuleEntry::rule), "rules.def: a number is given twice");
 static_assert(is_unique(&RuleEntry::identifier), "rules.def: an identifier is given twice");
 
-// Where the row of each number is: verdicts with a million violations look rules up as often.
+// The row of each number: verdicts with a million violations look rules up a million times.
 constexpr auto places_of_numbers() {
   constexpr Rule kLast = std::max_element(kRules.begin(), kRules.end(), [](auto& a, auto& b) {
                            return a.rule < b.rule;

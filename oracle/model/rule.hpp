@@ -1,5 +1,5 @@
-// The rules that a mesh can break: stable identifiers. The list (oracle/model/rules.def) grows; an
-// identifier never changes its meaning.
+// The rules that a mesh can break: stable identifiers. The list (oracle/model/rules.def) may grow;
+// an identifier never changes its meaning.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ enum class Rule {
 #include "oracle/model/rules.def"
 };
 
-// What is judged one after the other: a verdict names the rules of an earlier stage first.
+// The stages of a judgement; a verdict names the rules of an earlier stage first.
 enum class Stage {
   kSimplices,  // each by itself, and whether two are the same
   kFacets,     // whether simplices meet in them
@@ -51,7 +51,7 @@ struct RuleEntry {
   std::string_view meaning;   // what is wrong when it is broken, one clause
   std::string_view sentence;  // what a picture shows: oracle/picture/caption.hpp
   std::string_view theorem;   // "theory/points.md#delaunay", below docs/
-  std::string_view unproved;  // why there are no refutations by it, or not of all meshes
+  std::string_view unproved;  // why there are no refutations by it, or only for some meshes
 };
 
 // All rules, by stage and within one by number.

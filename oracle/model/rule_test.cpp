@@ -12,7 +12,7 @@
 namespace circumspect {
 namespace {
 
-// As the rows stand in the file.
+// The rows in the order of the file.
 constexpr Rule kRows[] = {
 #define RULE(number, name, ...) Rule::name,
 #include "oracle/model/rules.def"
@@ -36,7 +36,7 @@ TEST_CASE("rules: every row is found by its rule, and all are in the order of st
   }));
 }
 
-// Files of cells that somebody keeps have these numbers.
+// Stored files of cells contain these numbers.
 TEST_CASE("rules: a number that was once given stays") {
   CHECK(static_cast<int>(Rule::kUnknownVertex) == 1);
   CHECK(static_cast<int>(Rule::kOverlap) == 8);

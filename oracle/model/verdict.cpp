@@ -3,7 +3,7 @@
 namespace circumspect {
 namespace {
 
-// An index that names no point names none in the whole either.
+// An index that names no point of the part names none of the whole either.
 void rename(const std::vector<Vertex>& places, Simplex& vertices) {
   for (Vertex& v : vertices) {
     if (v >= 0 && v < static_cast<Vertex>(places.size())) v = places[static_cast<std::size_t>(v)];

@@ -16,7 +16,7 @@
 namespace circumspect {
 
 // ---- Witness ----
-// What a broken rule is shown by: enough to re-check it by hand.
+// The evidence for a broken rule: enough to re-check it by hand.
 
 // An exact value with the name under which it is reported.
 struct NamedValue {
@@ -35,7 +35,7 @@ struct NearestVertex {
 // fields are set depends on the rule; report/ puts them into words.
 struct Witness {
   std::vector<Simplex> simplices = {};  // with their vertices as the user listed them
-  // Where these stand among the simplices of the mesh, if other simplices may have the same vertices.
+  // Their places among the simplices of the mesh, if other simplices may have the same vertices.
   std::vector<std::size_t> places = {};
   std::optional<Simplex> face = {};     // the facet or ridge in question
   std::vector<Vertex> vertices = {};    // the vertices that decide
@@ -46,20 +46,20 @@ struct Witness {
   // by its place in the domain's list; a face of its convex hull by three vertices that span it.
   std::optional<Simplex> domain_cell = {};
   std::optional<std::size_t> polygon = {};
-  std::optional<NearestVertex> nearest = {};  // to what is missing of the domain
+  std::optional<NearestVertex> nearest = {};  // to the missing cell of the domain
 };
 
 // ---- Verdict ----
-// The answer to a claim. A fault of the input is not a verdict: it never gets as far as a checker.
+// The answer to a claim. A fault of the input is not a verdict: it never reaches a checker.
 
 struct Violation {
   Rule rule;
   Witness witness;
 };
 
-// How often a rule is broken, and how badly at worst. The margin is relative and unitless: the depth
-// r² − |q − o|² of a point in a ball over r², between 0 and 1 (weighted: plus its weight, and possibly
-// more than 1). One near 0 tells a rounding error from a bug.
+// How often a rule is broken, and the worst margin. The margin is relative and unitless: the depth
+// r² − |q − o|² of a point in a ball over r², between 0 and 1 (weighted: plus its weight, and
+// possibly more than 1). A margin near 0 indicates a rounding error and not a bug.
 struct Tally {
   std::size_t count = 0;
   std::optional<Rational> worst_margin = {};
@@ -87,16 +87,16 @@ struct ExtraVertices {
   }
 };
 
-// How a verdict was found. It is the same verdict whoever finds it.
+// How a verdict was found. The verdict does not depend on it.
 struct Course {
   bool fast = false;              // did the fast engine (oracle/judge/fast) decide?
   std::string why_not_fast = {};  // if not
-  // Of the fast engine: signs decided by doubles, and by integers.
+  // For the fast engine: signs decided by doubles, and by integers.
   std::uint64_t filtered_signs = 0;
   std::uint64_t exact_signs = 0;
 };
 
-// By how much the cells of a domain were moved to be unions of faces of a mesh: docs/theory/within.md.
+// How far the cells of a domain were moved to be unions of faces of a mesh: docs/theory/within.md.
 struct Within {
   Rational squared_reach = 0;
   // Polygons with no inside beside them that are no longer flat: their triangles were not compared.
@@ -121,17 +121,18 @@ class Verdict {
       : claim_(claim), max_violations_(max_violations) {}
   Verdict(Claim claim, const ExactMesh& mesh, std::size_t max_violations);
 
-  // Counts a violation, and keeps it if there is room.
+  // Counts a violation, and keeps it unless the limit is reached.
   void add(Rule rule, const Witness& witness, const std::optional<Rational>& margin = std::nullopt);
-  // Does the next violation have room? A checker need not work out a witness that is dropped.
+  // Would the next violation be kept? A checker need not compute a witness that is dropped.
   bool keeps_more() const { return max_violations_ == 0 || violations_.size() < max_violations_; }
   // How many violations are kept; 0: all.
   std::size_t max_violations() const { return max_violations_; }
   // Counts a violation without a witness.
   void count(Rule rule, const std::optional<Rational>& margin = std::nullopt);
-  // Where a part of a mesh was judged: the witnesses name vertices and simplices as the whole mesh does.
-  // Of each of the part's: its place in the whole, ascending. Requires: all that is named is in the part, but for
-  // indices that name no point of the whole.
+  // After judging a part of a mesh: renames the vertices and simplices of the witnesses as in the
+  // whole mesh. The arguments give, for each vertex and simplex of the part, its place in the
+  // whole, ascending. Requires: everything that is named is in the part, except indices that name
+  // no point of the whole.
   void name_in_whole(const std::vector<Vertex>& vertex_of,
                      const std::vector<std::size_t>& simplex_of);
 
@@ -142,21 +143,21 @@ class Verdict {
   const std::map<Rule, Tally, JudgedBefore>& tallies() const { return tallies_; }
 
   // Facts beside the verdict, for a Delaunay claim that holds: is there no other Delaunay
-  // triangulation of the points? is this the canonical one? (Of constrained Delaunay triangulations
-  // `unique` is only said where it is certain.)
+  // triangulation of the points? is this the canonical one? (For constrained Delaunay
+  // triangulations, `unique` is set only where it is certain.)
   std::optional<bool> unique = {};
   std::optional<bool> canonical = {};
 
   // For a claim about a domain: the vertices that the mesh has beyond those of the domain.
-  // Which (as many as there is room for violations) is known sooner than where they lie.
+  // The vertices themselves (as many as violations are kept) are known before their cells.
   std::optional<SteinerPoints> steiner_points = {};
   std::optional<ExtraVertices> extra_vertices = {};
   // For a claim about a domain that holds: how many of the listed triangles and edges are faces of no
   // larger simplex, listed ones included.
   std::size_t dangling = 0;
 
-  // For a claim about a domain that may be moved: by how much it was. `beyond`: no distance whose square is
-  // at most this lets every cell of the domain be a union of faces.
+  // For a claim about a domain that may be moved: how far it was moved. `beyond`: there is no
+  // distance, with a square of at most this, at which every cell of the domain is a union of faces.
   std::optional<Within> within = {};
   std::optional<Rational> beyond = {};
 

@@ -105,7 +105,7 @@ Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain) {
   return object;
 }
 
-// Beyond ASCII only strings hold anything, so that what stands there may be escaped anywhere.
+// Only strings contain bytes beyond ASCII, so such bytes may be escaped wherever they occur.
 std::string document_text(const Json& document, int indent) {
   const std::string whole = document.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string text;

@@ -1,4 +1,4 @@
-// Verdicts for programs. The schema stands in docs/json.md.
+// Verdicts for programs. The schema is in docs/json.md.
 #pragma once
 
 #include <string>
@@ -14,8 +14,9 @@ namespace circumspect::report {
 
 using Json = nlohmann::ordered_json;
 
-// A document as it is printed: UTF-8 on several lines (on one if `indent` is -1), a line end last. In its strings bytes that are no
-// UTF-8 are U+FFFD, and what on_one_line (oracle/model/printable.hpp) does not let pass is written as \uNNNN.
+// A document as it is printed: UTF-8 on several lines (on one if `indent` is -1), with a line end
+// at the end. In its strings, bytes that are not UTF-8 become U+FFFD, and characters that
+// on_one_line (oracle/model/printable.hpp) would escape are written as \uNNNN.
 std::string document_text(const Json& document, int indent = 2);
 
 // An exact value as {"exact": "1/3", "decimal": "0.3333333333333333"}.
@@ -27,10 +28,10 @@ Json point(const Point& point);
 // Centre and squared radius exactly, and the radius as a correctly rounded decimal.
 Json ball(const Ball& ball);
 
-// What a witness consists of, by the user's indices; `domain` is the one that it is about.
+// A witness by the user's indices; `domain` is the domain that it is about.
 Json witness(const Witness& witness, const Mesh& mesh, const Domain* domain = nullptr);
 
-// One judged mesh; `domain` is the one that the claim is about.
+// One judged mesh; `domain` is the domain that the claim is about.
 Json verdict(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name, check::By by,
              const Domain* domain = nullptr);
 

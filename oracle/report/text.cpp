@@ -24,7 +24,8 @@ std::string value_text(const Rational& value) {
   return exact + " ~ " + decimal;
 }
 
-// A coordinate that is a double stands as the shortest decimal that names it, as in the user's file.
+// A coordinate that is a double is written as the shortest decimal that identifies it, as in the
+// user's file.
 std::string coordinate_text(const Rational& x) {
   const std::string exact = to_text_of_double_or_fraction(x);
   return exact.size() > kLongestExact ? "~ " + to_decimal(x) : exact;
@@ -111,8 +112,8 @@ std::string first_witness(const Verdict& verdict, const Mesh& mesh, const Domain
   return "";
 }
 
-// By how much the domain was moved, if it might be: " within 0", " within ~ 2.1e-14 3 not-compared"; or that
-// no distance will do, " beyond ~ 1.0e-12".
+// How far the domain was moved, if it may be moved: " within 0", " within ~ 2.1e-14 3
+// not-compared"; or that no distance suffices, " beyond ~ 1.0e-12".
 std::string moved_text(const Verdict& verdict) {
   const auto distance = [](const Rational& squared) {
     return (sign(squared) == 0 ? "" : "~ ") + square_root_rounded_up(squared);
@@ -144,7 +145,8 @@ std::string complex_text(const ComplexFacts& facts) {
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain) {
   if (verdict.holds()) {
-    // Of a domain in space a mesh has tetrahedra, be they none, though all its points be in a plane.
+    // A mesh of a domain in space counts tetrahedra, even if it has none and all its points are in
+    // a plane.
     const int dimension = domain != nullptr ? static_cast<int>(domain->complex.ambient_dimension())
                           : verdict.complex ? verdict.complex->dimension
                                             : verdict.dimension;
@@ -288,7 +290,7 @@ std::string name(check::By by) { return by == check::By::kLemma ? "lemma" : "def
 std::string square_root_rounded_up(const Rational& squared) {
   if (sign(squared) == 0) return "0";
   int exponent = 0;
-  Rational power = 1;  // of ten, squared
+  Rational power = 1;  // ten, squared
   for (; power > squared; power /= 100) --exponent;
   for (; Rational(100 * power) <= squared; power *= 100) ++exponent;
   long digits = 10;

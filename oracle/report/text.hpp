@@ -24,13 +24,14 @@ namespace circumspect::report {
 std::string verdict_line(const Verdict& verdict, const Mesh& mesh, const std::string& mesh_name,
                          const Domain* domain = nullptr);
 
-// Every witness kept, several lines each; how many of each rule there are beyond those; and the
-// worst relative margin. Empty if the claim holds. Exact values too long to read are given by their
-// decimals; JSON has them whole.
+// Every witness kept, several lines each; for each rule the number of further ones; and the worst
+// relative margin. Empty if the claim holds. Exact values that are too long to read are given as
+// decimals; JSON has them in full.
 std::string explanation(const Verdict& verdict, const Mesh& mesh, const Domain* domain = nullptr);
 
-// For a note, where no domain was given: that the mesh may be one of a domain, since it does not fill the convex hull
-// of its points. None if it does, if weights count, or if domains have another dimension.
+// The text of a note if no domain was given: the mesh may be a mesh of a domain, since it does not
+// fill the convex hull of its points. Nothing if it does fill the hull, if weights count, or if
+// domains have another dimension.
 std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, const Mesh& mesh,
                                                     const std::string& mesh_name);
 
@@ -38,16 +39,17 @@ std::optional<std::string> note_of_domain_not_given(const Verdict& verdict, cons
 // none was.
 std::optional<std::string> note_of_set_apart(const Verdict& verdict, const std::string& mesh_name);
 
-// Of a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and 1 more duplicate".
-// `count`: how many repeat an earlier one, of which the first is `again` and repeats `kept`, by the user's indices.
+// For a mesh whose points have to differ: "expected distinct points, found points 2 and 3 equal and
+// 1 more duplicate". `count`: how many repeat an earlier point; the first of these is `again`,
+// which repeats `kept`, by the user's indices.
 std::string fault_of_equal_points(Vertex kept, Vertex again, std::uint64_t count);
-// For a note, where they were merged, by places: "points 2 and 3 are equal and count as one".
+// The text of a note on merged points, by places: "points 2 and 3 are equal and count as one".
 std::string note_of_merged_points(const std::vector<Duplicate>& merged);
 
 // ---- Words that texts and JSON share ----
 // The words that texts and JSON share.
 
-// "1 point", "2 points". `several` is for words that take more than an s.
+// "1 point", "2 points". `several` is the plural if it is not formed with an s.
 std::string counted(std::size_t count, std::string_view one, std::string_view several = {});
 
 // "vertices", "edges", "triangles", "tetrahedra", "simplices" for dimension 0, 1, 2, 3 and above;
@@ -61,12 +63,13 @@ std::string counted_simplices(std::size_t count, int dimension);
 struct NamedCells {
   std::vector<Simplex> simplices = {};  // as they are listed
   std::optional<Simplex> face = {};     // as the first of these that has it lists it
-  // Indices that stand above for points which were merged into equal ones, and the indices of those.
+  // The indices above of points that were merged into equal ones, and the indices of the points
+  // that were kept.
   std::map<Vertex, Vertex> merged = {};
 };
 NamedCells named_cells(const Witness& witness, const Mesh& mesh);
 
-// Indices with blanks between them.
+// Indices separated by blanks.
 std::string joined(const Simplex& indices);
 
 // The vertices of a mesh, of either type, by the user's own indices: "3 7 9".

@@ -223,7 +223,7 @@ TEST_CASE("what is printed is no less than the root, and a tenth more at most") 
 }
 
 // ---- JSON ----
-// Verdicts for programs: the document word for word, and that it suffices to re-check each witness.
+// Verdicts for programs: the exact document, and that it suffices to re-check each witness.
 
 namespace {
 
@@ -279,7 +279,7 @@ TEST_CASE("json: labels after a merge; an index without a point has no coordinat
   CHECK(document["violations"][1]["coordinates"].dump() == R"({"8":["0","1"]})");
 }
 
-// From here on nothing of ours but numbers: what a user does who trusts the document alone.
+// From here on, only numbers: this is what a user does who trusts the document alone.
 
 Rational exact(const Json& text) {
   return read_number(text.get<std::string>(), NumberReading::kDecimal).value();

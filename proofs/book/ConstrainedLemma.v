@@ -9,7 +9,7 @@
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Independence Adjacency.
 From Circumspect Require Import LiftingMap DelaunayLemma BookLemma.
-From Circumspect Require Import Combinations Lists Necessary Visible Sight.
+From Circumspect Require Import Combinations Lists Solid Necessary Visible Sight.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -35,7 +35,7 @@ Proof.
              exists r. split; [now right|assumption]. }
   destruct K as (F & IF & K). exists F. split; [assumption|]. intros q. rewrite <- K, E. tauto.
 Qed.
-Lemma simplices_respect {d} (P : domain d) T t : steiner_triangulation P T -> faces_of T t -> respects P t.
+Lemma simplices_respect {d} (P : domain d) T t : solid_triangulation P T -> faces_of T t -> respects P t.
 Proof.
   intros (_ & _ & Cx & _ & Un & Eq) Ht. split.
   - intros q C. apply Eq. destruct Ht as (_ & _ & s & Is & I). exists s. split; [assumption|]. now apply (conv_incl t).
@@ -101,7 +101,7 @@ Context {d : nat}.
 Hypothesis two : (2 <= d)%nat.
 Variables (P : domain d) (T : list (simplex d)) (V : list (point d)).
 Hypothesis proper : proper_domain P.
-Hypothesis triangulates : steiner_triangulation P T.
+Hypothesis triangulates : solid_triangulation P T.
 Hypothesis vertices_of_mesh : mesh_vertices T V.
 
 Section Framed.

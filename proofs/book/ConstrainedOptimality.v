@@ -6,7 +6,7 @@
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Walk Generic Mesh.
 From Circumspect Require Import Independence Adjacency LiftingMap DelaunayLemma Nearest Optimality.
-From Circumspect Require Import Combinations Necessary Visible ConstrainedLemma.
+From Circumspect Require Import Combinations Solid Necessary Visible ConstrainedLemma.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -28,12 +28,12 @@ Notation V := (domain_vertices P).
 
 Section Frames.
 Variables (T U : list (simplex d)) (ts us : list (frame d)).
-Hypothesis cdt_T : cdt P T.
-Hypothesis tri_U : plc_triangulation P U.
+Hypothesis cdt_T : solid_cdt P T.
+Hypothesis tri_U : solid_plc_triangulation P U.
 Hypothesis are_T : map vertices ts = T.
 Hypothesis are_U : map vertices us = U.
-Let StT : steiner_triangulation P T := proj1 (proj1 cdt_T).
-Let StU : steiner_triangulation P U := proj1 tri_U.
+Let StT : solid_triangulation P T := proj1 (proj1 cdt_T).
+Let StU : solid_triangulation P U := proj1 tri_U.
 Let in_U u : In u us -> In (vertices u) U := framed_member U us are_U u.
 Let in_T t : In t ts -> In (vertices t) T := framed_member T ts are_T t.
 
@@ -129,7 +129,7 @@ End Frames.
 
 (** ** Proposition 4.12 *)
 
-Theorem generic_cdt T U : generic V -> cdt P T -> cdt P U -> forall t : simplex d, In t T -> exists u, In u U /\ same t u.
+Theorem generic_cdt T U : generic V -> solid_cdt P T -> solid_cdt P U -> forall t : simplex d, In t T -> exists u, In u U /\ same t u.
 Proof.
   intros G CT CU s Is. destruct (all_framed P T (proj1 (proj1 CT))) as (ts & are_T).
   destruct (all_framed P U (proj1 (proj1 CU))) as (us & are_U).
@@ -164,14 +164,14 @@ Proof.
   split; [|assumption]. apply NoDup_length_incl; [apply vertices_NoDup| |assumption].
   rewrite !vertices_length. constructor.
 Qed.
-Theorem proposition_4_12 T U : generic V -> cdt P T -> cdt P U -> same_simplices T U.
+Theorem proposition_4_12 T U : generic V -> solid_cdt P T -> solid_cdt P U -> same_simplices T U.
 Proof. intros G CT CU. split; now apply generic_cdt. Qed.
 
 (** ** Proposition 4.13 *)
 
 Lemma interpolant (t : frame d) a b p : interpolates norm2 (vertices t) a b -> plane a b p = witness norm2 t p.
 Proof. intros I. revert p. apply witness_unique; [apply affine_plane|]. intros i Hi. apply I, in_vertices. eauto. Qed.
-Theorem proposition_4_13_error T U p e e' : cdt P T -> plc_triangulation P U ->
+Theorem proposition_4_13_error T U p e e' : solid_cdt P T -> solid_plc_triangulation P U ->
   interpolation_error norm2 T p e -> interpolation_error norm2 U p e' -> e <= e'.
 Proof.
   intros CT TU (t & a & b & It & C & I & ->) (u & a' & b' & Iu & C' & I' & ->).
@@ -182,7 +182,7 @@ Proof.
   pose proof (witness_le T U ts us CT TU are_T are_U g h p Ig Ih C C'). lra.
 Qed.
 (** For every simplex of a CDT each triangulation has one with a min-containment ball that is no smaller. *)
-Theorem proposition_4_13_balls T U t c r2 : cdt P T -> plc_triangulation P U -> In t T -> min_containment_ball t c r2 ->
+Theorem proposition_4_13_balls T U t c r2 : solid_cdt P T -> solid_plc_triangulation P U -> In t T -> min_containment_ball t c r2 ->
   exists u, In u U /\ forall c' r2', contains c' r2' u -> r2 <= r2'.
 Proof.
   intros CT TU It [_ Least].

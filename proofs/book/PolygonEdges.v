@@ -5,7 +5,7 @@
     they would meet in more than segments. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Generic.
-From Circumspect Require Import Independence Adjacency Combinations Necessary Visible Sight ConstrainedLemma.
+From Circumspect Require Import Independence Adjacency Combinations Solid Necessary Visible Sight ConstrainedLemma.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -13,7 +13,7 @@ Section Edge.
 Variables (P : domain 3) (T : list (simplex 3)) (f : polygon 3) (a b v1 v : point 3).
 Hypothesis proper : proper_domain P.
 Hypothesis plc : piecewise_linear_complex P.
-Hypothesis triangulates : steiner_triangulation P T.
+Hypothesis triangulates : solid_triangulation P T.
 Hypothesis is_polygon : In f (domain_polygons P).
 Hypothesis first_face : faces_of T [a; b; v1].
 Hypothesis first_in : within (conv [a; b; v1]) (polygon_points f).
@@ -256,7 +256,7 @@ End Edge.
 
 (** Every circumball of the tetrahedron over the first triangle that visibility leaves empty has not v in it. *)
 Theorem polygon_edge_local (P : domain 3) T V f a b v1 v : proper_domain P -> piecewise_linear_complex P ->
-  steiner_triangulation P T -> mesh_vertices T V -> (forall t, In t T -> constrained_delaunay V P t) ->
+  solid_triangulation P T -> mesh_vertices T V -> (forall t, In t T -> constrained_delaunay V P t) ->
   In f (domain_polygons P) -> (forall p q, In (p, q) (domain_segments P) -> ~ within (conv [a; b]) (conv [p; q])) ->
   faces_of T [a; b; v1] -> within (conv [a; b; v1]) (polygon_points f) ->
   faces_of T [a; b; v] -> within (conv [a; b; v]) (polygon_points f) ->

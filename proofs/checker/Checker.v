@@ -23,7 +23,7 @@ Inductive condition :=
   (* domain/ComplexChecker.v *)
   | face_held | segment_in_polygon | rim_listed | one_sided_shown
   (* existence/ImpossibleChecker.v *)
-  | vertices_listed | fate_shown | reason_shown | clauses_refuted.
+  | vertices_listed | mesh_of_the_domain | fate_shown | reason_shown | clauses_refuted.
 
 Inductive place :=
   | Nowhere | AtPoint (k : positive) | AtSimplex (t : positive) | AtFacet (t : positive) (i : nat)

@@ -299,11 +299,6 @@ End Tetrahedron.
 
 (** ** The whole *)
 
-Lemma packed_mesh_is p : packed_mesh Space p = mesh_of (unpacked Space p).
-Proof.
-  unfold packed_mesh, mesh_of, unpacked. cbn [claimed points simplices hull sample_simplex sample sample_denominator].
-  unfold Table.of_list at 3, Table.tabulate. now rewrite map_map.
-Qed.
 Lemma is_accepted_spec r : is_accepted r = true -> r = Accepted.
 Proof. now destruct r. Qed.
 
@@ -323,6 +318,7 @@ Theorem quick_sound p standing s : quick p standing s = true ->
   forall st, standing = Some st -> settle Space (unpacked Space p) st = Settled.
 Proof.
   intros H. cbv delta [quick] in H. cbv beta in H. open_lets H. subst places here w points_count c pr m.
+  repeat match goal with A : context [all_coordinates _] |- _ => rewrite all_coordinates_are in A end.
   assert (Un : negb (weights_of (claimed (frame p))) = true) by assumption. apply negb_true_iff in Un.
   assert (St : match standing with None => true | Some _ => delaunay_of (claimed (frame p)) end = true) by assumption.
   assert (Sc : scaled (frame p) = true) by assumption.
@@ -365,7 +361,7 @@ Proof.
   assert (Eh' : each (check_hull space_predicates (packed_mesh Space p)) 1 (hull (frame p)) = Accepted).
   { revert Eh. apply each_weaker. intros h f E. destruct (quick_hull _ _ _ _ h f) eqn:Q; [|exact E].
     exact (hull_here p s (Build_within_words p s Un Shapes Fit Mp Ms) h f Q). }
-  pose proof (packed_mesh_is p) as M.
+  pose proof (packed_mesh_is Space p) as M.
   split.
   - change (check Space (unpacked Space p)) with (check_in space_predicates (unpacked Space p)). unfold check_in. rewrite <- M.
     change (scaled (unpacked Space p)) with (scaled (frame p)). rewrite Sc.
@@ -395,6 +391,6 @@ Proof.
   unfold judge. intros H.
   destruct (match D with Space => quick p standing s | Plane => false end) eqn:Q.
   - destruct D; [discriminate|]. now apply quick_sound with s.
-  - destruct (check D (unpacked D p)); [|discriminate]. split; [reflexivity|]. intros st ->.
-    now destruct (settle D (unpacked D p) st).
+  - rewrite check_packed_is in H. destruct (check D (unpacked D p)); [|discriminate]. split; [reflexivity|]. intros st ->.
+    rewrite settle_packed_is in H. now destruct (settle D (unpacked D p) st).
 Qed.

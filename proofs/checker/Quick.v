@@ -8,7 +8,7 @@
     A tetrahedron of which another sign is not certain, or of whose conditions one fails, goes to
     [check_simplex]. *)
 From Coq Require Import ZArith List Bool.
-From Circumspect Require Export Settling Packed.
+From Circumspect Require Export PackedCheck.
 From Circumspect Require Import Word.
 Import ListNotations.
 
@@ -251,17 +251,6 @@ End Quick.
 
 (** ** The whole *)
 
-Definition is_accepted (r : result) : bool := match r with Accepted => true | _ => false end.
-
-(** The tables of [mesh_of (unpacked D p)]; a simplex is made when it is looked for. *)
-Definition packed_mesh (D : plane_or_space) (p : packed) : mesh :=
-  let c := frame p in
-  Mesh (delaunay_of (claimed c)) (weights_of (claimed c))
-    (Table.of_list (site_of (claimed c)) (points c))
-    (Table.tabulate (simplex_count p) (entry_of D (rows_of p)))
-    (Table.of_list id (hull c))
-    (sample_simplex c) (sample c) (sample_denominator c).
-
 (** What is asked of a tetrahedron besides that it is accepted. *)
 Definition settled_as (standing : option standing) (m : mesh) (t : positive) (e : simplex_entry) : bool :=
   match standing with None => true | Some s => settled_simplex space_predicates m s t e end.
@@ -285,7 +274,7 @@ Definition quick (p : packed) (standing : option standing) (s : Word.t) : bool :
   leb (simplex_count p) many && leb (count_of (points c)) many &&
   is_accepted (each (check_point pr m) 1 (points c)) &&
   inside_sample pr m &&
-  (let places := Word.of_list (shifted s) (flat_map (fun e => coordinates (position e)) (points c)) in
+  (let places := Word.of_list (shifted s) (all_coordinates (points c)) in
    let here := sample_arrow s (sample c) in
    let w := shifted zero (sample_denominator c) in
    let points_count := count_of (points c) in
@@ -302,11 +291,10 @@ Inductive verdict := Holds | Fails (c : condition) (p : place) | NotSettled (p :
 Definition judge (D : plane_or_space) (p : packed) (standing : option standing) (s : Word.t) : verdict :=
   if match D with Space => quick p standing s | Plane => false end then Holds
   else
-    let c := unpacked D p in
-    match check D c with
+    match check_packed D p with
     | Rejected why where_ => Fails why where_
     | Accepted => match standing with
                   | None => Holds
-                  | Some s => match settle D c s with Settled => Holds | Unsettled where_ => NotSettled where_ end
+                  | Some s => match settle_packed D p s with Settled => Holds | Unsettled where_ => NotSettled where_ end
                   end
     end.

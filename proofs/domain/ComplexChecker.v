@@ -111,9 +111,10 @@ Definition check_plane_sides (c : certificate) (p : part) (sides : list bool) : 
 
 (** ** Polygons *)
 
+(** The tables of the mesh are those of all polygons. *)
 Section Polygon.
-Variable c : certificate.
-Variable p : part.
+Variable m : mesh.
+Variable marks_of : Table.t mark.
 Variable F : Table.t (list face_entry).
 Variable roles_of : Table.t role.
 Variable segments_of : Table.t segment_entry.
@@ -152,7 +153,7 @@ Definition check_piece above_of (k : positive) (inside : list positive) (t : pos
     (e : mark) : result :=
   require face_held by
     negb (kept e) ||
-    forallb (held (mesh_of c) roles_of segments_of F (InPolygon k) inside)
+    forallb (held m roles_of segments_of F (InPolygon k) inside)
       (sublists (named_above above_of (corners s))) at AtSimplex t; Accepted.
 Definition check_polygon_part (k : positive) (x : polygon_faces) : result :=
   let above_of := Table.of_list id (above f) in
@@ -164,12 +165,10 @@ Definition check_polygon_part (k : positive) (x : polygon_faces) : result :=
   each_pair face_held AtSimplex (check_piece above_of k (map fst (segments_in x))) 1
     (simplices mesh2) (marks part2).
 (** Its tiles, where the walls enclose the domain. *)
-Definition check_tile_sides (sides : list bool) (k : positive) : result :=
-  let marks_of := Table.of_list id (marks p) in
-  let sides_of := Table.of_list id sides in
+Definition check_tile_sides (sides_of : Table.t bool) (k : positive) : result :=
   each_pair one_sided_shown AtSimplex (fun u e ti =>
     require one_sided_shown by
-      negb (kept e) || sided (mesh_of c) marks_of sides_of k (fst ti) (snd ti) at AtSimplex u; Accepted) 1
+      negb (kept e) || sided m marks_of sides_of k (fst ti) (snd ti) at AtSimplex u; Accepted) 1
     (marks part2) (tiles f).
 End Polygon.
 
@@ -178,18 +177,21 @@ End Polygon.
 Definition check_complex (D : plane_or_space) (c : domain_certificate) (x : complex_part) : result :=
   let p := domain_part c in
   let mesh := whole_mesh c in
+  let m := mesh_of mesh in
+  let marks_of := Table.of_list id (marks p) in
+  let sides_of := Table.of_list id (one_sided x) in
   let F := Table.of_list id (faces x) in
   let roles_of := Table.of_list id (roles p) in
   let segments_of := Table.of_list id (segments p) in
   let enclosed := match kind c with Enclosed => true | Hull => false end in
-  each (check_steps (mesh_of mesh) roles_of segments_of F) 1 (segments p) ;;
+  each (check_steps m roles_of segments_of F) 1 (segments p) ;;
   match D with
   | Plane => if enclosed then check_plane_sides mesh p (one_sided x) else Accepted
   | Space =>
       (if enclosed then check_sides_of mesh p (one_sided x) else Accepted) ;;
       each_pair segment_in_polygon AtPolygon (fun k f y =>
         in_polygon k (
-          check_polygon_part mesh F roles_of segments_of f k y ;;
-          if enclosed then check_tile_sides mesh p f (one_sided x) k else Accepted)) 1
+          check_polygon_part m F roles_of segments_of f k y ;;
+          if enclosed then check_tile_sides m marks_of f sides_of k else Accepted)) 1
         (polygons c) (polygon_parts x)
   end.

@@ -112,9 +112,10 @@ Lemma complex_parts :
     (segments (domain_part c)) = Accepted /\
   (kind c = Enclosed -> check_sides_of (whole_mesh c) (domain_part c) (one_sided x) = Accepted) /\
   forall k f, numbered (polygons c) k = Some f -> exists y, numbered (polygon_parts x) k = Some y /\
-    check_polygon_part (whole_mesh c) (Table.of_list Datatypes.id (faces x))
+    check_polygon_part (mesh_of (whole_mesh c)) (Table.of_list Datatypes.id (faces x))
       (Table.of_list Datatypes.id (roles (domain_part c))) (Table.of_list Datatypes.id (segments (domain_part c))) f k y = Accepted /\
-    (kind c = Enclosed -> check_tile_sides (whole_mesh c) (domain_part c) f (one_sided x) k = Accepted).
+    (kind c = Enclosed -> check_tile_sides (mesh_of (whole_mesh c)) (Table.of_list Datatypes.id (marks (domain_part c))) f
+      (Table.of_list Datatypes.id (one_sided x)) k = Accepted).
 Proof.
   pose proof complex_accepts as H. unfold check_complex in H. cbv zeta in H.
   destruct (each _ _ _); [|discriminate]. split; [reflexivity|].
@@ -132,7 +133,7 @@ Lemma polygon_conditions k f y : numbered (polygons c) k = Some f -> numbered (p
   check_plane_sides (plane_mesh f) (plane_part f) (map snd (rim_segments y)) = Accepted /\
   each (check_segment_in (Table.of_list Datatypes.id (segments (domain_part c))) (Table.of_list Datatypes.id (above f))
     (Table.of_list Datatypes.id (simplices (plane_mesh f))) (mark_table (plane_part f))) 1 (segments_in y) = Accepted /\
-  each_pair face_held AtSimplex (check_piece (whole_mesh c) (Table.of_list Datatypes.id (faces x))
+  each_pair face_held AtSimplex (check_piece (mesh_of (whole_mesh c)) (Table.of_list Datatypes.id (faces x))
     (Table.of_list Datatypes.id (roles (domain_part c))) (Table.of_list Datatypes.id (segments (domain_part c)))
     (Table.of_list Datatypes.id (above f)) k (map fst (segments_in y))) 1
     (simplices (plane_mesh f)) (marks (plane_part f)) = Accepted.

@@ -8,7 +8,7 @@ From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Vectors Affine Frame Matched Faces Facets Mesh LiftingMap DelaunayLemma.
 From Circumspect Require Import Adjacency Enclosed Combinations Sight.
 From Circumspect Require Import Orientation Integers Incidence Accepted CertifiedMesh Soundness.
-From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary DomainRules Definitions Domains.
+From Circumspect Require Import KeptMesh KeptCells ConstrainedLemma Necessary DomainRules Definitions Domains Solid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -104,7 +104,7 @@ Qed.
 (** ** Of a hull *)
 
 Theorem kept_constrained_hull (P : domain d) (V : list (point d)) : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull ->
-  steiner_triangulation P T ->
+  solid_triangulation P T ->
   (forall t e i, entry t e -> (i <= d)%nat -> flagged_at marks_of t i = true ->
     exists X, In X (wall_cells P) /\ within (conv (map spot (Checker.remove i (corners e)))) X) ->
   (forall v, In v V <-> exists t, In t T /\ In v t) -> forall t, In t T -> constrained_delaunay V P t.
@@ -168,7 +168,7 @@ Proof.
 Qed.
 
 (** What is visible is seen: the segment leaves neither the kept simplices nor meets a wall. *)
-Lemma visible_sees (P : domain d) t x v : steiner_triangulation P T ->
+Lemma visible_sees (P : domain d) t x v : solid_triangulation P T ->
   (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y -> walls_in c p geo y) ->
   In t kept_tets -> inside (geo t) x -> visible P x v ->
   sees kept_tets geo (wall_at p) x v.
@@ -198,7 +198,7 @@ Proof.
       rewrite Ev in Cf. now apply (Off x I), Fx.
 Qed.
 
-Theorem kept_constrained (P : domain d) (V : list (point d)) : steiner_triangulation P T ->
+Theorem kept_constrained (P : domain d) (V : list (point d)) : solid_triangulation P T ->
   (forall q, walls_in c p geo q -> exists X, In X (cells P) /\ X q /\ forall y, X y -> walls_in c p geo y) ->
   (forall v, In v V <-> exists t, In t T /\ In v t) ->
   forall t, In t T -> constrained_delaunay V P t.

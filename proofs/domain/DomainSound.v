@@ -3,7 +3,7 @@ From Coq Require Import Rbase Rfunctions Lra List Arith Lia ZArith Bool.
 From Circumspect Require Import DomainChecker Numbering.
 From Circumspect Require Import Faces Orientation Integers Accepted Soundness.
 From Circumspect Require Import CertifiedMesh KeptMesh KeptCells Constrained Polygons.
-From Circumspect Require Import Definitions Domains.
+From Circumspect Require Import Definitions Domains Solid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -13,7 +13,7 @@ Lemma steiner_from_cells {d} (P : domain d) (T : list (simplex d)) :
   (forall v, In v (domain_vertices P) -> exists t, In t T /\ In v t) ->
   (forall a b, In (a, b) (domain_segments P) -> union_of_simplices T (conv [a; b])) ->
   (forall f, In f (domain_polygons P) -> union_of_simplices T (polygon_points f)) ->
-  (forall q, region P q <-> exists t, In t T /\ conv t q) -> steiner_triangulation P T.
+  (forall q, region P q <-> exists t, In t T /\ conv t q) -> solid_triangulation P T.
 Proof.
   intros (Nd & Di & Cx) Vs Sg Pg Rg.
   assert (Full : forall t, In t T -> faces_of T t).
@@ -97,7 +97,7 @@ Definition shown_in_walls (P : domain d) : Prop := kind D = Hull -> (2 <= d)%nat
   forall K i w, shown K i w = true -> exists X, In X (wall_cells P) /\ within (conv (map (spot d c) (Checker.remove i K))) X.
 
 Lemma constrained (P : domain d) V : check_local pr shown D = Accepted -> walls_are_cells P -> shown_in_walls P ->
-  steiner_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
+  solid_triangulation P T -> (forall v, In v V <-> exists t, In t T /\ In v t) ->
   forall t, In t T -> constrained_delaunay V P t.
 Proof.
   intros L Wa Sw St HV. destruct (frames_exist Or Co c accepts) as (geo & G).
@@ -118,13 +118,13 @@ Proof.
 Qed.
 
 Lemma claim_sound (P : domain d) : domain_vertices P = part_vertices d c p -> walls_are_cells P -> shown_in_walls P ->
-  steiner_triangulation P T ->
+  solid_triangulation P T ->
   match domain_claimed D with
-  | PlcTriangulation => plc_triangulation P T
-  | SteinerTriangulation => steiner_triangulation P T
-  | ConformingDelaunay => conforming_delaunay P T
-  | Cdt => cdt P T
-  | SteinerCdt => steiner_cdt P T
+  | PlcTriangulation => solid_plc_triangulation P T
+  | SteinerTriangulation => solid_triangulation P T
+  | ConformingDelaunay => solid_conforming_delaunay P T
+  | Cdt => solid_cdt P T
+  | SteinerCdt => solid_steiner_cdt P T
   end.
 Proof.
   intros E Wa Sw St. pose proof claim_accepts as H. unfold check_claim in H.
@@ -147,11 +147,11 @@ Theorem check_domain_sound D c : check_domain D c = Accepted ->
   let P := domain_of_certificate (dimension_of D) c in
   let T := mesh_of_domain (dimension_of D) c in
   match domain_claimed c with
-  | PlcTriangulation => plc_triangulation P T
-  | SteinerTriangulation => steiner_triangulation P T
-  | ConformingDelaunay => conforming_delaunay P T
-  | Cdt => cdt P T
-  | SteinerCdt => steiner_cdt P T
+  | PlcTriangulation => solid_plc_triangulation P T
+  | SteinerTriangulation => solid_triangulation P T
+  | ConformingDelaunay => solid_conforming_delaunay P T
+  | Cdt => solid_cdt P T
+  | SteinerCdt => solid_steiner_cdt P T
   end.
 Proof.
   intros A. unfold check_domain in A. destruct D; cbn [dimension_of] in *; cbv zeta in *.

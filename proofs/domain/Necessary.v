@@ -6,7 +6,7 @@
     is another simplex ([neighbour]).  Nothing is said of what suffices: a refutation does not need it. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Matched Faces Facets Independence Adjacency.
-From Circumspect Require Import Combinations.
+From Circumspect Require Import Combinations Solid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -50,7 +50,7 @@ Qed.
 Section Necessary.
 Context {d : nat}.
 Variables (P : domain d) (T : list (simplex d)).
-Hypothesis triangulates : steiner_triangulation P T.
+Hypothesis triangulates : solid_triangulation P T.
 
 Lemma members t : In t T -> NoDup t /\ length t = S d.
 Proof. apply triangulates. Qed.

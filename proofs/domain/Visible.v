@@ -4,14 +4,14 @@
     then the way is in what the domain fills, and it respects the domain. *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia.
 From Circumspect Require Import Definitions Domains DomainRules Vectors Affine Frame Faces Independence.
-From Circumspect Require Import Combinations Lists Necessary.
+From Circumspect Require Import Combinations Lists Solid Necessary.
 Import ListNotations.
 Open Scope R_scope.
 
 Section Visible.
 Context {d : nat}.
 Variables (P : domain d) (T : list (simplex d)).
-Hypothesis triangulates : steiner_triangulation P T.
+Hypothesis triangulates : solid_triangulation P T.
 
 Lemma face_dec f q : faces_of T f -> conv f q \/ ~ conv f q.
 Proof.

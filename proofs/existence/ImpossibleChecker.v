@@ -4,7 +4,7 @@
     a certificate.  Candidates are all sets of four of its vertices; of each it is said why it is in no triangulation, or that it may
     be.  Clauses about these, each with its reason, hold of every triangulation; together nothing satisfies them. *)
 From Coq Require Import ZArith List Bool.
-From Circumspect Require Export GivenDomain Rup.
+From Circumspect Require Export GivenDomain WholeRefutation SameDomain Rup.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -127,6 +127,14 @@ Fixpoint clauses_of (k : positive) (l : list reason) : list clause + positive :=
   end.
 End Impossible.
 
+(** ** Nothing dangles
+
+    [mesh-of-the-domain]: without it the tetrahedra of a triangulation need not cover the domain, for what dangles has none beside
+    it ([check_impossible_sound]). *)
+Definition check_mesh_of (D M : domain_certificate) : result :=
+  check_domain Space (as_steiner M) ;;
+  (require mesh_of_the_domain by same_domain D M at Nowhere; Accepted).
+
 (** ** The whole
 
     [reason-shown], [clauses-refuted] *)
@@ -140,6 +148,7 @@ Definition check_impossible (x : impossibility) : result :=
   let candidates_of := Table.of_list id candidates in
   let fates_of := Table.of_list id (fates x) in
   check_about space_predicates D ;;
+  check_mesh_of D (some_mesh x) ;;
   each_pair fate_shown AtCandidate (check_fate D S segments_of polygons_of) 1 candidates (fates x) ;;
   match clauses_of D S segments_of polygons_listed polygons_of candidates candidates_of fates_of 1 (reasons x) with
   | inr k => Rejected reason_shown (AtReason k)

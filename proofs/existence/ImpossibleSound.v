@@ -4,10 +4,11 @@
     chosen.  Then each clause holds ([Necessary.v]), and nothing satisfies all of them ([Rup.v]). *)
 From Coq Require Import Rbase Rfunctions Lra Psatz List Arith Lia ZArith Bool.
 From Circumspect Require Import ImpossibleChecker Enumeration GivenSound Numbering.
-From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Necessary Visible Breach.
+From Circumspect Require DomainSound.
+From Circumspect Require Import Vectors Affine Frame Faces Facets LiftingMap Necessary Visible Covered Breach.
 From Circumspect Require Import Orientation Integers Accepted RefutationSigns.
 From Circumspect Require Import Combinations KeptMesh KeptCells Polygons DomainRefuted PolygonPoints.
-From Circumspect Require Import Definitions Domains DomainRules.
+From Circumspect Require Import Definitions Domains DomainRules Solid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -30,12 +31,13 @@ Notation fates_of := (Table.of_list Datatypes.id (fates x)).
 Notation clause_of := (clause_of D vertices_of segments_of polygons_listed polygons_of candidates candidates_of fates_of).
 Notation cell_point_of := (cell_point_of pr vertices_of segments_of polygons_of).
 
-Lemma parts : check_about pr D = Accepted /\
+Lemma parts : check_about pr D = Accepted /\ check_mesh_of D (some_mesh x) = Accepted /\
   each_pair fate_shown AtCandidate (check_fate D vertices_of segments_of polygons_of) 1 candidates (fates x) = Accepted /\
   exists l, refuted_clauses l (steps x) = true /\ forall y, In y l -> exists s, In s (reasons x) /\ clause_of s = Some y.
 Proof.
   pose proof accepts as H. unfold check_impossible in H. cbv zeta in H.
   destruct (check_about pr D); [|discriminate]. split; [reflexivity|].
+  destruct (check_mesh_of D (some_mesh x)); [|discriminate]. split; [reflexivity|].
   destruct (each_pair fate_shown _ _ _ _ _); [|discriminate]. split; [reflexivity|].
   destruct (clauses_of _ _ _ _ _ _ _ _ _ _) as [l|] eqn:E; [|discriminate].
   destruct (refuted_clauses l (steps x)) eqn:Rf; [|discriminate]. exists l. split; [assumption|].
@@ -61,8 +63,8 @@ Let cell_point_spec := GivenSound.cell_point_spec measured_space D about_ok know
 (** ** Candidates *)
 
 Variable T : list (simplex 3).
-Hypothesis triangulates : plc_triangulation P T.
-Let st : steiner_triangulation P T := proj1 triangulates.
+Hypothesis triangulates : solid_plc_triangulation P T.
+Let st : solid_triangulation P T := proj1 triangulates.
 Hypothesis constrained : domain_claimed D = Cdt -> forall t, In t T -> constrained_delaunay (domain_vertices P) P t.
 
 Definition chosen k : Prop := exists K t, numbered candidates k = Some K /\ In t T /\ same t (map spot K).
@@ -99,7 +101,7 @@ Lemma chosen_frame k K t : numbered candidates k = Some K -> In t T -> same t (m
   may_be_chosen fates_of k = true /\ exists X g, candidate_at vertices_of candidates_of k = Some X /\
     find_all vertices_of K = Some X /\ framed X g /\ vertices g = map spot K.
 Proof.
-  intros E It S. destruct parts as (_ & Fa & _). apply each_pair_accepted in Fa. destruct Fa as [L Fa].
+  intros E It S. destruct parts as (_ & _ & Fa & _). apply each_pair_accepted in Fa. destruct Fa as [L Fa].
   destruct (numbered_beside _ _ _ _ L E) as (e & Ee). specialize (Fa k K e E Ee). unfold check_fate in Fa. accepted.
   unfold fate_holds in Heqb. destruct (find_all vertices_of K) as [X|] eqn:FX; [|discriminate].
   destruct (find_vertices K X FX) as (Pl & Sh & LX & Hx).
@@ -246,11 +248,21 @@ Proof.
 Qed.
 End Impossible.
 
-Theorem check_impossible_sound x T : check_impossible x = Accepted -> plc_triangulation (domain_of_certificate 3 (about x)) T ->
-  (domain_claimed (about x) = Cdt -> forall t, In t T ->
-     constrained_delaunay (domain_vertices (domain_of_certificate 3 (about x))) (domain_of_certificate 3 (about x)) t) -> False.
+(** Some mesh of the domain has nothing dangling. *)
+Lemma some_solid x : check_impossible x = Accepted -> exists M, solid_triangulation (domain_of_certificate 3 (about x)) M.
 Proof.
-  intros A Tr Cd. destruct (parts x A) as (_ & _ & l & R & H).
+  intros A. destruct (parts x A) as (_ & Me & _). unfold check_mesh_of in Me.
+  destruct (check_domain Space (as_steiner (some_mesh x))) eqn:C; [|discriminate].
+  destruct (same_domain (about x) (some_mesh x)) eqn:Sa; [|discriminate].
+  exists (mesh_of_domain 3 (some_mesh x)). apply (solid_of_same _ _ _ (same_domain_sound 3 _ _ Sa)).
+  exact (DomainSound.check_domain_sound Space _ C).
+Qed.
+Theorem check_impossible_sound x K : check_impossible x = Accepted -> plc_triangulation (domain_of_certificate 3 (about x)) K ->
+  (domain_claimed (about x) = Cdt -> cdt (domain_of_certificate 3 (about x)) K) -> False.
+Proof.
+  intros A Tr Cd. destruct (some_solid x A) as (M & HM). destruct (parts x A) as (_ & _ & _ & l & R & H).
+  set (T := filter Covered.full K).
   apply (refuted_clauses_sound l (steps x) (truth x T) R). intros y Iy. destruct (H y Iy) as (s & _ & E).
-  now apply (reason_satisfied x A T Tr Cd s).
+  apply (reason_satisfied x A T) with s; [now apply solid_part_plc with M| |assumption].
+  intros Cl. now apply (solid_part_cdt _ M HM K (Cd Cl)).
 Qed.

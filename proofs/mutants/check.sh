@@ -20,7 +20,8 @@ failures=0
 for file in "$again"/*.cert; do
   IFS= read -r expected <"$file"
   expected=${expected:2}
-  found=$("$program" "$file") && code=0 || code=$?
+  # However large a file is, it gets no more than 600 MB here, and 60 s.
+  found=$(ulimit -v 600000 -t 60 && "$program" "$file") && code=0 || code=$?
   case "$expected" in
     verified*) wanted=0 ;;
     rejected*) wanted=1 ;;
@@ -72,10 +73,23 @@ users "rejected: another mesh, nearest.node:4: *coordinate 2 of point 9" --coord
 users "verified*" --coordinates decimal own.node own.ele
 sed 's/^8 1 0/8 1 1/' own.node >moved.node
 users "rejected: another mesh, moved.node:3: *coordinate 2 of point 8" moved.node own.ele
-sed 's/^8/6/' own.node >index.node
-users "rejected: another mesh, index.node:3: found point 6, *" index.node own.ele
+sed 's/^7/10/;s/^8/11/;s/^9/12/' own.node >index.node
+users "rejected: another mesh, index.node:2: found point 10, *" index.node own.ele
+# Rows are numbered in their order, and columns that nothing is about are numbers, as docs/formats.md says.
 sed 's/^8/7/' own.node >twice.node
-users "rejected: another mesh, twice.node:3: found point 7 twice" twice.node own.ele
+users "malformed: twice.node:3: expected the index 8, one more than the line before, found 7" twice.node own.ele
+sed '2{h;d};3{p;x}' own.node >order.node
+users "malformed: order.node:3: expected the index 9, one more than the line before, found 7" order.node own.ele
+sed 's/^8 1 0 9/8 1 0 red/' own.node >attribute.node
+users "malformed: attribute.node:3: expected a decimal or a fraction, found 'red'" attribute.node own.ele
+sed '3s/9 1 #/9 red #/' own.node >marker.node
+users "malformed: marker.node:3: expected an integer, found 'red'" marker.node own.ele
+sed '1s/1 1$/1 2/;s/9 1$/9 1 1/;s/9 1 #/9 1 1 #/' own.node >markers.node
+users "malformed: markers.node:1: expected 0 or 1 markers, found 2" markers.node own.ele
+printf '1 3 1\n1 9 7 8 red\n' >attribute.ele
+users "malformed: attribute.ele:2: expected a decimal or a fraction, found 'red'" own.node attribute.ele
+printf '1 3\nred 9 7 8\n' >index.ele
+users "malformed: index.ele:2: expected an integer, found 'red'" own.node index.ele
 sed '1s/3/2/;4d' own.node >fewer.node
 users "rejected: another mesh, fewer.node:*expected 3 points, found 2" fewer.node own.ele
 sed '1s/3/4/' own.node >cut.node
@@ -134,7 +148,7 @@ domain "verified: steiner-triangulation, 9 points*, 1 hole: plane.node plane.ele
 domain "verified*" --coordinates decimal plane.node plane.ele plane.poly
 sed -n '1,9p' plane.poly >elsewhere.node
 sed -e '2,9d' -e '1s/^8/0/' plane.poly >elsewhere.poly
-domain "verified*elsewhere.poly" plane.node plane.ele elsewhere.poly
+domain "verified*: plane.node plane.ele elsewhere.poly elsewhere.node" plane.node plane.ele elsewhere.poly
 varied "rejected: another domain, varied-plane.poly:2: found the vertex (0 1/2), which is none*" 's/^1 0 0/1 0 0.5/' plane.poly
 varied "rejected: another domain, varied-plane.poly:*: found the vertex (3 4) twice" 's/^7 5 4/7 3 4/' plane.poly
 varied "rejected: another domain, varied-plane.poly:*: expected 8 vertices, found 7" \
@@ -145,17 +159,39 @@ varied "rejected: another domain, varied-plane.poly:*: expected the segment from
 varied "rejected: another domain, varied-plane.poly:21: found the hole point (4 5), which is none*" 's/9\/2/5/' plane.poly
 varied "rejected: another domain, varied-plane.poly:*: expected the hole point (4 9/2), found none" \
   's/^1$/0/;/9\/2/d' plane.poly
+# Options may give the domain hole points that its file does not list.
+domain "verified*: plane.node plane.ele varied-plane.poly --hole 4,9/2" --hole 4,9/2 plane.node plane.ele varied-plane.poly
+domain "rejected: another domain, varied-plane.poly:0: found the hole point (4 5), which is none*" --hole 4,9/2 --hole 4,5 plane.node plane.ele varied-plane.poly
+domain "rejected: another domain, varied-plane.poly:*: expected the hole point (4 9/2), found none" --hole 99,0 plane.node plane.ele varied-plane.poly
+domain "" --hole 4,9/2,x plane.poly 2>/dev/null
 varied "verified*" '$s/$/\n2 9 9/;s/^1$/2/' plane.poly  # a hole point beyond all the mesh makes no hole
 varied "malformed: varied-plane.poly:11: expected a vertex of the file, found '12'" 's/^1 1 2/1 1 12/' plane.poly
 varied "malformed: varied-plane.poly:*: expected the end of the file, found 'and'" '$s/$/\n0\nand more/' plane.poly
-varied "malformed: varied-plane.poly:4: expected the index 3, found 4" 's/^3 8 0/4 8 0/' plane.poly
+varied "malformed: varied-plane.poly:4: expected the index 3, one more than the line before, found 4" 's/^3 8 0/4 8 0/' plane.poly
+varied "malformed: varied-plane.poly:2: expected an integer, found 'red'" 's/^1 0 0 0/1 0 0 red/' plane.poly
+varied "malformed: varied-plane.poly:11: expected an integer, found 'red'" 's/^1 1 2/red 1 2/' plane.poly
+varied "malformed: varied-plane.poly:*: expected 4 or 5 columns, found 3" '$s/$/\n1\n1 2 2/' plane.poly
+# What MESH.face and MESH.edge list is read for certificates, too: each is a face of a simplex; the line names what was read.
+printf '2 1\n0 0 1 1\n1 2 3 0\n' >plane.edge
+domain "verified: steiner-triangulation, *: plane.node plane.ele plane.edge plane.poly" plane.node plane.ele plane.poly
+printf '2 1\n0 0 1 1\n1 0 3 0\n' >plane.edge
+domain "rejected: another mesh, plane.edge:3: found a triangle or an edge that is a face of no simplex, and does not dangle" plane.node plane.ele plane.poly
+printf '1 1\n0 0 1 red\n' >plane.edge
+domain "malformed: plane.edge:2: expected an integer, found 'red'" plane.node plane.ele plane.poly
+printf '2 0\n0 0 1 7\n1 2 3\n' >plane.edge
+domain "malformed: plane.edge:3: expected 4 columns, found 3" plane.node plane.ele plane.poly
+rm plane.edge
 domain "malformed: cannot read absent.poly*" plane.node plane.ele absent.poly
 # An edge that dangles is in MESH.edge; what is listed there and dangles is in the certificate.
 certificate=complex.overlap--shown--dangling.cert
 printf '7 2\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1 1/2\n5 1 1\n6 1/2 3/2\n' >dangling.node
 printf '1 3\n0 0 1 2\n' >dangling.ele
 printf '3 1\n0 0 1 1\n1 6 1 0\n2 6 1 -1\n' >dangling.edge
-domain "verified: not steiner-cdt, complex.overlap; 1 dangling face; *" dangling.node dangling.ele
+domain "verified: not steiner-cdt, complex.overlap; 1 dangling face; *: dangling.node dangling.ele dangling.edge" dangling.node dangling.ele
+[[ "$("$program" --mesh "$certificate")" == *'"faces": ['?'[6, 1]]}' ]] || {
+  echo "$certificate: --mesh leaves out what dangles" >&2
+  failures=$((failures + 1))
+}
 sed 's/^0 0 1/0 0 3/' dangling.edge >other.edge
 cp other.edge dangling.edge
 domain "rejected: another mesh, dangling.edge:2: found a triangle or an edge that is a face of no simplex*" dangling.node dangling.ele

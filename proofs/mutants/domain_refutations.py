@@ -34,7 +34,10 @@ def refutations_of_domains():
         ("domain.steiner-forbidden", "plc-triangulation", fan, "1 2", True, ""),
         ("domain.steiner-forbidden", "plc-triangulation", fan, "1 1", False, ""),
         ("domain.steiner-forbidden", "steiner-triangulation", fan, "1 2", False, "--allowed"),
-        ("simplex.wrong-dimension", "steiner-cdt", fan + [[1, 2]], "5", True, "--of-a-domain"),
+        ("simplex.wrong-dimension", "steiner-cdt", fan + [[1, 2, 3, 4]], "5", True, "--of-a-domain"),
+        ("simplex.wrong-dimension", "steiner-cdt", fan + [[]], "5", True, "--of-a-domain--no-vertex"),
+        # An edge among the triangles may dangle.
+        ("simplex.wrong-dimension", "steiner-cdt", fan + [[1, 2]], "5", False, "--of-a-domain--an-edge"),
         ("simplex.wrong-dimension", "steiner-cdt", fan + [[1, 2]], "4", False, "--of-a-domain"),
         ("triangulation.unknown-vertex", "cdt", [[1, 2, 9]], "1 2", True, "--of-a-domain"),
         ("triangulation.unknown-vertex", "cdt", [[1, 2, 9]], "1 1", False, "--of-a-domain"),

@@ -2,7 +2,11 @@
 
 import copy
 import itertools
+import math
 from fractions import Fraction
+
+from domains import part, part_text, polygon_text, space_domain, triangle_polygon
+from honest import certificate, side, text as mesh_text
 
 POINTS = [(2, 0, 0), (-2, 0, 0), (0, 2, 0), (0, -2, 0), (0, 0, 2), (0, 0, -2), (3, 3, 3), (4, 1, 1)]
 SEGMENTS = [(0, 1), (2, 3)]
@@ -84,16 +88,74 @@ INNER = next((k, i) for k in FREE for i in range(4) if beyond(CANDIDATES[k], i) 
     FATES[number(set(CANDIDATES[k]) - {CANDIDATES[k][i]} | {v}) - 1] == "free" for v in beyond(CANDIDATES[k], i)))
 OUTER = next((k, i) for k in FREE for i in range(4) if not beyond(CANDIDATES[k], i))
 
+
+
+def mesh_of_hull(points, core):
+    """The simplices of the core, and around them, point by point, those that make their hull convex again."""
+    simplices = list(core)
+    for v in range(len(points)):
+        if any(v in s for s in simplices):
+            continue
+        facets = {}
+        for s in simplices:
+            for i in range(4):
+                facets.setdefault(frozenset(s) - {s[i]}, []).append((s, i))
+        for where in facets.values():
+            s, i = where[0]
+            corners = [points[u] for u in s]
+            if len(where) == 1 and side(corners, i, points[v]) * side(corners, 0, corners[0]) < 0:
+                simplices.append(s[:i] + (v,) + s[i + 1:])
+    return simplices
+
+
+def mesh(change=lambda m: None, chains=((0, 8, 1), (2, 8, 3)), corners=range(8)):
+    """A mesh of the domain, in which the diagonals meet in a vertex."""
+    points = POINTS + [(0, 0, 0)]
+    core = [(8, x, y, z) for x in (0, 1) for y in (2, 3) for z in (4, 5)]
+    made = certificate("triangulation", points, mesh_of_hull(points, core))
+    made["scale"] = [1, 2]
+    number = {row[4]: k + 1 for k, row in enumerate(made["points"])}
+    m = {"mesh": made, "part": part(made, len(made["simplices"]), set(corners), list(chains), {},
+                                    weights={8: [[1, number[0]], [1, number[1]]]}), "polygons": []}
+    change(m)
+    return m
+
+
+def body_text(m):
+    lines = mesh_text(m["mesh"]).split("\n")[1:-2] + part_text(m["part"]) + ["polygons %d" % len(m["polygons"])]
+    return lines + [line for f in m["polygons"] for line in polygon_text(f)]
+
+
 SOUND = {"scale": "1 2", "segments": SEGMENTS, "holes": [], "candidates": FATES,
          "clauses": [beside(*INNER), "covers vertex 7", overlap(), ORIGIN],
-         "steps": ["-%d 0 1" % (INNER[0] + 1), "0 4"]}
+         "steps": ["-%d 0 1" % (INNER[0] + 1), "0 4"], "mesh": [mesh()]}
+
+# A triangle in space, which dangles: it has a triangulation, though no tetrahedron covers any of it.  The mesh is one of a
+# tetrahedron with this facet.
+TETRAHEDRON = [(0, 0, 0), (0, 3, 0), (3, 0, 0), (9, 9, 9)]
+AROUND = space_domain("steiner-triangulation", "enclosed", TETRAHEDRON, [(0, 1, 2, 3)], 1,
+                      list(itertools.combinations(range(4), 3)), list(itertools.combinations(range(4), 2)))
+ONE_TRIANGLE = {"kind": "enclosed", "scale": "1 1", "vertices": TETRAHEDRON[:3], "segments": [(0, 1), (0, 2), (1, 2)], "holes": [],
+                "polygons": [triangle_polygon(AROUND["mesh"], TETRAHEDRON, (0, 1, 2), 1)], "mesh": [AROUND],
+                "candidates": [], "clauses": ["covers vertex 1"], "steps": ["0 1"]}
+
+
+def many_covers(vertices=24, covers=2500):
+    """A small file that asks for much: of these points, on a curve, any four may be chosen, and each clause lists a sixth of them."""
+    points = [(t, t ** 2, t ** 3) for t in range(1, vertices + 1)]
+    made = certificate("triangulation", points, mesh_of_hull(points, [(0, 1, 2, 3)]))
+    body = {"mesh": made, "part": part(made, len(made["simplices"]), set(range(vertices)), [], {}), "polygons": []}
+    return {"scale": "1 1", "vertices": points, "segments": [], "holes": [], "mesh": [body],
+            "candidates": ["free"] * math.comb(vertices, 4), "clauses": ["covers vertex 1"] * covers, "steps": ["0 1"]}
 
 
 def text(c):
-    lines = ["circumspect-impossibility 1 plc-triangulation 3 hull", "scale " + c["scale"],
-             "vertices %d" % len(POINTS), *(" ".join(map(str, p)) for p in POINTS),
+    vertices, polygons = c.get("vertices", POINTS), c.get("polygons", [])
+    lines = ["circumspect-impossibility 2 plc-triangulation 3 " + c.get("kind", "hull"), "scale " + c["scale"],
+             "vertices %d" % len(vertices), *(" ".join(map(str, p)) for p in vertices),
              "segments %d" % len(c["segments"]), *("%d %d" % (a + 1, b + 1) for a, b in c["segments"]),
-             "holes %d" % len(c["holes"]), *c["holes"], "polygons 0"]
+             "holes %d" % len(c["holes"]), *c["holes"], "polygons %d" % len(polygons)]
+    lines += [line for f in polygons for line in polygon_text(f)] + ["mesh"] + body_text(c["mesh"][0])
     for section in ("candidates", "clauses", "steps"):
         lines += ["%s %d" % (section, len(c[section])), *c[section]]
     return "\n".join(lines + ["end"]) + "\n"
@@ -140,6 +202,20 @@ def files():
                        ("not-unit", ["0 2 4"]), ("a-later-clause", ["0 5"]), ("no-hints", ["0"]),
                        ("no-such-clause", ["0 9"])]:
         yield mutant("clauses-refuted--" + why, "steps", None, steps, "clauses-refuted")
+    yield "large--many-covers", text(many_covers()), "refused: "
+    yield "mesh-of-the-domain--something-dangles", text(ONE_TRIANGLE), "rejected: mesh-of-the-domain"
+
+    def another_scale(m):
+        m["mesh"]["scale"] = [1, 3]
+
+    def no_step(m):
+        m["part"]["segments"][0][1][1] = next(
+            t + 1 for t, row in enumerate(m["mesh"]["simplices"]) if m["part"]["segments"][0][0] not in row[0])
+
+    for why, other in [("a-segment-less", mesh(chains=[(0, 8, 1)])), ("another-segment", mesh(chains=[(0, 8, 1), (4, 8, 5)])),
+                       ("another-scale", mesh(another_scale)), ("a-vertex-more", mesh(corners=range(9)))]:
+        yield mutant("mesh-of-the-domain--" + why, "mesh", 0, other, "mesh-of-the-domain")
+    yield mutant("segment-linked--of-another-mesh", "mesh", 0, mesh(no_step), "segment-linked, segment 1")
     yield mutant("segment-linked--of-no-mesh", "segments", 0, (0, 8), "segment-linked, segment 1")
     yield mutant("hole-inside--of-no-mesh", "holes", None, ["0 0 0 0"], "hole-inside, hole 1")
     yield mutant("scale--of-no-mesh", "scale", None, "-1 2", "scale")

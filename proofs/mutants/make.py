@@ -291,6 +291,11 @@ def refutations():
         "0 0 0\n1 0 1\n2 0 2\nsimplices 2\n2 1 2\n2 2 3\nspans 1 2 3\nbecause 1\nend\n"
     # They lie in a line and have a Delaunay triangulation, the two edges.
     yield "spans--points-of-a-line", line, "rejected: the evidence does not show"
+    many = 6000
+    yield "large--numbers-of-facets", \
+        "circumspect-refutation 2 weighted-delaunay 2 triangulation.unused-point\nscale 1 1\npoints 4\n" \
+        "0 0 0 0\n1 0 0 1\n0 1 0 2\n1 1 0 3\nsimplices %d\n%sspans 1 2 3\nbecause 4%s\nend\n" % (
+            many, "3 1 2 3\n" * many, " 9999999" * many), "rejected: the evidence does not show"
     row = " ".join(["1"] * 1000000)
     yield "large--simplex-of-1000000-vertices", \
         "circumspect-refutation 2 delaunay 2 simplex.wrong-dimension\nscale 1 1\npoints 3\n" \

@@ -81,6 +81,11 @@ let body c claimed =
                 sample_simplex = List.hd simplex; sample; sample_denominator = List.hd sample_denominator } in
   ({ frame; simplex_count = !simplex_count; rows_of = Words.grown !rows }, List.rev !labels)
 
+(* The same with lists and records for rows, as the checker of domains reads it. *)
+let in_lists space packed =
+  let simplices = List.rev (List.rev_map (entry_of space packed.rows_of) (Word.upto packed.simplex_count)) in
+  { packed.frame with simplices }
+
 let read c claimed =
   let read = body c claimed in
   ending c;

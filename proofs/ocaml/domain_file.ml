@@ -89,7 +89,7 @@ let polygon c =
   no_more c expected rest;
   let plane = { c with d = 2; labels = Hashtbl.create 64 } in
   let plane_mesh, _ = Certificate_file.body plane Triangulation in
-  let plane_mesh = unpacked Plane plane_mesh in
+  let plane_mesh = Certificate_file.in_lists Plane plane_mesh in
   let plane_part = part plane in
   let expected = "the number of a point" in
   let above = section c "above" expected (number c expected) in
@@ -138,7 +138,7 @@ let complex c polygons =
 let body c domain_claimed kind =
   let claimed = if domain_claimed = ConformingDelaunay then Delaunay else Triangulation in
   let packed, labels = Certificate_file.body c claimed in
-  let whole_mesh = unpacked (if c.d = 2 then Plane else Space) packed in
+  let whole_mesh = Certificate_file.in_lists (if c.d = 2 then Plane else Space) packed in
   let domain_part = part c in
   let polygons = if c.d = 2 then [] else begin
       let expected, tokens = line c "polygons" "COUNT" in

@@ -55,6 +55,9 @@ let candidates n =
 
 let read c domain_claimed kind =
   let about = alone c domain_claimed kind (scale c) in
+  let expected, rest = line c "mesh" "" in
+  no_more c expected rest;
+  let some_mesh = with_another_mesh c domain_claimed kind in
   let fates = section c "candidates" "what becomes of a candidate" (fate c) in
   let expected = candidates (List.length about.whole_mesh.points) in
   if not (Big.equal expected (Big.of_int (List.length fates))) then
@@ -62,4 +65,4 @@ let read c domain_claimed kind =
   let reasons = section c "clauses" "a reason" (reason c) in
   let steps = section c "steps" "a step" (step c) in
   ending c;
-  { about; fates; reasons; steps }
+  { about; some_mesh; fates; reasons; steps }

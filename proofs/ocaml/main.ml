@@ -7,13 +7,15 @@
    told; a signal, as of a system without memory) is no answer. *)
 open Extracted
 
-let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
+let usage = "usage: circumspect-verified FILE [[--coordinates decimal] [--hole X,Y,Z] [MESH.node MESH.ele] [DOMAIN.poly]]\n\
        circumspect-verified --mesh FILE\n\
 FILE is a certificate or a refutation that `circumspect certify` wrote, or a proof that a domain has no\n\
 triangulation or CDT, which `circumspect inspect DOMAIN --refutations PREFIX` writes; `-` is standard input.\n\
 With your own files it also says whether the mesh is yours: the points by their indices, exactly, and\n\
 the simplices in their order; and whether the domain is: its vertices by their exact coordinates, its segments,\n\
 polygons and hole points. Decimals mean the nearest double, unless they are taken at their word.\n\
+--hole gives the domain a hole point that its file does not list, as `circumspect certify --hole` does. It may\n\
+be given several times.\n\
 --mesh prints the points and simplices that it is about, as `circumspect compare` reads them, and\n\
 checks nothing."
 
@@ -60,7 +62,8 @@ let condition = function
   | Polygon_tiled -> "polygon-tiled" | Vertices_of_domain -> "vertices-of-domain"
   | Face_held -> "face-held" | Segment_in_polygon -> "segment-in-polygon"
   | Rim_listed -> "rim-listed" | One_sided_shown -> "one-sided-shown"
-  | Vertices_listed -> "vertices-listed" | Fate_shown -> "fate-shown"
+  | Vertices_listed -> "vertices-listed" | Mesh_of_the_domain -> "mesh-of-the-domain"
+  | Fate_shown -> "fate-shown"
   | Reason_shown -> "reason-shown" | Clauses_refuted -> "clauses-refuted"
 
 let place =
@@ -107,7 +110,8 @@ let counts d points simplices =
 (* What a file is about, and what checking it says: the line to print, and the exit code. *)
 type content = {
   mesh : Users_mesh.mesh Lazy.t;
-  compare_domain : ((unit -> Users_domain.points) -> exactly:bool -> Text.t -> unit) option;  (* with a user's file *)
+  (* With a user's file, and hole points that it does not list. *)
+  compare_domain : ((unit -> Users_domain.points) -> further_holes:Users_domain.place list -> exactly:bool -> Text.t -> unit) option;
   verdict : unit -> string * int }
 
 (* Beyond the claim: is it the only such triangulation, or the canonical one? The first is both. *)
@@ -118,10 +122,11 @@ let certificate (c : Reading.context) space claimed standing =
   let frame = packed.frame in
   let mesh = lazy (
     let corners (e : simplex_entry) = List.map Option.some e.corners in
+    let vertices k = corners (entry_of space packed.rows_of (k + 1)) in
     { Users_mesh.unit = (frame.numerator, frame.denominator); d = c.d;
       weighted = c.weighted; labels = Array.of_list labels; ordered = false;
       sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) frame.points));
-      simplices = List.rev (List.rev_map corners (unpacked space packed).simplices); dangling = None }) in
+      simplices = { count = packed.simplex_count; vertices }; dangling = None }) in
   let verdict () =
     let asked = Option.map (fun word -> fst (List.assoc word standings)) standing in
     match judge space packed asked (Certificate_file.digits_left_out frame) with
@@ -157,7 +162,7 @@ let domain (c : Reading.context) space claimed kind ~is_complex =
   let mesh = { Users_mesh.unit = (whole.numerator, whole.denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = false;
                sites = Array.of_list (List.rev (List.rev_map (fun e -> e.position) whole.points));
-               simplices; dangling = None } in
+               simplices = Users_mesh.listed simplices; dangling = Some [] } in
   let checked () = match check_domain space certificate, complex with
     | Accepted, Some complex -> check_complex space certificate complex
     | result, _ -> result in
@@ -173,7 +178,8 @@ let vertices_of d (about : domain_certificate) =
   let whole = about.whole_mesh in
   let sites = Array.of_list (List.map (fun e -> e.position) whole.points) in
   { Users_mesh.unit = (whole.numerator, whole.denominator); d; weighted = false;
-    labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites; simplices = []; dangling = None }
+    labels = Array.init (Array.length sites) Big.of_int; ordered = false; sites;
+    simplices = Users_mesh.listed []; dangling = None }
 
 let impossibility (c : Reading.context) claimed kind =
   let impossibility = Impossibility_file.read c claimed kind in
@@ -190,7 +196,7 @@ let refutation (c : Reading.context) space claimed rule =
   let mesh = { Users_mesh.unit = (refutation.unit_numerator, refutation.unit_denominator); d = c.d;
                weighted = c.weighted; labels = Array.of_list labels; ordered = true;
                sites = Array.of_list refutation.sites;
-               simplices = refutation.rows; dangling = None } in
+               simplices = Users_mesh.listed refutation.rows; dangling = None } in
   let verdict () =
     let rule = rule_name (rule_of refutation.because) in
     if refute space refutation then
@@ -209,7 +215,7 @@ let domain_refutation (c : Reading.context) space claimed rule =
   let about = refutation.mesh_refuted in
   let mesh = { Users_mesh.unit = (about.unit_numerator, about.unit_denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list about.sites;
-               simplices = about.rows; dangling = Some (own_rows refutation.dangling_refuted) } in
+               simplices = Users_mesh.listed about.rows; dangling = Some (own_rows refutation.dangling_refuted) } in
   let verdict () =
     let rule = domain_rule_name (domain_rule_of refutation) in
     if refute_domain space refutation then
@@ -225,7 +231,7 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   let against = refutation.mesh_against and about = refutation.about_domain in
   let mesh = { Users_mesh.unit = (against.unit_numerator, against.unit_denominator); d = c.d; weighted = false;
                labels = Array.of_list labels; ordered = true; sites = Array.of_list against.sites;
-               simplices = against.rows; dangling = Some (own_rows refutation.dangling_against) } in
+               simplices = Users_mesh.listed against.rows; dangling = Some (own_rows refutation.dangling_against) } in
   let verdict () =
     let rule = domain_rule_name (whole_rule_of refutation) in
     if refute_whole space refutation then
@@ -235,7 +241,7 @@ let whole_refutation (c : Reading.context) space claimed rule kind =
   { mesh = lazy mesh; compare_domain = Some (Users_domain.compare_domain (vertices_of c.d about) about); verdict }
 
 let content source =
-  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 1 plc-triangulation or cdt 3 enclosed or hull'" in
+  let first = "'circumspect-certificate 1 CLAIM D [unique or canonical, or enclosed or hull [plc]]' or 'circumspect-refutation 2 CLAIM D RULE [enclosed or hull]' or 'circumspect-impossibility 2 plc-triangulation or cdt 3 enclosed or hull'" in
   match Text.next_of source first with
   | [ "circumspect-certificate"; "1"; claim; dimension ] ->
     let c, claimed, space = context source claims claim dimension in
@@ -260,16 +266,21 @@ let content source =
   | [ "circumspect-refutation"; "2"; claim; dimension; rule ] ->
     let c, claimed, space = context source claims claim dimension in
     refutation c space claimed rule
-  | [ "circumspect-impossibility"; "1"; ("plc-triangulation" | "cdt" as claim); "3"; kind ] when List.mem_assoc kind kinds ->
+  | [ "circumspect-impossibility"; "2"; ("plc-triangulation" | "cdt" as claim); "3"; kind ] when List.mem_assoc kind kinds ->
     let c, claimed, _ = context source domain_claims claim "3" in
     impossibility c claimed (List.assoc kind kinds)
   | tokens -> Text.fail source first (Text.quote (String.concat " " tokens))
 
 (* The line to print if the mesh, and the domain if one is given, is that of the user's files, too; the other
-   line if it is another. *)
-let of_users_files ~exactly mesh poly content =
-  let compared ?text what name compare =
-    match compare (match text with Some text -> text | None -> Text.of_string (read_file name)) with
+   line if it is another.  It names every file that was read. *)
+let of_users_files ~exactly ~further_holes mesh poly content =
+  let names_read = ref [] in
+  let text_of name =
+    let text = Text.of_string (read_file name) in
+    names_read := name :: !names_read;
+    text in
+  let compared what name compare =
+    match compare () with
     | result -> Ok result
     | exception Sys_error message ->
       Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped name)
@@ -281,39 +292,50 @@ let of_users_files ~exactly mesh poly content =
   let of_domain name = match content.compare_domain with
     | None -> Error (Printf.sprintf "rejected: another domain, %s: the certificate is about none" (String.escaped name), 1)
     | Some compare_domain ->
-      let points_elsewhere () =
-        Users_domain.points ~exactly (Text.of_string (read_file (Filename.remove_extension name ^ ".node"))) in
-      compared "domain" name (compare_domain points_elsewhere ~exactly) in
+      compared "domain" name (fun () ->
+          let source = text_of name in
+          let points_elsewhere () =
+            Users_domain.points ~exactly (text_of (Filename.remove_extension name ^ ".node")) in
+          compare_domain points_elsewhere ~further_holes:(List.map snd further_holes) ~exactly source) in
   let ( let* ) = Result.bind in
-  (* MESH.face and MESH.edge, those that there are. *)
-  let faces_beside ele mesh number_of dangling =
+  (* MESH.face and MESH.edge, those that there are, and what dangles in MESH.ele. *)
+  let faces_beside ele mesh number_of short dangling =
     let beside (vertices, extension) =
       let name = Filename.remove_extension ele ^ extension in
       if Sys.file_exists name then Some (vertices, name) else None in
     let files = List.filter_map beside [ (3, ".face"); (2, ".edge") ] in
-    let names = String.concat " and " (if files = [] then [ ele ] else List.map snd files) in
-    match List.map (fun (vertices, name) -> (vertices, Text.of_string (read_file name))) files with
-    | sources -> compared "mesh" names ~text:(Text.of_string "") (fun _ -> Users_mesh.compare_faces mesh dangling number_of sources)
-    | exception Sys_error message ->
-      Error (Printf.sprintf "malformed: cannot read %s: %s" (String.escaped names) (String.escaped message), 3) in
+    let names = List.map snd files in
+    let names = if short <> [] || names = [] then ele :: names else names in
+    compared "mesh" (String.concat " and " names) (fun () ->
+        Users_mesh.compare_faces mesh dangling number_of short
+          (List.map (fun (vertices, name) -> (vertices, text_of name)) files)) in
   let same () =
     let* () = match mesh with
       | None -> Ok ()
       | Some (node, ele) ->
-        let* number_of = compared "mesh" node (Users_mesh.compare_points ~exactly (Lazy.force content.mesh)) in
         let mesh = Lazy.force content.mesh in
-        let* () = compared "mesh" ele (Users_mesh.compare_simplices mesh number_of) in
-        Option.fold ~none:(Ok ()) ~some:(faces_beside ele mesh number_of) mesh.dangling in
+        let* number_of = compared "mesh" node (fun () -> Users_mesh.compare_points ~exactly mesh (text_of node)) in
+        let* short = compared "mesh" ele (fun () -> Users_mesh.compare_simplices ~exactly mesh number_of (text_of ele)) in
+        Option.fold ~none:(Ok ()) ~some:(faces_beside ele mesh number_of short) mesh.dangling in
     Option.fold ~none:(Ok ()) ~some:of_domain poly in
   (* What a rejected file says is looked at no further. *)
   match content.verdict () with
   | line, 0 -> (match same () with
       | Error answer -> answer
       | Ok () ->
-        let of_mesh = match mesh with Some (node, ele) -> [ node; ele ] | None -> [] in
-        let names = List.map String.escaped (of_mesh @ Option.to_list poly) in
+        let names = List.rev_map String.escaped !names_read @ List.map (fun (words, _) -> "--hole " ^ words) further_holes in
         (Printf.sprintf "%s: %s" line (String.concat " " names), 0))
   | answer -> answer
+
+(* A hole point: numbers with commas between them, at their word. *)
+let hole words =
+  let source = Text.of_string "" in
+  let numbers = String.split_on_char ',' words in
+  match List.map (Numbered_rows.number ~exactly:true source) numbers with
+  | [ _; _ ] | [ _; _; _ ] as place -> (words, place)
+  | _ | exception Text.Malformed _ ->
+    prerr_endline ("circumspect-verified: expected --hole X,Y,Z or, in the plane, X,Y, found " ^ String.escaped words);
+    exit 2
 
 let () =
   (* Little of what is read becomes garbage: collect seldom, and move nothing. *)
@@ -323,29 +345,36 @@ let () =
     | [ "--mesh"; name ] -> ((fun content -> Mesh_text.print (Lazy.force content.mesh); exit 0), name)
     | [ name ] -> ((fun content -> content.verdict ()), name)
     | name :: files ->
-      let exactly, files = match files with
-        | "--coordinates" :: "decimal" :: files -> (true, files)
-        | files -> (false, files) in
+      let rec options exactly holes = function
+        | "--coordinates" :: "decimal" :: files -> options true holes files
+        | "--hole" :: words :: files -> options exactly (hole words :: holes) files
+        | files -> (exactly, List.rev holes, files) in
+      let exactly, further_holes, files = options false [] files in
       (match files with
-       | [ poly ] -> (of_users_files ~exactly None (Some poly), name)
-       | [ node; ele ] -> (of_users_files ~exactly (Some (node, ele)) None, name)
-       | [ node; ele; poly ] -> (of_users_files ~exactly (Some (node, ele)) (Some poly), name)
+       | [ poly ] -> (of_users_files ~exactly ~further_holes None (Some poly), name)
+       | [ node; ele ] when further_holes = [] -> (of_users_files ~exactly ~further_holes (Some (node, ele)) None, name)
+       | [ node; ele; poly ] -> (of_users_files ~exactly ~further_holes (Some (node, ele)) (Some poly), name)
        | _ -> prerr_endline usage; exit 2)
     | _ -> prerr_endline usage; exit 2 in
   let shown = String.escaped name in
+  let refused why = (Printf.sprintf "refused: %s %s: nothing is known of what it says" shown why, 3) in
   let malformed message = (Printf.sprintf "malformed: %s%s" shown message, 3) in
   let line, code =
-    match content (Text.of_string (read_file name)) with
+    let text = read_file name in
+    Limits.allow (String.length text);
+    match content (Text.of_string text) with
     | content ->
       (match answer content with
        | answer -> answer
        | exception Sys_error _ -> close_out_noerr stdout; exit 5
        | exception Stack_overflow -> malformed ": too large for the stack"
+       | exception Limits.Refused why -> refused why
        | exception Division_by_zero -> malformed ": the scale is zero")
     | exception Reading.Repeated_label label -> ("rejected: labels-different, label " ^ label, 1)
     | exception Text.Malformed (line, message) -> malformed (Printf.sprintf ":%d: %s" line message)
     | exception Sys_error message ->
       (Printf.sprintf "malformed: cannot read %s: %s" shown (String.escaped message), 3)
+    | exception Limits.Refused why -> refused why
     | exception Out_of_memory -> malformed ": too large for the memory of this machine"
     | exception Stack_overflow -> malformed ": a line is too long for the stack" in
   match print_endline line with

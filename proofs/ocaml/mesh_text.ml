@@ -4,8 +4,9 @@ open Extracted
 
 let quoted x = "\"" ^ x ^ "\""
 let listed items = "[" ^ String.concat ", " items ^ "]"
-let print_lines items =
-  List.iteri (fun i item -> print_string (if i = 0 then "\n" else ",\n"); print_string item) items
+let print_each count item =
+  for i = 0 to count - 1 do print_string (if i = 0 then "\n" else ",\n"); print_string (item i) done
+let print_lines items = let items = Array.of_list items in print_each (Array.length items) (Array.get items)
 
 (* Where labels are those of consecutive numbers, vertices have them too; else they count from 1. *)
 let print (mesh : Users_mesh.mesh) =
@@ -36,6 +37,10 @@ let print (mesh : Users_mesh.mesh) =
   let vertex = function
     | Some v when v >= 1 && v <= n -> string_of_int (first + place.(v - 1))
     | _ -> string_of_int (first + n) in
-  print_lines (List.rev (List.rev_map (fun vertices -> listed (List.map vertex vertices))
-                           mesh.simplices));
+  print_each mesh.simplices.count (fun k -> listed (List.map vertex (mesh.simplices.vertices k)));
+  (match mesh.dangling with
+   | Some (_ :: _ as dangling) ->
+     print_string "],\n\"faces\": [";
+     print_lines (List.rev (List.rev_map (fun row -> listed (List.map vertex row)) dangling))
+   | Some [] | None -> ());
   print_endline "]}"

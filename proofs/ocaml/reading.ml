@@ -4,10 +4,18 @@ open Extracted
 type context = { source : Text.t; d : int; weighted : bool;
                  labels : (Big.t, unit) Hashtbl.t }
 
-(* Peano's numerals, which count the vertices of a simplex: short, and shared. *)
+(* Peano's numerals, which count the vertices of a simplex: each is made of the one before it, once. *)
+let naturals = ref [| O |]
 let natural n =
-  let rec go n made = if n <= 0 then made else go (n - 1) (S made) in
-  go n O
+  let n = max 0 n in
+  let known = Array.length !naturals in
+  if n >= known then begin
+    let more = Array.make (max (n + 1) (2 * known)) O in
+    Array.blit !naturals 0 more 0 known;
+    for k = known to Array.length more - 1 do more.(k) <- S more.(k - 1) done;
+    naturals := more
+  end;
+  !naturals.(n)
 let of_natural n =
   let rec go counted = function O -> counted | S n -> go (counted + 1) n in
   go 0 n

@@ -2,13 +2,14 @@
    the domain that a certificate is about: the same vertices, by their exact coordinates, and between them the same
    segments, polygons, each with its own segments and hole points, and the same hole points. *)
 open Extracted
+open Numbered_rows
 open Users_mesh
 
 type place = Q.t list
 type edge = int * int  (* of the vertices, the smaller first *)
 module Edges = Set.Make (struct type t = edge let compare = compare end)
 
-type points = (place * int) list * int * int  (* with their lines; the dimension, and the index of the first *)
+type points = (place * int) list * int * Big.t  (* with their lines; the dimension, and the index of the first *)
 type polygon = { rim : Edges.t; gaps : place list; line : int }
 type domain = {
   vertices : (place * int) list;  (* and the line *)
@@ -27,36 +28,33 @@ let coordinates ~exactly source d tokens =
   List.map (number ~exactly source) (List.filteri (fun i _ -> i < d) tokens)
 
 (* The count, and at most one marker, with which a list begins. *)
-let header source expected =
-  match List.map (natural source) (Text.next_of source expected) with
-  | [ n ] -> (n, 0)
-  | [ n; markers ] when markers <= 1 -> (n, markers)
-  | _ -> Text.fail source expected "other numbers"
+let list_header source expected =
+  let given = header source expected 1 2 in
+  markers source given.(1);
+  (given.(0), given.(1))
 
 let repeated n read = List.rev (let rec go n found = if n = 0 then found else go (n - 1) (read () :: found) in go n [])
+let any_index source token = ignore (integer64_of source token : Big.t)
 
 (* The points, or nothing if they are in a file of their own; the index of the first. *)
-let points ~exactly source : points =
-  let expected = "'POINTS DIMENSION [ATTRIBUTES [MARKERS]]'" in
-  let given = List.map (natural source) (Text.next_of source expected) in
-  let field i = Option.value (List.nth_opt given i) ~default:0 in
-  let n = field 0 and d = field 1 in
+let listed_points ~exactly ~least source : points =
+  let given = header source "'POINTS DIMENSION [ATTRIBUTES [MARKERS]]'" least 4 in
+  let n = given.(0) and d = given.(1) in
   if n > 0 && d <> 2 && d <> 3 then Text.fail source "points of dimension 2 or 3" (string_of_int d);
-  let first = ref 0 in
-  let width = 1 + d + field 2 + field 3 in
-  let row = ref 0 in
-  let read () =
-    let tokens = Text.next_of source (Printf.sprintf "point %d of %d" (!row + 1) n) in
-    if List.length tokens <> width then
-      Text.fail source (string_of_int width ^ " columns") (string_of_int (List.length tokens));
-    let index = natural source (List.hd tokens) in
-    if !row = 0 then first := index;
-    if index <> !first + !row then
-      Text.fail source (Printf.sprintf "the index %d" (!first + !row)) (string_of_int index);
-    incr row;
-    (coordinates ~exactly source d (List.tl tokens), source.line) in
-  let rows = repeated n read in
-  (rows, d, !first)
+  markers source given.(3);
+  let first = ref Big.zero and found = ref [] in
+  rows source "point" n (fun index ->
+      if !found = [] then first := index;
+      let coordinate _ = number ~exactly source (Text.token source "a coordinate") in
+      let place = List.init d coordinate in
+      skip_numbers ~exactly source given.(2);
+      skip_markers source given.(3);
+      found := (place, source.Text.line) :: !found);
+  (List.rev !found, d, !first)
+let points ~exactly source =
+  let found = listed_points ~exactly ~least:2 source in
+  end_of_file source;
+  found
 
 (* Corners without those that repeat the one before them; the last counts as before the first. *)
 let without_repetitions corners =
@@ -85,21 +83,26 @@ let has_cycle edges =
       u = v || (Hashtbl.add parent u v; false)) edges
 
 let vertex source first count token =
-  let v = natural source token - first in
-  if v < 0 || v >= count then Text.fail source "a vertex of the file" (Text.quote token) else v
+  let v = Big.sub (integer64_of source token) first in
+  if Big.sign v < 0 || Big.geq v (Big.of_int count) then Text.fail source "a vertex of the file" (Text.quote token);
+  Big.to_int v
 
 (* A facet: a polygon, or if it has no area the segments that it lists. *)
 let facet ~exactly source markers first count =
-  let counts = List.map (Text.integer source) (Text.next_of source "'POLYGONS [HOLES [MARKER]]'") in
+  let expected = "'POLYGONS [HOLES [MARKER]]'" in
+  let tokens = Text.next_of source expected in
   let line = source.line in
-  let field i = match List.nth_opt counts i with
-    | Some n when Big.fits_int n && Big.sign n >= 0 -> Big.to_int n
+  let counted i = match List.nth_opt tokens i with
+    | Some token when Text.is_integer token && token.[0] <> '-' -> Text.count source token
     | None when i = 1 -> 0
-    | _ -> Text.fail source "'POLYGONS [HOLES [MARKER]]'" "other numbers" in
-  if List.length counts > 2 + markers then Text.fail source "'POLYGONS [HOLES [MARKER]]'" "more numbers";
+    | _ -> Text.fail source expected "other numbers" in
+  if counted 0 = 0 then Text.fail source "a facet of at least 1 polygon" "0";
+  if List.length tokens > 2 + markers then Text.fail source expected "more numbers";
+  List.iteri (fun i token -> if i = 2 then any_index source token) tokens;
   let polygon () =
     let tokens = Text.next_of source "a polygon" in
-    let n = natural source (List.hd tokens) in
+    let n = Text.count source (List.hd tokens) in
+    if n = 0 then Text.fail source "a polygon of at least 1 corner" "0";
     let rec corners found left tokens =
       match tokens with
       | [] when left = 0 -> List.rev found
@@ -107,49 +110,65 @@ let facet ~exactly source markers first count =
       | token :: _ when left = 0 -> Text.fail source "the end of the line" (Text.quote token)
       | token :: rest -> corners (vertex source first count token :: found) (left - 1) rest in
     without_repetitions (corners [] n (List.tl tokens)) in
-  let lines = repeated (field 0) polygon in
+  let lines = repeated (counted 0) polygon in
   let gap () =
     let tokens = Text.next_of source "a hole of a facet" in
     if List.length tokens <> 4 then Text.fail source "4 columns" (string_of_int (List.length tokens));
+    any_index source (List.hd tokens);
     coordinates ~exactly source 3 (List.tl tokens) in
-  let gaps = repeated (field 1) gap in
+  let gaps = repeated (counted 1) gap in
   let rim = Edges.of_list (List.concat_map edges_of_line lines) in
   let has_area = List.exists (fun line -> List.length line > 2) lines || gaps <> [] || has_cycle rim in
   (rim, if has_area then Some { rim; gaps; line } else None)
 
+let segment source markers first count =
+  match Text.next_of source "a segment" with
+  | index :: u :: v :: rest when List.length rest = markers ->
+    any_index source index;
+    List.iter (any_index source) rest;
+    let e = edge (vertex source first count u) (vertex source first count v) in
+    if fst e = snd e then Text.fail source "another end than the first" (Text.quote v);
+    (e, source.Text.line)
+  | tokens -> Text.fail source (string_of_int (3 + markers) ^ " columns") (string_of_int (List.length tokens))
+let hole ~exactly source d =
+  let tokens = Text.next_of source "a hole" in
+  if List.length tokens <> 1 + d then
+    Text.fail source (string_of_int (1 + d) ^ " columns") (string_of_int (List.length tokens));
+  any_index source (List.hd tokens);
+  (coordinates ~exactly source d (List.tl tokens), source.Text.line)
+(* Regions give attributes to the elements of a mesh. *)
+let region ~exactly source d =
+  let tokens = Text.next_of source "a region" in
+  let n = List.length tokens in
+  if n <> 2 + d && n <> 3 + d then
+    Text.fail source (Printf.sprintf "%d or %d columns" (2 + d) (3 + d)) (string_of_int n);
+  any_index source (List.hd tokens);
+  List.iter (fun token -> ignore (number ~exactly source token : Q.t)) (List.tl tokens)
+
 let read ~exactly points_elsewhere source =
-  let own, announced, first = points ~exactly source in
+  let own, announced, first = listed_points ~exactly ~least:1 source in
   let vertices, d, first = if own <> [] then (own, announced, first) else points_elsewhere () in
+  if announced <> 0 && d <> announced then
+    Text.fail source (Printf.sprintf "points of dimension %d" announced) (Printf.sprintf "dimension %d" d);
   let count = List.length vertices in
-  let n, markers = header source (if d = 2 then "'SEGMENTS [MARKERS]'" else "'FACETS [MARKERS]'") in
+  let n, markers = list_header source (if d = 2 then "'SEGMENTS [MARKERS]'" else "'FACETS [MARKERS]'") in
   let segments, polygons =
-    if d = 2 then
-      let segment () = match Text.next_of source "a segment" with
-        | _ :: u :: v :: rest when List.length rest = markers ->
-          (edge (vertex source first count u) (vertex source first count v), source.Text.line)
-        | tokens -> Text.fail source (string_of_int (3 + markers) ^ " columns")
-                      (string_of_int (List.length tokens)) in
-      (repeated n segment, [])
+    if d = 2 then (repeated n (fun () -> segment source markers first count), [])
     else
       let facets = repeated n (fun () ->
           let found = facet ~exactly source markers first count in (found, source.Text.line)) in
       (List.concat_map (fun ((rim, _), line) -> List.map (fun e -> (e, line)) (Edges.elements rim)) facets,
        List.filter_map (fun ((_, polygon), _) -> polygon) facets) in
-  let hole () =
-    let tokens = Text.next_of source "a hole" in
-    if List.length tokens <> 1 + d then
-      Text.fail source (string_of_int (1 + d) ^ " columns") (string_of_int (List.length tokens));
-    (coordinates ~exactly source d (List.tl tokens), source.Text.line) in
   let list_of read = match Text.next source with
-    | None -> []
-    | Some [ n ] -> repeated (natural source n) read
+    | None -> None
+    | Some [ n ] -> Some (repeated (Text.count source n) read)
     | Some tokens -> Text.fail source "a number" (Text.quote (String.concat " " tokens)) in
-  let holes = list_of hole in
-  (* Regions give attributes to the elements of a mesh. *)
-  let _ = list_of (fun () -> ignore (Text.next_of source "a region")) in
-  (match Text.next source with
-   | None -> ()
-   | Some tokens -> Text.fail source "the end of the file" (Text.quote (List.hd tokens)));
+  let holes = match list_of (fun () -> hole ~exactly source d) with
+    | Some holes -> holes
+    | None when d = 2 -> Text.fail source "the number of holes" "the end of the file"
+    | None -> [] in
+  let _ = list_of (fun () -> region ~exactly source d) in
+  end_of_file source;
   { vertices; segments; polygons; holes }
 
 (* The domain of a certificate, its points by their numbers from 0. *)
@@ -203,7 +222,7 @@ let compare_segments places corners expected domain source =
   renamed
 
 (* A refutation says of the domain which vertices and segments it has. *)
-let compare_refuted (c : domain_refutation) points_elsewhere ~exactly source =
+let compare_refuted (c : domain_refutation) points_elsewhere ~further_holes:_ ~exactly source =
   let domain = read ~exactly points_elsewhere source in
   let scale = (c.mesh_refuted.unit_numerator, c.mesh_refuted.unit_denominator) in
   let places = Array.of_list (List.map (fun site -> place_of scale site Big.one) c.vertices_given) in
@@ -213,8 +232,9 @@ let compare_refuted (c : domain_refutation) points_elsewhere ~exactly source =
       edge (j - 1) (k - 1)) c.segments_given) in
   ignore (compare_segments places (List.init n Fun.id) expected domain source : edge -> edge)
 
-let compare_domain mesh (c : domain_certificate) points_elsewhere ~exactly source =
+let compare_domain mesh (c : domain_certificate) points_elsewhere ~further_holes ~exactly source =
   let domain = read ~exactly points_elsewhere source in
+  let domain = { domain with holes = domain.holes @ List.map (fun hole -> (hole, 0)) further_holes } in
   let places = Array.map (fun site -> place_of mesh.unit site Big.one) mesh.sites in
   let corners = List.concat (List.mapi (fun k -> function Corner _ -> [ k ] | Steiner _ -> []) c.domain_part.roles) in
   let expected = Edges.of_list (List.map (fun s -> let u, v = ends s in edge u v) c.domain_part.segments) in

@@ -120,7 +120,7 @@ Qed.
 
 Theorem duplicate_simplex_refutes : duplicate_simplex L -> ~ claims_complex L.
 Proof.
-  intros (L1 & L2 & L3 & s & t & -> & E) (T & ET & _ & _ & P).
+  intros (L1 & L2 & L3 & s & t & -> & _ & _ & E) (T & ET & _ & _ & P).
   symmetry in ET. apply map_eq_app in ET. destruct ET as (T1 & R & -> & <- & ET).
   apply map_eq_cons in ET. destruct ET as (s' & R' & -> & Es & ET).
   apply map_eq_app in ET. destruct ET as (T2 & R'' & -> & <- & ET).

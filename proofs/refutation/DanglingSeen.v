@@ -116,19 +116,26 @@ Let Mr := measured_all r unit_positive.
 (** A triangle that dangles, a point inside it, and a vertex in all its circumballs. *)
 Lemma triangle_shown u own z p q w : well_shaped d p -> well_shaped d q -> (0 < w)%Z ->
   own_simplex_at m x pr u (fun X n => in_dangling_triangle pr m x X n q w && no_ball pr (combine own (firstn n X)) [(z, p)]) = true ->
-  exists s, listed U s /\ length s = 3%nat /\ affinely_independent s /\ (forall t, listed L t -> ~ incl s t) /\
+  exists s, listed U s /\ length s = 3%nat /\ affinely_independent s /\
+    (forall t, listed (L ++ U) t -> length t = S d -> ~ incl s t) /\
     strictly_inside s (place_over r q w) /\ forall o r2, circumball s o r2 -> dist2 o (place_of r p) < r2.
 Proof.
   intros Sp Sq Pw H. apply (own_found_known measured_all m x unit_positive delaunay shaped_sites) in H.
   destruct H as (X & g & n & G & LX & H & IX). apply andb_prop in H. destruct H as [H B].
-  unfold in_dangling_triangle in H. rewrite !andb_true_iff in H. destruct H as [[[[N Len] In_] Po] Al]. apply Nat.eqb_eq in N, Len. subst n.
+  unfold in_dangling_triangle in H. rewrite !andb_true_iff in H. destruct H as [[[[[N Len] In_] Po] Al] Short]. apply Nat.eqb_eq in N, Len. subst n.
   pose proof (in_no_row_alone measured_all m x unit_positive delaunay shaped_sites X 3 IX Al) as Alone.
   set (s := map (@place_of d r) (firstn 3 X)) in *. exists s.
   assert (Ls : listed U s).
   { unfold listed in *. apply in_app_or in LX. destruct LX as [LX|LX]; [|assumption]. destruct (Alone _ LX). apply incl_refl. }
   pose proof (framed_shaped X g G) as SX. rewrite Forall_forall in SX.
   split; [assumption|]. split; [unfold s; now rewrite map_length|]. split; [now apply (own_independent (orient := orient) (pr := pr) _ X g 3)|].
-  split; [assumption|]. split.
+  split.
+  { intros t Lt Full. unfold listed in Lt. apply in_app_or in Lt. destruct Lt as [Lt|Lt]; [now apply Alone|exfalso].
+    apply in_map_iff in Lt. destruct Lt as (a & Ea & Ia). apply in_map_iff in Ia. destruct Ia as (ab & <- & Ia).
+    unfold shorter_rows in Short. rewrite forallb_forall in Short. specialize (Short ab Ia). rewrite (dimension_d Mr) in Short.
+    assert (Lm : length (fst ab) = S d) by (rewrite <- (map_length (@caller_entry d r (sites m))), Ea, map_length; exact Full).
+    apply Bool.diff_true_false. rewrite <- Short. apply has_at_most_less. exact (eq_ind_r (fun n => (d < n)%nat) (Nat.lt_succ_diag_r d) Lm). }
+  split.
   - split; [now apply (in_own_conv measured_all m unit_positive X g)|].
     intros f If Cf v Iv. assert (If' : incl f (vertices g)).
     { rewrite (framed_vertices X g G). apply incl_tran with (1 := If). apply incl_map. intros y. apply incl_firstn. }

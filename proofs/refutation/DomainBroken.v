@@ -2,7 +2,7 @@
 From Coq Require Import Rbase Rfunctions Lra Lia List Arith.
 From Circumspect Require Import WholeRefutation.
 From Circumspect Require Import Vectors Affine Frame Faces LiftingMap Breach HullBreach.
-From Circumspect Require Import Combinations Necessary Visible ConstrainedLemma.
+From Circumspect Require Import Combinations Solid Necessary Visible Covered ConstrainedLemma.
 From Circumspect Require Import Definitions Domains DomainRules.
 Import ListNotations.
 Open Scope R_scope.
@@ -13,47 +13,67 @@ Implicit Types (P : domain d) (L M : list (list (option (point d)))).
 
 (** ** What all claims have in common *)
 
+Lemma claims_complexes c P K : holds_of_complex c P K -> steiner_triangulation P K.
+Proof. destruct c; cbn; [intros [H _]|intros H|intros [H _]|intros [[H _] _]|intros [H _]]; exact H. Qed.
 Lemma claims_all c P L M : claims_of_domain c P L M -> exists A, (L ++ M)%list = map (map Some) A /\
   (forall t, In t A -> NoDup t /\ t <> []) /\ simplicial_complex (faces_of A) /\
   (forall v, In v (domain_vertices P) -> exists t, In t A /\ In v t) /\
   (forall X, In X (cells P) -> union_of_simplices A X) /\
   (forall q, underlying P q <-> exists t, In t A /\ conv t q).
 Proof.
-  intros (T & U & -> & -> & (Dt & Du & _ & Cx & V & Ce & Un) & _). exists (T ++ U)%list.
-  split; [now rewrite map_app|]. split; [|auto]. intros t I. apply in_app_or in I. destruct I as [I|I].
-  - destruct (Dt t I) as [N Len]. split; [assumption|]. now intros ->.
-  - destruct (Du t I) as (N & E & _). now split.
+  intros (K & E & H). apply claims_complexes in H. destruct H as (D & _ & H). exists K. split; [assumption|].
+  split; [|exact H]. intros t I. destruct (D t I) as (N & Ne & _). now split.
 Qed.
-Lemma claims_a_complex c P L M : claims_of_domain c P L M -> claims_complex L.
+Lemma some_rows L M (K : list (simplex d)) : (L ++ M)%list = map (map Some) K -> exists T U, K = (T ++ U)%list /\
+  L = map (map Some) T /\ M = map (map Some) U.
 Proof.
-  intros (T & U & -> & _ & (Dt & _ & Di & (Ai & Fa & Me) & _) & _). exists T. split; [reflexivity|]. split; [assumption|].
-  split; [|assumption].
-  assert (K : forall s, faces_of T s -> faces_of (T ++ U) s).
-  { intros s (N & E & t & I & J). split; [assumption|]. split; [assumption|]. exists t. split; [apply in_or_app; now left|assumption]. }
-  split; [intros s H; now apply Ai, K|]. split; [|intros s t Hs Ht; apply Me; now apply K].
-  intros s f (_ & _ & t & I & J) Hf N E. split; [assumption|]. split; [assumption|]. exists t. split; [assumption|].
-  now apply incl_tran with s.
+  intros E. symmetry in E. apply map_eq_app in E. destruct E as (T & U & -> & <- & <-). now exists T, U.
 Qed.
-(** Nothing dangles. *)
-Lemma claims_alone c P L : claims_of_domain c P L [] -> exists T, L = map (map Some) T /\ steiner_triangulation P T /\
+(** Of the rows those of d-simplices are a complex of them. *)
+Definition full_rows L := filter (fun r => Nat.eqb (length r) (S d)) L.
+Lemma full_rows_map (K : list (simplex d)) : full_rows (map (map Some) K) = map (map Some) (filter full K).
+Proof.
+  unfold full_rows. induction K as [|s K IH]; [reflexivity|]. cbn [map filter]. rewrite map_length. unfold full at 1.
+  destruct (Nat.eqb (length s) (S d)); cbn [map]; now rewrite IH.
+Qed.
+Lemma full_rows_in L s : listed L s -> length s = S d -> listed (full_rows L) s.
+Proof.
+  intros I E. apply filter_In. split; [assumption|]. rewrite map_length. now apply Nat.eqb_eq.
+Qed.
+Lemma claims_full c P L M : claims_of_domain c P L M -> claims_complex (full_rows L).
+Proof.
+  intros (K & E & H). apply claims_complexes in H. destruct H as (D & O & (Ai & Fa & Me) & _).
+  apply some_rows in E. destruct E as (T & U & -> & -> & _). exists (filter full T). split; [apply full_rows_map|].
+  assert (Full : forall t, In t (filter full T) -> In t T /\ length t = S d) by (intros t I; now apply in_full).
+  assert (F : forall s, faces_of (filter full T) s -> faces_of (T ++ U) s).
+  { intros s (N & Ne & t & I & J). split; [assumption|]. split; [assumption|]. exists t. split; [|assumption].
+    apply in_or_app. left. now apply Full. }
+  split; [|split].
+  - intros t I. split; [|now apply Full]. apply (D t). apply in_or_app. left. now apply Full.
+  - split; [intros s H; now apply Ai, F|]. split; [|intros s t Hs Ht; apply Me; now apply F].
+    intros s f (_ & _ & t & I & J) Hf N Ne. split; [assumption|]. split; [assumption|]. exists t. split; [assumption|].
+    now apply incl_tran with s.
+  - apply (pairs_weaker (fun s t => length s = S d -> ~ same s t)); [|apply filtered_pairs].
+    + intros s t Is _ H. apply H. now apply Full.
+    + clear - O. induction T as [|t T IH]; [constructor|]. cbn [app] in O. inversion O as [|? ? F O']; subst. constructor; [|now apply IH].
+      rewrite Forall_forall in *. intros b I. apply F. apply in_or_app. now left.
+Qed.
+(** Nothing dangles: each row is one of a d-simplex. *)
+Definition all_full L : Prop := forall r : list (option (point d)), In r L -> length r = S d.
+Lemma claims_alone c P L : all_full L -> claims_of_domain c P L [] -> exists T, L = map (map Some) T /\ solid_triangulation P T /\
   match c with
-  | PlcTriangulation => only_given P T
+  | PlcTriangulation => forall t v, In t T -> In v t -> In v (domain_vertices P)
   | SteinerTriangulation => True
   | ConformingDelaunay => forall t, In t T -> delaunay (concat T) t
-  | Cdt => only_given P T /\ forall t, In t T -> constrained_delaunay (domain_vertices P) P t
+  | Cdt => (forall t v, In t T -> In v t -> In v (domain_vertices P)) /\ forall t, In t T -> constrained_delaunay (domain_vertices P) P t
   | SteinerCdt => forall t, In t T -> constrained_delaunay (concat T) P t
   end.
 Proof.
-  intros (T & U & E & EU & (Dt & _ & H) & C). destruct U; [|discriminate]. rewrite app_nil_r in *. exists T.
-  split; [assumption|]. split; [now split|]. unfold constrained_with in C.
-  destruct c; [assumption|exact I|assumption|split; [apply C|]; intros t I; apply C; now left|intros t I; apply C; now left].
-Qed.
-(** And so the claims are those of the certificates. *)
-Lemma with_nothing P T : steiner_triangulation_with P T [] <-> steiner_triangulation P T.
-Proof.
-  unfold steiner_triangulation_with, steiner_triangulation. rewrite app_nil_r. split.
-  - intros (D & _ & H). now split.
-  - intros (D & H). split; [assumption|]. split; [now intros u []|assumption].
+  intros Full (T & E & H). rewrite app_nil_r in E. exists T. split; [assumption|].
+  assert (So : solid T).
+  { intros t I. rewrite <- (map_length Some). apply Full. rewrite E. now apply in_map. }
+  pose proof (claims_complexes c P T H) as St. split; [now apply solid_steiner|].
+  destruct c; cbn in H; [apply H|exact I|apply H|split; [apply H|]|]; intros t It; apply H; try assumption; left; now apply So.
 Qed.
 
 Section All.
@@ -66,9 +86,9 @@ Proof.
 Qed.
 Lemma steiner_forbidden_refutes : only_vertices c = true -> steiner_forbidden P (L ++ M) -> ~ claims_of_domain c P L M.
 Proof.
-  intros O (r & v & Ir & Iv & N) (T & U & -> & -> & _ & H). rewrite <- map_app in Ir. apply in_listed in Ir.
-  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (x & E & Ix). injection E as ->. apply N.
-  destruct c; try discriminate; [now apply (H t v)|now apply (proj1 H t v)].
+  intros O (r & v & Ir & Iv & N) (K & E & H). rewrite E in Ir. apply in_listed in Ir.
+  destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (x & Ex & Ix). injection Ex as ->. apply N.
+  destruct c; try discriminate; [now apply (proj2 H t v)|now apply (proj2 (proj1 H) t v)].
 Qed.
 Lemma union_refutes X q : In X (cells P) -> X q ->
   (forall s f, listed (L ++ M) s -> incl f s -> conv f q -> ~ within (conv f) X) -> ~ claims_of_domain c P L M.
@@ -130,9 +150,10 @@ Proof.
 Qed.
 Lemma no_empty_ball_refutes : no_empty_ball P L M -> ~ claims_of_domain ConformingDelaunay P L M.
 Proof.
-  intros (s & Ls & _ & _ & B) (T & U & -> & -> & (_ & _ & _ & _ & V & _) & De). apply listed_in in Ls.
-  destruct (De s) as (o & r2 & Ci & Em); [apply in_or_app; now right|].
-  destruct (B o r2 Ci) as (v & Iv & N). rewrite <- map_app in Iv. apply (Em v); [|assumption].
+  intros (s & Ls & _ & _ & B) (K & E & (_ & _ & _ & V & _) & De).
+  assert (Is : In s K) by (apply listed_in; rewrite <- E; unfold listed; apply in_or_app; now right).
+  destruct (De s Is) as (o & r2 & Ci & Em).
+  destruct (B o r2 Ci) as (v & Iv & N). rewrite E in Iv. apply (Em v); [|assumption].
   destruct Iv as [Iv|Iv]; [now apply entries_concat|]. destruct (V v Iv) as (t & It & I). apply in_concat. eauto.
 Qed.
 
@@ -140,35 +161,55 @@ Qed.
 Lemma mesh_rule_refutes e : of_mesh e c = true -> broken_of_domain P L M (mesh_rule (rule_of e)) ->
   ~ claims_of_domain c P L M.
 Proof.
-  intros O B H. pose proof (claims_a_complex c P L M H) as Cx. destruct e; try discriminate; cbn in B.
-  - now apply (wrong_dimension_refutes L).
-  - now apply (unknown_vertex_refutes L).
-  - now apply (repeated_vertex_refutes L).
-  - now apply (degenerate_refutes L).
-  - now apply (duplicate_simplex_refutes L).
+  intros O B H. pose proof (claims_full c P L M H) as Cx.
+  destruct (claims_all c P L M H) as (A & E & D & (Ai & _ & _) & _).
+  assert (Row : forall r, In r L -> exists t, r = map Some t /\ In t A).
+  { intros r I. apply in_listed. rewrite <- E. apply in_or_app. now left. }
+  destruct e; try discriminate; cbn in B.
+  - destruct B as (r & I & B). destruct (Row r I) as (y & -> & It). rewrite map_length in B.
+    destruct H as (K & EK & H). apply claims_complexes in H. destruct H as (DK & _).
+    destruct (DK y) as (_ & Ne & Len).
+    { apply listed_in. rewrite <- EK. unfold listed. apply in_or_app. now left. }
+    destruct B as [B|B]; [|lia]. destruct y; [congruence|discriminate].
+  - destruct B as (r & I & N). destruct (Row r I) as (y & -> & _). apply in_map_iff in N. destruct N as (p & X & _). discriminate.
+  - destruct B as (r & k & l & p & I & N & Hi & Hj). destruct (Row r I) as (y & -> & It). destruct (D y It) as [ND _]. apply N.
+    rewrite nth_error_map in Hi, Hj. cbn in Hi, Hj.
+    destruct (nth_error y k) eqn:Ei, (nth_error y l) eqn:Ej; try discriminate. cbn in Hi, Hj.
+    apply (NoDup_nth_error y); [assumption| |].
+    + apply nth_error_Some. congruence.
+    + congruence.
+  - destruct B as (s & Ls & N). destruct (Row _ Ls) as (y & X & It). apply map_some_inj in X. subst y. apply N, Ai.
+    destruct (D s It) as [ND NE]. split; [assumption|]. split; [assumption|]. exists s. split; [assumption|apply incl_refl].
+  - apply (duplicate_simplex_refutes (full_rows L)); [|assumption].
+    destruct B as (L1 & L2 & L3 & s & y & EL & Es & Ey & S). exists (full_rows L1), (full_rows L2), (full_rows L3), s, y.
+    split; [|auto]. apply Nat.eqb_eq in Es, Ey. unfold full_rows. rewrite EL, filter_app. cbn [filter].
+    rewrite map_length, Es, filter_app. cbn [filter]. now rewrite map_length, Ey.
   - now apply overlap_of_all_refutes.
-  - now apply (covered_twice_refutes L).
-  - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & (_ & _ & _ & _ & V & _) & De).
-    destruct B as (s & v & [Ls _] & Iv & N). rewrite ET in Ls. apply listed_in in Ls.
-    destruct (De s) as (o & r2 & Ci & Em); [apply in_or_app; now left|].
+  - apply (covered_twice_refutes (full_rows L)); [|assumption].
+    destruct B as (s & y & z & (Ls & Es & Is) & (Lt & Et & It) & B). exists s, y, z.
+    split; [split; [now apply full_rows_in|now split]|]. split; [split; [now apply full_rows_in|now split]|assumption].
+  - destruct c eqn:Ec; try discriminate. destruct H as (K & EK & (_ & _ & _ & V & _) & De).
+    destruct B as (s & v & [Ls _] & Iv & N).
+    assert (IsK : In s K) by (apply listed_in; rewrite <- EK; unfold listed; apply in_or_app; now left).
+    destruct (De s IsK) as (o & r2 & Ci & Em).
     apply (Em v); [|exact (N o r2 Ci)]. apply in_app_or in Iv. destruct Iv as [Iv|Iv].
-    + rewrite ET, EU, <- map_app in Iv. now apply entries_concat.
+    + rewrite EK in Iv. now apply entries_concat.
     + destruct (V v Iv) as (y & Iy & I). apply in_concat. eauto.
-  - destruct c eqn:Ec; try discriminate. pose proof H as (T & U & ET & EU & _ & De).
+  - destruct c eqn:Ec; try discriminate. destruct H as (K & EK & _ & De).
     destruct B as (s1 & s2 & f1 & u1 & v1 & [Hs _] & Ht & _ & _ & _ & _ & _ & Hv & _ & N).
-    rewrite ET in Hs, Ht. apply listed_in in Hs, Ht.
-    destruct (De s1) as (o & r2 & Ci & Em); [apply in_or_app; now left|].
-    apply (Em v1); [|exact (N o r2 Ci)]. apply in_concat. exists s2. split; [apply in_or_app; now left|assumption].
+    assert (InK : forall s, listed L s -> In s K) by (intros s Ls; apply listed_in; rewrite <- EK; unfold listed; apply in_or_app; now left).
+    destruct (De s1 (InK s1 Hs)) as (o & r2 & Ci & Em).
+    apply (Em v1); [|exact (N o r2 Ci)]. apply in_concat. exists s2. split; [now apply InK|assumption].
 Qed.
 End All.
 
 (** ** Hulls *)
 
 (** A mesh of a hull is one of its own vertices. *)
-Lemma hull_filled c P L : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull -> claims_of_domain c P L [] ->
+Lemma hull_filled c P L : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull -> all_full L -> claims_of_domain c P L [] ->
   claims_to_fill (entries L) L.
 Proof.
-  intros D Pr K H. destruct (claims_alone c P L H) as (T & -> & St & _).
+  intros D Pr K Fu H. destruct (claims_alone c P L Fu H) as (T & -> & St & _).
   assert (Ve : mesh_vertices T (concat T)) by (intros v; apply in_concat).
   destruct (all_framed P T St) as (ts & are). pose proof (vertex_in_hull D P T (concat T) Pr St Ve ts are) as InHull.
   exists T. split; [reflexivity|]. destruct St as (Dt & Di & Cx & Vx & _ & Un).
@@ -180,11 +221,11 @@ Proof.
     apply (conv_conv (entries (map (map Some) T))); [|assumption]. intros p Ip. apply InHull; [now apply entries_concat|assumption].
   - intros (t & It & C). apply (conv_incl t); [now apply In_|assumption].
 Qed.
-Lemma hull_rule_refutes c P L e : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull ->
+Lemma hull_rule_refutes c P L e : (2 <= d)%nat -> proper_domain P -> what_it_fills P = Hull -> all_full L ->
   match e with HullNotConvex _ _ _ | HullNotClosed _ _ _ _ _ _ => True | _ => False end ->
   broken_of_domain P L [] (mesh_rule (rule_of e)) -> ~ claims_of_domain c P L [].
 Proof.
-  intros D Pr K E B H. apply (hull_filled c P L D Pr K) in H.
+  intros D Pr K Fu E B H. apply (hull_filled c P L D Pr K Fu) in H.
   destruct e; try contradiction; cbn in B; rewrite ?app_nil_r in B;
     [now apply (hull_not_convex_refutes (entries L) L)|now apply (hull_not_closed_refutes (entries L) L)].
 Qed.
@@ -192,20 +233,20 @@ Qed.
 (** ** Constrained Delaunay *)
 
 Definition about_cdt (c : domain_claim) : bool := match c with Cdt | SteinerCdt => true | _ => false end.
-Lemma claims_cdt c P L : about_cdt c = true -> claims_of_domain c P L [] -> exists T V, L = map (map Some) T /\
-  steiner_triangulation P T /\ mesh_vertices T V /\ forall t, In t T -> constrained_delaunay V P t.
+Lemma claims_cdt c P L : about_cdt c = true -> all_full L -> claims_of_domain c P L [] -> exists T V, L = map (map Some) T /\
+  solid_triangulation P T /\ mesh_vertices T V /\ forall t, In t T -> constrained_delaunay V P t.
 Proof.
-  intros A H. destruct (claims_alone c P L H) as (T & E & St & C). destruct c; try discriminate.
+  intros A Fu H. destruct (claims_alone c P L Fu H) as (T & E & St & C). destruct c; try discriminate.
   - destruct C as [Given Cd]. exists T, (domain_vertices P). split; [assumption|]. split; [assumption|].
     split; [|assumption]. intros v. split; [apply St|]. intros (t & It & Iv). now apply (Given t v).
   - exists T, (concat T). split; [assumption|]. split; [assumption|].
     split; [|assumption]. intros v. apply in_concat.
 Qed.
-Lemma constrained_facet_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
+Lemma constrained_facet_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true -> all_full L ->
   constrained_facet_not_local P L -> ~ claims_of_domain c P L [].
 Proof.
-  intros D Pr A (s & t & f & p & v & [Ls _] & Lt & Nf & Lf & Fs & Ft & Ip & Iv & O & B & NW) H.
-  destruct (claims_cdt c P L A H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls, Lt.
+  intros D Pr A Fu (s & t & f & p & v & [Ls _] & Lt & Nf & Lf & Fs & Ft & Ip & Iv & O & B & NW) H.
+  destruct (claims_cdt c P L A Fu H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls, Lt.
   destruct (Cd s Ls) as (_ & _ & o & r2 & Ci & Em). destruct O as (a & b & Z & Pp & Nv).
   assert (Nvf : ~ In v f) by (intros I; specialize (Z v I); lra).
   assert (Npf : ~ In p f) by (intros I; specialize (Z p I); lra).
@@ -233,14 +274,16 @@ Qed.
 Lemma dangling_refutes c P L M : proper_domain P -> what_it_fills P = Enclosed -> about_cdt c = true ->
   dangling_not_delaunay P L M -> ~ claims_of_domain c P L M.
 Proof.
-  intros Pr K A (s & v & x & f & Ls & Len & _ & Alone & Iv & Xi & If & Way & Others & B) (T & U & -> & -> & _ & C).
-  apply listed_in in Ls. rewrite <- map_app in Iv. apply entries_concat in Iv.
-  assert (Cw : exists V, In v V /\ constrained_with V P T U).
-  { destruct c; try discriminate.
-    - exists (domain_vertices P). split; [|apply C]. apply in_concat in Iv. destruct Iv as (t & It & Iv). now apply (proj1 C t).
-    - exists (concat (T ++ U)). now split. }
-  destruct Cw as (V & IV & Cw). destruct (Cw s) as (_ & _ & o & r2 & Ci & Em).
-  { right. split; [assumption|]. split; [assumption|]. intros t It. apply Alone. unfold listed. now apply in_map. }
+  intros Pr K A (s & v & x & f & Ls & Len & _ & Alone & Iv & Xi & If & Way & Others & B) (C & E & Holds_C).
+  assert (Is : In s C) by (apply listed_in; rewrite <- E; unfold listed; apply in_or_app; now right).
+  rewrite E in Iv. apply entries_concat in Iv.
+  assert (To : has_to_be_constrained_delaunay C s).
+  { right. split; [assumption|]. intros t It Lt. apply Alone; [|assumption]. rewrite E. unfold listed. now apply in_map. }
+  assert (Cw : exists V, In v V /\ constrained_delaunay V P s).
+  { destruct c; try discriminate; destruct Holds_C as [Pl Cd].
+    - exists (domain_vertices P). split; [|now apply Cd]. apply in_concat in Iv. destruct Iv as (t & It & Iv). now apply (proj2 Pl t).
+    - exists (concat C). split; [assumption|]. now apply Cd. }
+  destruct Cw as (V & IV & _ & _ & o & r2 & Ci & Em).
   apply (decided (fun X : point d -> Prop => X v) (low_cells P)). intros AtV.
   apply (decided (fun X : point d -> Prop => X x) (low_cells P)). intros AtX.
   apply (Em v x IV Xi); [|now apply B].
@@ -268,11 +311,11 @@ Proof.
         intros [Xq Cq]. rewrite (Only q Xq Cq) in Xq. contradiction.
   - apply Whole. intros q Cq. unfold region. rewrite K. split; [exact I|]. left. now apply (polygon_in_walls P f q Pr If), All.
 Qed.
-Lemma visible_vertex_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true ->
+Lemma visible_vertex_refutes c P L : (2 <= d)%nat -> proper_domain P -> about_cdt c = true -> all_full L ->
   visible_vertex_in_ball P L -> ~ claims_of_domain c P L [].
 Proof.
-  intros D Pr A (s & v & x & [Ls _] & (r & Ir & Iv) & Xi & Off & B) H.
-  destruct (claims_cdt c P L A H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls. apply in_listed in Ir.
+  intros D Pr A Fu (s & v & x & [Ls _] & (r & Ir & Iv) & Xi & Off & B) H.
+  destruct (claims_cdt c P L A Fu H) as (T & V & -> & St & Ve & Cd). apply listed_in in Ls. apply in_listed in Ir.
   destruct Ir as (t & -> & It). apply in_map_iff in Iv. destruct Iv as (y & E & Iy). injection E as ->.
   destruct (Cd s Ls) as (_ & _ & o & r2 & Ci & Em). assert (IV : In v V) by (apply Ve; eauto).
   apply (Em v x IV Xi); [|now apply B]. destruct (all_framed P T St) as (ts & are).

@@ -154,6 +154,10 @@ Definition ball_shown (pr : predicates) (m : refutation) (x : dangling_part) (u 
   | None => false
   end.
 
+(** With fewer vertices than d+1 a row may dangle. *)
+Definition no_simplex_row (pr : predicates) (r : row) : bool :=
+  match r with [] => true | _ => negb (has_at_most (Datatypes.S (dimension pr)) r) end.
+
 (** Whatever dangles, the evidence is about these rows. *)
 Definition shows_domain (pr : predicates) (m : refutation) (r : domain_refutation) : bool :=
   (0 <? unit_numerator m) && (0 <? unit_denominator m) &&
@@ -177,6 +181,7 @@ Definition refute_domain_in (pr : predicates) (r : domain_refutation) : bool :=
           forallb (shaped pr) (sites (padded m x)) && overlap_of_all m x pr t u q w
       | VertexInBall t p => refute_in pr m && (lists_in_mesh (as_listed m x) p ||
           given_in_mesh m (vertices_given r) p && forallb (shaped pr) (vertices_given r))
+      | WrongDimension t => refute_in pr m && row_at (Table.of_list id (rows m)) t (no_simplex_row pr)
       | _ => refute_in pr m
       end
   | SteinerForbidden _ _ => only_vertices (domain_refuted r) && shows_domain pr (as_listed m x) r

@@ -79,6 +79,12 @@ Qed.
 
 (** ** The evidence shows the rule *)
 
+Lemma has_at_most_less {A} n : forall l : list A, has_at_most n l = false <-> (n < length l)%nat.
+Proof.
+  induction n as [|n IH]; intros [|a l]; cbn [has_at_most length]; try (split; [discriminate|lia]); [split; [lia|reflexivity]|].
+  rewrite IH. lia.
+Qed.
+
 Section Shown.
 Context {d : nat} {orient : list (point d) -> R} {pr : predicates}.
 Hypothesis M : forall r, 0 < r -> measured orient pr r.
@@ -303,6 +309,14 @@ Proof.
     assert (G : refute_in pr m = true -> broken Delaunay norm2 (@caller_points d r (sites m)) L (rule_of (because m))).
     { intros A. pose proof (accepted_breach M m A (fun _ => 0)) as [_ B]; [rewrite Rd; discriminate|]. now rewrite Rd in B. }
     destruct (because m) eqn:Bm; try discriminate; cbn [rule_of broken broken_of_domain] in *; try exact (G H).
+    + apply andb_prop in H. destruct H as [A H]. unfold refute_in in A. rewrite !andb_true_iff in A.
+      destruct A as [[[[[_ Pn] Pd] _] _] _]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
+      assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
+      unfold row_at in H. rewrite table_find in H. destruct (numbered (rows m) t) as [y|] eqn:Ey; [|discriminate].
+      cbn [option_map] in H. unfold Datatypes.id in H. apply numbered_in in Ey.
+      exists (map (@caller_entry d r (sites m)) y). split; [now apply (in_map (map (@caller_entry d r (sites m))))|].
+      destruct y as [|n y]; [now left|right]. unfold no_simplex_row in H. apply negb_true_iff in H.
+      rewrite (dimension_d (M r Pr)) in H. rewrite map_length. now apply has_at_most_less.
     + rewrite !andb_true_iff in H. destruct H as [[[Pn Pd] Sh] H]. apply Z.ltb_lt, IZR_lt in Pn, Pd.
       assert (Pr : 0 < r) by (unfold refuted_unit; now apply Rdiv_lt_0_compat).
       exact (overlap_found M m x Pr Rd Sh t u q w H).

@@ -58,7 +58,8 @@ Proof.
   { clear. intros i j x y X Y Hx Hy H VX VY E.
     destruct (two_places l i j x y Hx Hy H) as (m1 & m2 & m3 & E').
     exists (map (map caller_entry) m1), (map (map caller_entry) m2), (map (map caller_entry) m3),
-      (places X), (places Y). split; [|assumption]. unfold caller_rows.
+      (places X), (places Y). split; [|split; [|split; [|assumption]]]; [|rewrite map_length; apply VX|rewrite map_length; apply VY].
+    unfold caller_rows.
     rewrite E', map_app. cbn [map]. rewrite map_app. cbn [map].
     now rewrite (vertices_rows x X VX), (vertices_rows y Y VY). }
   intros N Hx Hy VX VY [E1 E2]. unfold numbered in Hx, Hy.

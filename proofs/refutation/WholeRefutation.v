@@ -33,7 +33,11 @@ Definition all_of (f : Table.t site -> row -> bool) : bool :=
   pads_known m x && forallb (f (site_table (padded m x))) (rows (padded m x)).
 Definition in_simplex_of_all (t : positive) (q : site) (w : Z) : bool :=
   own_simplex_at m x pr t (fun X n => in_own pr X n q w).
-Definition nothing_dangles : bool := match dangling x with [] => true | _ => false end.
+(** Nothing dangles: no row is listed so, nor is one among the simplices too short. *)
+Definition nothing_dangles : bool :=
+  match dangling x with [] => forallb (right_length pr) (rows m) | _ => false end.
+(** What dangles is listed with fewer vertices than a d-simplex has. *)
+Definition shorter_rows : bool := forallb (fun ab => has_at_most (dimension pr) (fst ab)) (dangling x).
 
 (** Where the legs lead, if nothing is in their way. *)
 Fixpoint at_the_end (q : site) (w : Z) (legs : list leg) : option (site * Z) :=
@@ -90,7 +94,7 @@ Definition seen_in_polygon (k : positive) (p q : site) (w : Z) (bends : list (po
 (** Three of the vertices of the simplex that the pads make of it are its own, and the point is inside their triangle. *)
 Definition in_dangling_triangle (X : list site) (n : nat) (q : site) (w : Z) : bool :=
   Nat.eqb n 3 && Nat.eqb (length (firstn n X)) 3 && in_own pr X n q w && forallb (fun i => 0 <? coordinate_sign pr X q w i) [0; 1; 2]%nat &&
-  in_no_row m (Table.of_list (site_for Delaunay) (sites (padded m x))) (firstn n X).
+  in_no_row m (Table.of_list (site_for Delaunay) (sites (padded m x))) (firstn n X) && shorter_rows.
 
 Definition whole_holds (e : whole_evidence) : bool :=
   match e with

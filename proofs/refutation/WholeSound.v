@@ -6,7 +6,7 @@ From Circumspect Require Import WholeRefutation Numbering.
 From Circumspect Require Import Vectors Affine Frame Faces LiftingMap Breach.
 From Circumspect Require Import Orientation Integers Accepted RefutationSigns CallerMesh EvidenceSound RefutationSound KeptMesh KeptCells.
 From Circumspect Require Import Combinations Lists Necessary ConstrainedLemma DomainBroken Dangling DomainRefuted PolygonPoints GivenSound DomainSound WholeRefuted.
-From Circumspect Require Import Definitions Domains DomainRules.
+From Circumspect Require Import Definitions Domains DomainRules Solid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -69,7 +69,7 @@ Proof.
   assert (A : check_domain D (as_steiner (about_domain x)) = Accepted) by (destruct (check_domain _ _); [reflexivity|discriminate]).
   clear Ch. pose proof (check_domain_sound D _ A) as St. cbn [as_steiner domain_claimed] in St.
   assert (G : forall d orient pr, (forall r, 0 < r -> @measured d orient pr r) -> forall P T,
-    P = domain_of_certificate d (about_domain x) -> T = mesh_of_domain d (about_domain x) -> steiner_triangulation P T ->
+    P = domain_of_certificate d (about_domain x) -> T = mesh_of_domain d (about_domain x) -> solid_triangulation P T ->
     forallb (shaped pr) (sites (padded (mesh_against x) (dangling_against x))) = true -> point_written pr q w = true ->
     in_kept_simplex pr (about_domain x) t q w = true ->
     all_of (mesh_against x) (dangling_against x) (fun S => misses pr S
@@ -127,17 +127,20 @@ Proof.
     - now apply (shown_whole_rule measured_plane x known_in_the_plane).
     - now apply (shown_whole_rule measured_space x known_in_space). }
   assert (Two : (2 <= dimension_of D)%nat) by (destruct D; cbn; lia).
-  assert (Alone : nothing_dangles (dangling_against x) = true -> dangling_simplices D (mesh_against x) (dangling_against x) = [])
-    by (unfold nothing_dangles, dangling_simplices; now destruct (dangling _)).
+  assert (Alone : nothing_dangles (predicates_of D) (mesh_against x) (dangling_against x) = true ->
+    dangling_simplices D (mesh_against x) (dangling_against x) = [] /\ all_full (refuted_simplices D (mesh_against x))).
+  { unfold nothing_dangles, dangling_simplices. destruct (dangling _); [|discriminate]. intros Fu. split; [reflexivity|].
+    intros r I. apply in_map_iff in I. destruct I as (y & <- & Iy). rewrite map_length. rewrite forallb_forall in Fu.
+    specialize (Fu y Iy). apply has_length_length in Fu. rewrite Fu. now destruct D. }
   unfold refute_whole_in in A. cbv zeta in A. apply andb_prop in A. destruct A as [_ A].
   unfold whole_rule_of in B. destruct (shown_by x); cbn [broken_of_domain] in B; cbn [whole_holds] in A.
-  - rewrite !andb_true_iff in A. rewrite Alone by apply A. apply constrained_facet_refutes; try assumption. apply A.
-  - rewrite !andb_true_iff in A. rewrite Alone by apply A. apply visible_vertex_refutes; try assumption. apply A.
+  - rewrite !andb_true_iff in A. destruct Alone as [-> Fu]; [apply A|]. apply constrained_facet_refutes; try assumption. apply A.
+  - rewrite !andb_true_iff in A. destruct Alone as [-> Fu]; [apply A|]. apply visible_vertex_refutes; try assumption. apply A.
   - now apply polygon_not_tiled_refutes.
   - now apply uncovered_refutes.
   - now apply outside_refutes.
   - intros C. apply B. split; [intros U; exact (uncovered_refutes _ _ _ _ U C)|intros U; exact (outside_refutes _ _ _ _ U C)].
-  - rewrite !andb_true_iff in A. destruct A as [[[K Al] E] _]. rewrite Alone in * by assumption.
+  - rewrite !andb_true_iff in A. destruct A as [[[K Al] E] _]. destruct (Alone Al) as [Em Fu]. rewrite Em in *.
     apply (hull_rule_refutes _ _ _ e); try assumption; [cbn [domain_of_certificate what_it_fills]; now destruct (kind (about_domain x))|].
     now destruct e.
   - discriminate.

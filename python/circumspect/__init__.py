@@ -8,7 +8,7 @@ True
 delaunay.facet-not-local: a facet is not locally Delaunay: ...
 fails: delaunay mesh delaunay.facet-not-local 1 face 1 2 vertex 3
 
-Nothing is rounded: coordinates are taken as the exact numbers that they are, and no tolerance has a say.
+Nothing is rounded: coordinates are taken as exact numbers, and no tolerance affects a verdict.
 """
 from __future__ import annotations
 
@@ -41,21 +41,24 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
         scipy.spatial.Delaunay, matplotlib.tri.Triangulation, meshio, pyvista, trimesh or VTK.
     simplices: (m, d+1) integers from 0, in any order; (m, k+1) where the points span a flat of dimension k. An
         index that names no point is the mesh's fault, and the verdict says so.
-    claim: "triangulation", "delaunay" (the default), "weighted-delaunay"; with a domain "plc-triangulation",
-        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has
-        the points of the domain, else "steiner-cdt").
-    neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of SciPy are taken.
+    claim: "triangulation", "delaunay" (the default), "weighted-delaunay", "complex" (do the cells fit together,
+        whatever they fill, be they full cells, a surface in space or edges?); with a domain "plc-triangulation",
+        "steiner-triangulation", "cdt", "steiner-cdt" or "conforming-delaunay" (the default is "cdt" if the mesh has the
+        points of the domain, else "steiner-cdt").
+    neighbors: (m, k) integers, the simplex opposite each vertex, -1 for none; judged too. Those of a SciPy mesh are
+        judged by default.
     weights: (n,), for "weighted-delaunay".
     domain: a Domain, a dictionary of its parts, or a surface of triangles.
     within: how far cells of the domain may be moved, an exact number: rounded Steiner points need it.
     threads: 0 for as many as the machine has; the answer is the same. Other Python threads go on meanwhile.
     duplicates: "reject", since a mesher that forgets to share vertices makes equal points: InputError. "merge":
         equal points count as one, the first (if weights count, the heaviest), and a note of the verdict says so.
-    allow_empty: judge a mesh without points and simplices, which else is InputError: a program has made nothing.
-    limit: seconds, after which Undecided is raised. Ctrl-C ends a long check, too.
-    copy: False judges arrays of doubles and of 32 or 64 bit integers in C order where they are, without a copy.
-        Nobody may then write into them before the verdict is there: it would mean nothing, or the process would end by
-        a fault of memory. Arrays that are read-only are not copied.
+    allow_empty: judge a mesh without points and simplices. Otherwise it is an InputError: usually a program made
+        nothing.
+    limit: seconds after which Undecided is raised. Ctrl-C ends a long check, too.
+    copy: False judges arrays of doubles and of 32 or 64 bit integers in C order in place. They must then not change
+        before the call returns, or the verdict means nothing or the process crashes. Read-only arrays are never
+        copied.
 
     Raises ValueError (InputError, if the input is at fault) and TypeError, which say what was expected and found; and
     Undecided.
@@ -89,7 +92,7 @@ def check(points: Any, simplices: Any = None, claim: Optional[str] = None, *, ne
 
 
 def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = None, **options: Any) -> Verdict:
-    """`check`, and an AssertionError with the witness in its text if the claim does not hold.
+    """Like `check`, but raises AssertionError with the witness in its text if the claim does not hold.
 
     For pytest, unittest and plain scripts alike.
 
@@ -103,8 +106,8 @@ def assert_delaunay(points: Any, simplices: Any = None, claim: Optional[str] = N
 def delaunay(points: Any, weights: Any = None):
     """The canonical Delaunay triangulation of (n, d) points, (m, d+1) integers, whatever the order of the points.
 
-    By exact arithmetic: for reference, not for speed. With (n,) weights, the weighted one. Flat sets have rows of
-    k+1 indices. Raises InputError if points are equal.
+    It uses exact arithmetic and is meant as a reference, not for speed. With (n,) weights, it is the weighted one.
+    Flat sets have rows of k+1 indices. Raises InputError if points are equal.
 
     >>> delaunay([[0, 0], [1, 0], [0, 1], [1, 1]]).tolist()
     [[0, 1, 3], [2, 0, 3]]
@@ -124,7 +127,7 @@ class Constrained(NamedTuple):
 def constrained_delaunay(domain: Any) -> Constrained:
     """The canonical constrained Delaunay triangulation of a Domain, without further points.
 
-    Raises NoTriangulation (a LookupError) if the domain has none, and InputError if it is no piecewise linear
+    Raises NoTriangulation (a LookupError) if the domain has none, and InputError if it is not a piecewise linear
     complex.
 
     >>> square = Domain([[0, 0], [2, 0], [2, 2], [0, 2]], segments=[[0, 1], [1, 2], [2, 3], [3, 0], [1, 3]])
@@ -159,8 +162,9 @@ def in_ball(*points: Any) -> int:
 
 
 def inspect(points: Any, weights: Any = None) -> dict:
-    """Facts about (n, d) points: how many, the dimension that they span, equal ones, whether their Delaunay triangulation
-    is the only one, and if not, points on the boundary of one empty ball. Builds it, so not for large sets.
+    """Facts about (n, d) points: their number, the dimension that they span, equal ones, whether their Delaunay
+    triangulation is the only one, and if not, points on the boundary of one empty ball. It builds the triangulation,
+    so use it for small sets.
 
     >>> inspect([[0, 0], [1, 0], [0, 1], [1, 1], [0, 0]])
     {'points': 5, 'dimension': 2, 'repeated': [[0, 4]], 'unique': False, 'cospherical': [0, 1, 2, 3]}
@@ -169,7 +173,8 @@ def inspect(points: Any, weights: Any = None) -> dict:
 
 
 def compare(a: Any, b: Any, *, weights: Tuple[Any, Any] = (None, None)) -> Comparison:
-    """Are two meshes one complex, whatever their numbering? Each a mesh object, or a pair (points, simplices).
+    """Are two meshes the same complex, whatever their numbering? Each is a mesh object, or a pair (points,
+    simplices).
 
     Raises InputError if points of one are equal, or if one has neither points nor simplices.
 
@@ -222,8 +227,8 @@ def generate(family: str, *, dimension: int = 3, points: int = 12, seed: int = 0
              exact: bool = False):
     """The points that a seed stands for, as `circumspect generate` draws them: (n, d) doubles.
 
-    `fewer`: any number of points up to `points`. `exact`: objects, Fractions, before they are rounded to doubles.
-    Of a weighted family a pair (points, weights) comes back.
+    `fewer`: any number of points up to `points`. `exact`: Fraction objects, not yet rounded to doubles. For a
+    weighted family it returns a pair (points, weights).
 
     >>> generate("sphere", dimension=2, points=4, seed=7).shape
     (4, 2)

@@ -55,7 +55,11 @@ def main(arguments=None) -> int:
             verdict = circumspect.check(mesh, simplices, options.claim, domain=domain, name=path, limit=options.limit,
                                         duplicates=options.duplicates, allow_empty=options.allow_empty)
         except (ValueError, TypeError, OSError, circumspect.Undecided) as error:
-            print(f"circumspect: {path}: {str(error).removeprefix(path + ': ')}", file=sys.stderr)
+            what = str(error).removeprefix(f"{path}: ")
+            for keyword, option in (('give duplicates="merge"', "add --duplicates merge"),
+                                    ("give allow_empty=True", "add --allow-empty")):
+                what = what.replace(keyword, option)
+            print(f"circumspect: {path}: {what}", file=sys.stderr)
             codes.add(4 if isinstance(error, circumspect.Undecided) else 3)
             continue
         for each in (note, *verdict.notes):

@@ -46,7 +46,7 @@ class Finding(NamedTuple):
 
 
 class Campaign(NamedTuple):
-    """What a campaign came to; true if it found nothing."""
+    """The result of a campaign; true if it found nothing."""
 
     cases: int
     findings: List[Finding]
@@ -68,7 +68,7 @@ class Campaign(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What became of one call: an empty rule if all is well."""
+    """The outcome of one call: an empty rule if all is well."""
 
     rule: str
     report: str = ""
@@ -92,7 +92,7 @@ class Subject:
         self.takes_weights = claim == "weighted-delaunay"
 
     def call(self, case: Case) -> Any:
-        """On copies: the function may change what it is given."""
+        """Passes copies, because the function may change its arguments."""
         if case.domain is not None:
             return self.function(Domain.of_lists(copy.deepcopy(case.domain.lists())))
         own = case.points.copy()
@@ -109,7 +109,7 @@ class Subject:
         try:
             if case.domain is not None:
                 return "mesh", mesh_on(case.domain, made)
-            # A mesh object is judged by the points that were given, not by those it may have changed.
+            # A mesh object is judged with the points that were given, not with those that it may have changed.
             simplices = parts_of(made)[1] if not hasattr(made, "__array__") and hasattr(made, "__dict__") else made
             return "mesh", mesh_of(case.points, simplices, None, case.weights)
         except Exception as error:  # rubbish may be of any kind
@@ -124,7 +124,7 @@ class Subject:
             return Outcome(kind, value)
         about = None if case.domain is None else case.domain.parts()
         try:
-            # An input always has points, so that a mesh of none is wrong, and no fault of the input.
+            # An input always has points, so an empty mesh is wrong, and not a fault of the input.
             verdict = Verdict(self.claim, _core.check(self.claim, guarded(value).parts(), about, 1, 3, False, False, self.merge,
                                                       True, self.within, "mesh", 0, True))
         except _core.Undecided:
@@ -140,7 +140,7 @@ class Subject:
 
 
 class IsolatedSubject(Subject):
-    """The same in a forked process, which may crash or hang; it serves many calls and is replaced if it ends."""
+    """The same in a forked process, which may crash or hang. It serves many calls and is replaced if it ends."""
 
     def __init__(self, *arguments: Any, time_limit: float):
         super().__init__(*arguments)
@@ -151,7 +151,7 @@ class IsolatedSubject(Subject):
 
     def serve(self, connection: Any) -> None:
         """In the child."""
-        faulthandler.disable()  # what ends it is told by the parent
+        faulthandler.disable()  # the parent reports how the child ended
         while True:
             try:
                 case = connection.recv()
@@ -248,13 +248,13 @@ def made_small(subject: Subject, case: Case, rule: str, flat: bool, seconds: flo
 
 
 def domain_case(lists: tuple) -> Case:
-    """From what `_core` draws."""
+    """A case of the lists that `_core` draws."""
     domain = Domain.of_lists(lists)
     return Case(domain.points, None, domain)
 
 
 def require_distinct(families: Sequence[str]) -> None:
-    """Families that repeat points are drawn for those who want equal points merged."""
+    """Families that repeat points need duplicates="merge"."""
     repeating = {family for family, _, _, _, repeats in _core.families() if repeats}
     for family in families:
         if family in repeating:
@@ -271,8 +271,8 @@ def is_wanted(points: Any, flat: bool) -> bool:
     dimension = points.shape[1]
     if len(points) <= dimension:
         return False
-    # Doubles say quickly that the points span space: where the least singular value is a million times what rounding
-    # can make of 0, it is none. Where they do not say so the exact answer is asked for.
+    # Doubles usually prove quickly that the points span space: the least singular value is not 0 if it is a million
+    # times what rounding can make of 0. Otherwise the exact answer is asked for.
     edges = points[1:] - points[0]
     if np.isfinite(edges).all() and np.linalg.matrix_rank(edges) == dimension:
         scale = np.abs(edges).max()
@@ -287,15 +287,15 @@ def minimize(function: Callable, points: Any, *, claim: Optional[str] = None, we
              time: float = 60.0, within: Any = None, duplicates: str = "reject") -> Finding:
     """The smallest (n, d) points found on which a function is wrong in the same way as on these.
 
-    `function(points)` (with weights: `function(points, weights)`) returns simplices, or a mesh object. In the place of
-    points there may be a Domain, which `function(domain)` is given. `duplicates`: as in `campaign`. Raises ValueError if
-    the function is right on it, and InputError if points are equal, unless they are to be merged.
+    `function(points)` (with weights: `function(points, weights)`) returns simplices, or a mesh object. Instead of
+    points, pass a Domain to test `function(domain)`. `duplicates`: as in `campaign`. Raises ValueError if the
+    function is right on it, and InputError if points are equal, unless they are to be merged.
     """
     import numpy as np
 
     if isinstance(points, Domain):
         given = domain_case(points.lists())
-        # What is no piecewise linear complex is refused here, before any function is called.
+        # An input that is not a piecewise linear complex is refused here, before the function is called.
         _core.check("plc-triangulation", points_of(given.points).parts(), points.parts(), 1, 1, False, False, False,
                     False, None, "", 0, True)
     else:
@@ -323,22 +323,23 @@ def campaign(function: Callable, *, time: float = 10.0, cases: Optional[int] = N
     """Hunts for inputs on which a function is wrong, for `time` seconds or for a number of `cases`.
 
     function(points): from (n, d) doubles to (m, d+1) integers, or to a mesh object such as
-        scipy.spatial.Delaunay. For "weighted-delaunay", function(points, weights). What it raises is a finding,
-        unless its type is among `refuses`; so is anything that is no mesh.
-    domains: draws domains. function(domain) is then given a Domain, whose `points`, `segments`, `polygons` and
-        `holes` are there to be read. It returns simplices, (points, simplices) if it adds points, or a mesh object.
+        scipy.spatial.Delaunay. For "weighted-delaunay", function(points, weights). An exception is a finding, unless
+        its type is among `refuses`; so is a result that is not a mesh.
+    domains: draws domains. function(domain) then gets a Domain, with `points`, `segments`, `polygons` and `holes`. It
+        returns simplices, (points, simplices) if it adds points, or a mesh object.
     claim: "delaunay" (the default), "triangulation", "weighted-delaunay"; of domains "cdt" (the default),
         "plc-triangulation", "steiner-triangulation", "steiner-cdt" or "conforming-delaunay". Not every domain has a
-        CDT: a function that says so raises what is among `refuses`.
-    within: how far cells of the domain may be moved, as in `check`: points that were rounded need it.
+        CDT: a function that detects this should raise a type in `refuses`.
+    within: how far cells of the domain may be moved, as in `check`; rounded points need it.
     families: names (see circumspect.families); none: all of the dimension whose points are distinct. Those that repeat
         points need duplicates="merge".
-    duplicates: "merge" takes equal points for one, as in `check`; otherwise those that the function adds are a finding.
+    duplicates: "merge" counts equal points as one, as in `check`; otherwise equal points that the function adds are a
+        finding.
     flat: also points that span only a flat, where rows of k+1 indices are the answer.
     isolated: calls it in a forked process, so that a crash, or a call longer than `time_limit`, is a finding.
     save: a folder for the findings, one .npy and one .txt each; of domains a .poly too.
 
-    One finding for each rule, its input made small; that takes up to `time` again.
+    Returns one finding for each rule, with its input made small; minimizing takes up to `time` again.
 
     >>> found = campaign(lambda points: [[0, 1, 2]], dimension=2, cases=50)
     >>> bool(found), found.findings[0].rule

@@ -1,4 +1,4 @@
-"""What a mesh is meant to fill: piecewise linear complexes."""
+"""Domains that a mesh must fill: piecewise linear complexes."""
 from __future__ import annotations
 
 import fractions
@@ -13,15 +13,16 @@ KINDS = (None, "enclosed", "hull", "even-odd", "winding")
 
 
 class Domain:
-    """A piecewise linear complex: what a mesh is meant to fill.
+    """A piecewise linear complex: the domain that a mesh must fill.
 
-    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, in space alone: each a list of
-    corners, or of several such lines (outline, outlines of holes, segments, vertices); polygon_holes: by the index of
-    a polygon the points, one in each of its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
-    segments or polygons enclose), "even-odd" (of that, what is entered by an odd number of them), "winding" (what they
-    wind around, as they are listed), "hull" (the convex hull), or None, which is "enclosed" if they enclose anything, and
-    "hull" if there are none; regions: a point in each region that is filled, if not all are that are enclosed;
-    merge_coplanar: polygons of one plane that share an edge are one, as a face that was cut into triangles.
+    points: (n, 2) or (n, 3); segments: (s, 2) indices of points; polygons, only in space: each a list of corners, or
+    of several such lines (outline, outlines of holes, segments, vertices); polygon_holes: for the index of a polygon,
+    a list of points, one in each of its holes; holes: a point in each hole of the domain; kind: "enclosed" (what
+    segments or polygons enclose), "even-odd" (of that, what is entered by an odd number of them), "winding" (what
+    they wind around, as they are listed), "hull" (the convex hull), or None, which is "enclosed" if they enclose
+    anything, and "hull" if there are none; regions: a point in each region that is filled (default: all enclosed
+    regions); merge_coplanar: coplanar polygons that share an edge count as one, like a face that was cut into
+    triangles.
 
     >>> square = Domain([[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
     >>> square
@@ -69,7 +70,7 @@ class Domain:
 
     @property
     def points(self):
-        """(n, d) doubles; an array of Fractions if the points are exact numbers that may be no doubles."""
+        """(n, d) doubles; an array of Fractions if the points are exact numbers that may not be doubles."""
         return rows_of(self.own_points)
 
     @property
@@ -79,7 +80,7 @@ class Domain:
 
     @property
     def polygon_holes(self) -> dict:
-        """By the index of a polygon (h, 3), a point in each of its holes."""
+        """For the index of a polygon (h, 3), a point in each of its holes."""
         return {polygon: rows_of(seeds) for polygon, seeds in self._polygon_holes.items()}
 
     @property
@@ -128,7 +129,7 @@ class Domain:
 
     @classmethod
     def of_lists(cls, lists: tuple) -> "Domain":
-        """From what `_core` draws."""
+        """A domain of the lists that `_core` draws."""
         points, segments, polygons, holes, seeds, is_hull = lists
         polygon_holes: dict = {}
         for polygon, seed in seeds:
@@ -152,7 +153,8 @@ def distinct_rows(own: Numbers) -> set:
 
 
 def with_cells_of(domain: Domain, segments: Sequence, polygons: Sequence) -> Domain:
-    """The domain with some of its segments and polygons, by their indices, and without the points that these alone used."""
+    """The domain with some of its segments and polygons, given by index, and without points that only the others
+    used."""
     import numpy as np
 
     lines = [[domain.polygons[p] for p in polygons], domain.polygons]
@@ -194,15 +196,15 @@ def domain_of(domain: Any) -> Domain:
 
 
 def default_claim(mesh: Mesh, domain: Domain, are_moved: bool) -> str:
-    """What is claimed where nobody says it, as by the command: a CDT, which is a Steiner CDT if the mesh has other points
-    than the domain; if points may have been moved, another number of them."""
+    """The default claim, as in the command: a CDT, or a Steiner CDT if the mesh has other points than the domain; if
+    points may have been moved, another number of points."""
     points, given = distinct_rows(mesh.points), distinct_rows(domain.own_points)
     same = len(points) == len(given) if are_moved else points == given
     return "cdt" if same else "steiner-cdt"
 
 
 def in_plane_of(mesh: Mesh, domain: Domain) -> Mesh:
-    """The mesh without its third coordinate, if that is the same for all and the domain is one of the plane."""
+    """The mesh without its third coordinate, if that is the same for all points and the domain is planar."""
     points = mesh.points
     if domain.dimension != 2 or mesh.dimension != 3 or isinstance(points.values, list) or not points.shape[0]:
         return mesh

@@ -1,6 +1,7 @@
-"""From what people have in hand to arrays that can be judged, without changing a number.
+"""Turns meshes of common libraries into arrays that can be judged, without changing a number.
 
-Nothing here imports a mesh library: objects are told by what they have (`simplices`, `cells`, `triangles`, ...).
+Nothing here imports a mesh library: objects are recognised by their attributes (`simplices`, `cells`, `triangles`,
+...).
 """
 from __future__ import annotations
 
@@ -54,12 +55,12 @@ def exact_text(value: Any, what: str) -> str:
 
 
 def number_text(number: Any, what: str) -> str:
-    """The same; a text stands for itself."""
+    """The same; a text is returned unchanged."""
     return number if isinstance(number, str) else exact_text(number, what)
 
 
 def array_of(values: Any, what: str):
-    """A NumPy array of what is no array yet; ragged lists and masked entries are refused."""
+    """A NumPy array of anything that is not one yet; ragged lists and masked entries are refused."""
     import numpy as np
 
     if isinstance(values, np.ma.MaskedArray):
@@ -81,7 +82,7 @@ def array_of(values: Any, what: str):
 
 
 def exactly_as_listed(values: Any, array: Any):
-    """The float array of a list, or the list's own objects where one is no float."""
+    """The float array of a list, or the list's own objects if one is not a float."""
     import numpy as np
 
     objects = np.asarray(values, dtype=object)
@@ -95,7 +96,7 @@ def exactly_as_listed(values: Any, array: Any):
 
 
 def numbers_of(values: Any, what: str, columns: Optional[int] = None) -> Numbers:
-    """Doubles where all numbers are doubles, else exact texts; n × d, or n if `columns` is 0."""
+    """Doubles if all numbers are doubles, else exact texts; n × d, or n if `columns` is 0."""
     import numpy as np
 
     array = array_of(values, what)
@@ -118,7 +119,7 @@ def numbers_of(values: Any, what: str, columns: Optional[int] = None) -> Numbers
 
 
 def has_large_integers(array: Any) -> bool:
-    """Has an array of integers some that may be no doubles, beyond 2^53?"""
+    """Does an array of integers have some beyond 2^53, which may not be doubles?"""
     return bool(array.size) and (int(array.max()) > LARGEST_EXACT_INTEGER
                                or int(array.min()) < -LARGEST_EXACT_INTEGER)
 
@@ -148,7 +149,7 @@ def indices_of(values: Any, what: str, columns: Optional[int] = None):
 
 
 def mesh_of(points: Any, simplices: Any = None, neighbors: Any = None, weights: Any = None) -> Mesh:
-    """Arrays, or one object that has them in the place of `points`."""
+    """A mesh of arrays, or of one mesh object in the place of `points`."""
     import numpy as np
 
     triangles = edges = None
@@ -190,7 +191,7 @@ CELLS = {10: 4, 5: 3, 3: 2, 1: 1, "tetra": 4, "triangle": 3, "line": 2, "vertex"
 
 
 def parts_of(mesh: Any):
-    """(points, simplices, neighbors, triangles, edges) of somebody's mesh object."""
+    """(points, simplices, neighbors, triangles, edges) of a mesh object of another library."""
     import numpy as np
 
     if hasattr(mesh, "points") and hasattr(mesh, "simplices"):  # scipy.spatial.Delaunay
@@ -225,7 +226,7 @@ def vtk_cells(grid: Any):
     try:
         if len(points):
             points = np.array(memoryview(grid.GetPoints().GetData()))
-    except (AttributeError, TypeError):  # images have no array of points, and some arrays show no memory
+    except (AttributeError, TypeError):  # images have no array of points, and some arrays expose no memory
         points = np.array([grid.GetPoint(i) for i in range(len(points))])
     cells: dict = {}
     if hasattr(grid, "GetCellTypesArray") and grid.GetNumberOfCells():  # an unstructured grid
@@ -243,11 +244,11 @@ def vtk_cells(grid: Any):
 
 
 def with_cells(points: Any, cells: Optional[dict]):
-    """The cells of the highest dimension are the simplices, those below are listed beside them."""
+    """The cells of the highest dimension are the simplices; those of lower dimension are listed beside them."""
     import numpy as np
 
     of_size: dict = {}
-    for kind, rows in (cells or {}).items():  # earlier versions of pyvista have None where there are no cells
+    for kind, rows in (cells or {}).items():  # earlier versions of pyvista have None if there are no cells
         if not len(rows):
             continue
         if kind not in CELLS:
@@ -262,7 +263,7 @@ def with_cells(points: Any, cells: Optional[dict]):
 
 
 def guarded(mesh: Mesh) -> Mesh:
-    """The mesh on memory that nobody changes while it is judged, without the interpreter's lock."""
+    """The mesh in memory that no other thread changes while it is judged without the interpreter's lock."""
     def kept(own: Numbers) -> Numbers:
         return own._replace(values=own_copy(own.values))
 

@@ -20,7 +20,7 @@ from .domains import with_cells_of
 
 
 def names_in(dimension: int, families: Optional[Sequence[str]]) -> list:
-    """The families that are drawn from; raises ValueError for those that do not exist in the dimension."""
+    """The families to draw from; raises ValueError for those that do not exist in the dimension."""
     known = {family.name: family for family in all_families() if not family.is_of_domains}
     if families is None:
         return [name for name, family in known.items()
@@ -47,7 +47,7 @@ def drawn_points(draw: Any, names: list, dimension: int, min_points: int, max_po
 
 
 def ranks(points: Any):
-    """Each coordinate replaced by its place among those of its axis; of points that become equal the first."""
+    """Replaces each coordinate by its rank on its axis; of points that become equal, keeps the first."""
     columns = [np.unique(column, return_inverse=True)[1].astype(float) for column in points.T]
     moved = np.stack(columns, axis=1) if len(points) else points
     return moved[np.sort(np.unique(moved, axis=0, return_index=True)[1])]

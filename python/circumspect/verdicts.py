@@ -1,4 +1,4 @@
-"""What comes back: verdicts and their witnesses."""
+"""Verdicts and their witnesses."""
 from __future__ import annotations
 
 import fractions
@@ -10,14 +10,14 @@ Fraction = fractions.Fraction
 
 
 class Ball(NamedTuple):
-    """A circumball; of weighted points possibly with a negative squared radius."""
+    """A circumball; for weighted points the squared radius may be negative."""
 
     centre: Tuple[Fraction, ...]
     squared_radius: Fraction
 
 
 class Violation(NamedTuple):
-    """One witness: vertices are indices of points, values exact."""
+    """One witness: vertices are indices of points, and values are exact."""
 
     rule: str  # "delaunay.facet-not-local": never changes its meaning
     meaning: str
@@ -56,15 +56,15 @@ class Verdict:
     def __init__(self, claim: str, parts: tuple):
         self.claim = claim
         self.holds: bool
-        self.notes: List[str]  # what was judged otherwise than it was handed in
+        self.notes: List[str]  # what was judged differently from what was passed in
         self.holds, unique, canonical, self.text, self.json, rules, self.notes, self._page = parts
         self.rules: Dict[str, int] = rules  # the broken ones, and how often each is
-        # Of a Delaunay claim that holds: is there no other, is this the canonical one? Else None.
+        # For a Delaunay claim that holds: is it the only triangulation, is it the canonical one? Else None.
         self.unique: Optional[bool] = None if unique < 0 else bool(unique)
         self.canonical: Optional[bool] = None if canonical < 0 else bool(canonical)
 
     def __getstate__(self) -> dict:
-        return {**self.__dict__, "_page": None}  # which is no text before it is asked for
+        return {**self.__dict__, "_page": None}  # rendered only when asked for
 
     def __bool__(self) -> bool:
         return self.holds
@@ -91,7 +91,7 @@ class Verdict:
         return self
 
     def to_html(self) -> str:
-        """The page that `circumspect check --html` writes, with a picture of each witness. It loads nothing.
+        """The page that `circumspect check --html` writes, with a picture of each witness. The page loads nothing.
 
         Raises ValueError for a verdict that was pickled, which leaves its pictures behind.
         """
@@ -120,7 +120,8 @@ def violation_of(entry: Dict[str, Any]) -> Violation:
 
 
 class Comparison:
-    """Are two meshes one complex? True if so; else `only_in_a` and `only_in_b` have points and simplices."""
+    """Are two meshes the same complex? If not, `only_in_a` and `only_in_b` have the points and simplices that
+    differ."""
 
     def __init__(self, parts: tuple):
         self.same: bool

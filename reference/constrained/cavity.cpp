@@ -238,7 +238,7 @@ std::optional<NoChange> insert_polygon_by_cavity(const PointSet& points, Evolvin
 
 namespace {
 
-// Adds the tetrahedra on both sides of facets that are no walls. False if there are no new ones.
+// Adds the tetrahedra on both sides of facets that are not walls. False if there are no new ones.
 bool grow(const EvolvingCdt& cdt, const std::set<Simplex>& walls, std::set<Simplex>& cavity,
           const std::vector<Simplex>& facets) {
   const std::size_t before = cavity.size();

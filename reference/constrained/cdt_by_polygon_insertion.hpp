@@ -85,8 +85,8 @@ tl::expected<PolygonFlips, NoChange> flip_insert_polygon(const PointSet& points,
 enum class PolygonInsertion { kFlips, kCavities };
 
 // What stands in the way, and which polygon was to be inserted; without polygon, a segment that is
-// no edge of the canonical Delaunay triangulation of the vertices. Neither says that there is no
-// CDT: some of the polygons may have none though all of them have one.
+// not an edge of the canonical Delaunay triangulation of the vertices. Neither says that there is
+// no CDT: some of the polygons may have none though all of them have one.
 struct NoPolygonInsertion {
   NoChange cause;
   std::optional<std::size_t> polygon;

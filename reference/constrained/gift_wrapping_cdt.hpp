@@ -78,7 +78,7 @@ enum class WhyNoCdt {
   kSegmentCrosses,      // the segment runs through the tetrahedron that should be there
   kSimplicesOverlap,    // two tetrahedra are in each other's way
   kNotLocallyDelaunay,  // the vertex is in the ball of the tetrahedron behind the facet
-  kSegmentMissing,      // the segment is no edge of the triangulation
+  kSegmentMissing,      // the segment is not an edge of the triangulation
 };
 
 struct NoCdt {

@@ -41,7 +41,7 @@ EvolvingCdt evolving_delaunay(const PointSet& points, const Progress& progress =
 
 // Why an evolving CDT cannot become the one that was asked for.
 enum class WhyNoChange {
-  kSegmentMissing,      // a segment of the polygon is no edge of the triangulation
+  kSegmentMissing,      // a segment of the polygon is not an edge of the triangulation
   kFlipBlocked,         // a facet that must go cannot be flipped
   kFacetUnfinished,     // no vertex in front of the facet can be joined to it in the cavity
   kSimplicesOverlap,    // a facet has two tetrahedra on one side
@@ -118,9 +118,9 @@ struct PlcTriangulation {
 };
 
 // The tetrahedra in the polyhedra of the complex, and its dangling triangles, edges and vertices:
-// without the tetrahedra that are joined, through facets that are no walls, to one that contains a
-// hole seed or, if the domain is what the polygons enclose, to the outside.
-// Requires: all polygons of the complex have been inserted.
+// without the tetrahedra that are joined, through facets that are not walls, to one that contains a
+// hole seed or, if the domain is what the polygons enclose, to the outside. Requires: all polygons
+// of the complex have been inserted.
 PlcTriangulation carve(const PiecewiseLinearComplex& complex, const EvolvingCdt& cdt);
 
 // Does the closed tetrahedron contain the point?

@@ -256,7 +256,7 @@ class VertexDeletion {
     return all;
   }
 
-  // Does the other facet lie in the plane of the facet, beyond an edge at v that is no segment?
+  // Does the other facet lie in the plane of the facet, beyond an edge at v that is not a segment?
   bool continues(const Simplex& facet, const Simplex& other) const {
     const Simplex rest = without(facet, other);
     if (rest.size() != 1 || rest.front() == v_) return false;

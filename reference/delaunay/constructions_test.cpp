@@ -194,7 +194,8 @@ TEST_CASE("lexicographic: hull facets coplanar with the new point are not seen")
   CHECK(lexicographic(square) == Triangulation(2, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}}));
 }
 
-// ---- The least-vertex triangulation of polyhedral complexes that are no Delaunay subdivisions, too ----
+// ---- The least-vertex triangulation of polyhedral complexes that are not Delaunay subdivisions,
+// too ----
 
 TEST_CASE("least vertex: a square, by its lexicographically minimum vertex") {
   const PointSet points({{1, 1}, {1, 0}, {0, 1}, {0, 0}});

@@ -89,7 +89,7 @@ Triangulation gift_wrapping_by_cells(const PointSet& points);
 // hull, part of the star stays empty; if all other points lie on one hyperplane, the triangulation
 // drops a dimension.
 //
-// `submerged` names the points of the set that are no vertices, only possible with weights.
+// `submerged` names the points of the set that are not vertices, only possible with weights.
 // Requires: v is a vertex; the triangulation is the canonical one of its vertices and `submerged`.
 Triangulation delete_vertex(const PointSet& points, const Triangulation& triangulation, Vertex v,
                             const std::vector<Vertex>& submerged = {});

@@ -239,7 +239,7 @@ bool is_vertex(const Triangulation& triangulation, Vertex v) {
   return false;
 }
 
-// One row for each interior facet and for each point that is no vertex.
+// One row for each interior facet and for each point that is not a vertex.
 RationalMatrix heights_that_must_be_positive(const PointSet& points,
                                              const Triangulation& triangulation) {
   RationalMatrix rows;

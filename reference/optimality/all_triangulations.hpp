@@ -40,9 +40,9 @@ std::vector<Triangulation> all_triangulations(const PointSet& points,
 // says that they are the optimal ones for some function).
 
 // Heights, one a point, over which the triangulation is the whole lower hull: every interior facet
-// is strictly convex, every point that is no vertex strictly above. Nothing if there are none: the
-// triangulation is not regular. By a linear program in the heights.
-// Requires: a triangulation of the points, or of some of them.
+// is strictly convex, every point that is not a vertex strictly above. Nothing if there are none:
+// the triangulation is not regular. By a linear program in the heights. Requires: a triangulation
+// of the points, or of some of them.
 std::optional<std::vector<Rational>> heights_of_regular(const PointSet& points,
                                                         const Triangulation& triangulation);
 

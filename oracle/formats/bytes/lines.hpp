@@ -43,8 +43,8 @@ tl::expected<Rational, NumberError> parse_number(std::string_view token, NumberR
 
 // Walks over the lines that have tokens on them. Blanks separate tokens, '#' starts a comment, a
 // carriage return is a blank, the last line needs no end, a byte order mark is skipped. All other
-// bytes belong to tokens. `end`: what ends a line; where that is a carriage return, it is no blank.
-// Requires: the source outlives this object and the tokens.
+// bytes belong to tokens. `end`: what ends a line; where that is a carriage return, it is not a
+// blank. Requires: the source outlives this object and the tokens.
 class Lines {
  public:
   explicit Lines(const Source& source, char end = '\n');

@@ -51,7 +51,13 @@ MixedText::MixedText(std::string name, std::string_view text, NumberReading read
       text_(text),
       reading_(reading),
       line_(first_line),
-      word_line_(first_line) {}
+      word_line_(first_line),
+      first_line_(first_line) {}
+
+void MixedText::begin_section() {
+  section_ = word_;
+  section_at_ = read_at_;
+}
 
 void MixedText::skip_blanks() {
   const std::size_t end = std::min(text_.find_first_not_of(kBlanksAndEnds, at_), text_.size());
@@ -70,6 +76,7 @@ std::string_view MixedText::peek() {
 std::string_view MixedText::word() {
   word_ = peek();
   if (!word_.empty()) word_line_ = line_;
+  read_at_ = at_;
   at_ += word_.size();
   return word_;
 }
@@ -78,6 +85,7 @@ std::string_view MixedText::rest_of_line() {
   const std::size_t end = std::min(text_.find('\n', at_), text_.size());
   std::string_view rest = text_.substr(at_, end - at_);
   word_line_ = line_;
+  read_at_ = at_;
   at_ = std::min(end + 1, text_.size());
   if (end < text_.size()) ++line_;
   while (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
@@ -100,7 +108,7 @@ bool MixedText::skip_behind(std::string_view text, bool begins_line) {
 }
 
 bool MixedText::skip_bytes(std::size_t count) {
-  number_at_ = at_;
+  read_at_ = at_;
   was_binary_ = true;
   if (count > bytes_left()) {
     at_ = text_.size();
@@ -187,8 +195,16 @@ Status MixedText::skip_numbers(NumberType type, std::size_t count, std::string_v
 }
 
 tl::unexpected<FormatError> MixedText::fail(std::string expected, std::string found) const {
-  if (was_binary_) found += " at byte " + std::to_string(number_at_);
-  return tl::unexpected(FormatError{name_, line(), std::move(expected), std::move(found)});
+  std::size_t line = this->line();
+  if (was_binary_) {
+    found += " at byte " + std::to_string(read_at_);
+    if (!section_.empty()) {
+      if (section_at_ != read_at_) found += ", in " + section_;
+      const std::string_view before = text_.substr(0, section_at_);
+      line = first_line_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    }
+  }
+  return tl::unexpected(FormatError{name_, line, std::move(expected), std::move(found)});
 }
 
 tl::unexpected<FormatError> MixedText::fail_at_word(std::string expected) const {

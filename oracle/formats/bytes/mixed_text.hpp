@@ -63,6 +63,11 @@ class MixedText {
   void set_binary(std::optional<ByteOrder> order) { binary_ = order; }
   bool is_binary() const { return binary_.has_value(); }
 
+  // The word that was read last begins a section: errors behind binary numbers say in which they
+  // are, and on which line it begins. (As editors count lines: whatever bytes stand between their
+  // ends.)
+  void begin_section();
+
   // The next word; empty at the end. Blanks and ends of lines are skipped.
   std::string_view word();
   // The next word, still to be read.
@@ -91,7 +96,8 @@ class MixedText {
   const std::string& name() const { return name_; }
   // The line of what was read last; 0 behind binary numbers.
   std::size_t line() const { return was_binary_ ? 0 : word_line_; }
-  // An error that names the place of what was read last: its line, or its byte where it is binary.
+  // An error that names the place of what was read last: its line or, behind binary numbers, its
+  // byte and its section.
   tl::unexpected<FormatError> fail(std::string expected, std::string found) const;
   // The same where the word that was read last is not what was expected.
   tl::unexpected<FormatError> fail_at_word(std::string expected) const;
@@ -107,10 +113,13 @@ class MixedText {
   std::optional<ByteOrder> binary_;
   std::size_t at_ = 0;
   std::size_t line_;
-  std::string_view word_;      // read last
-  std::size_t word_line_;      // on which it stands
-  std::size_t number_at_ = 0;  // where the last binary number begins
-  bool was_binary_ = false;    // lines cannot be counted any more
+  std::string_view word_;       // read last
+  std::size_t word_line_;       // on which it stands
+  std::size_t read_at_ = 0;     // where what was read last begins
+  std::string section_;         // its first word; empty before any
+  std::size_t section_at_ = 0;  // where that stands
+  std::size_t first_line_;
+  bool was_binary_ = false;  // lines cannot be counted any more
 };
 
 }  // namespace circumspect::formats

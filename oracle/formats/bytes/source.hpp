@@ -58,7 +58,7 @@ bool is_regular(const std::string& path);
 // cuts off or changes meanwhile is then a failed read or other bytes, never a signal.
 class RandomAccess {
  public:
-  // None if it is no regular file, or may not be read. Who wants to know why asks load().
+  // None if it is not a regular file, or may not be read. Who wants to know why asks load().
   static std::optional<RandomAccess> open(const std::string& path);
   // Requires: the text outlives this object.
   explicit RandomAccess(std::string_view text) : text_(text), size_(text.size()) {}

@@ -26,7 +26,7 @@ struct MeshInArrays {
   }
 };
 
-// Appends the number; false if it is no double.
+// Appends the number; false if it is not a double.
 inline bool append(const Rational& number, std::vector<double>& doubles) {
   doubles.push_back(number.get_d());
   return exact_value(doubles.back()) == number;
@@ -37,7 +37,7 @@ inline bool append(const std::vector<Vertex>& row, std::vector<std::int64_t>& in
   return true;
 }
 
-// None if some number is no double, or a row has not d + 1 entries.
+// Nothing if some number is not a double, or a row does not have d + 1 entries.
 inline std::optional<MeshInArrays> arrays_of(const ExactMesh& mesh) {
   MeshInArrays arrays{.dimension = mesh.points.ambient_dimension()};
   bool fits = arrays.dimension > 0;
@@ -60,7 +60,7 @@ inline std::optional<MeshInArrays> arrays_of(const ExactMesh& mesh) {
   return arrays;
 }
 
-// The mesh without indices of the user's own, which arrays do not have.
+// The mesh without the user's own indices, which arrays do not have.
 inline ExactMesh without_labels(ExactMesh mesh) {
   mesh.labels.clear();
   mesh.first_index = 0;
@@ -73,7 +73,7 @@ inline ExactMesh without_labels(ExactMesh mesh) {
   return mesh;
 }
 
-// Of the plane or of space.
+// For the plane or space.
 inline bool has_sound_simplex(const ExactMesh& mesh) {
   const std::size_t d = mesh.points.ambient_dimension();
   if ((d != 2 && d != 3) || mesh.points.dimension() != static_cast<int>(d)) return false;
@@ -85,7 +85,7 @@ inline bool has_sound_simplex(const ExactMesh& mesh) {
   });
 }
 
-// In what the judgement of the arrays differs from that of oracle/judge/points; empty if in nothing.
+// How the judgement of the arrays differs from that of oracle/judge/points; empty if it does not.
 inline std::string difference_from_slow(Claim claim, const ExactMesh& labelled,
                                         const MeshJudgement& judgement) {
   const ExactMesh mesh = without_labels(labelled);
@@ -96,7 +96,7 @@ inline std::string difference_from_slow(Claim claim, const ExactMesh& labelled,
   if (judgement.report != explanation) return "report";
   if (judgement.unique != verdict.unique) return "unique";
   if (judgement.canonical != verdict.canonical) return "canonical";
-  // What weighted points are that are no vertices is left to oracle/judge/points.
+  // Whether weighted points that are not vertices are submerged is left to oracle/judge/points.
   if (!judgement.counts.fast && !verdict.holds() && claim != Claim::kWeightedDelaunay &&
       has_sound_simplex(mesh)) {
     return "decided too little";

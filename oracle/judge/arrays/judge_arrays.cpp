@@ -78,7 +78,7 @@ void require_lengths(const MeshArrays<Index>& mesh) {
           mesh.neighbors.size());
 }
 
-// On the memory of the arrays.
+// Uses the memory of the arrays.
 template <typename Index>
 Mesh mesh_of(const MeshArrays<Index>& arrays, bool weighted) {
   const std::size_t vertices = arrays.dimension + 1;

@@ -1,5 +1,5 @@
-// What is judged in arrays, by whom, and what is refused. Against the checkers: corpus/arrays_test.cpp,
-// properties/arrays_property.cpp.
+// What is judged in arrays, which judge does it, and what is refused. Compared with the checkers:
+// corpus/arrays_test.cpp, properties/arrays_property.cpp.
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -82,7 +82,7 @@ TEST_CASE("of what is wrong the fast judge tells which, and the slow one why") {
   const MeshJudgement unused = judge("delaunay", {2, kite, {}, longer, {}});
   CHECK(unused.counts.fast);
   CHECK(unused.rule == "triangulation.unused-point");
-  // Without a simplex that is sound all is for the slow one.
+  // If no simplex is sound, the slow judge does everything.
   const std::vector<std::int32_t> flat = {0, 1, 1};
   const MeshJudgement unsound = judge("delaunay", {2, points, {}, flat, {}});
   CHECK_FALSE(unsound.counts.fast);
@@ -159,7 +159,7 @@ TEST_CASE("an index that names no point is the program's fault") {
     fan[3][0] = wrong;
     CHECK(judge("delaunay", kSquare, fan).rule == "triangulation.unknown-vertex");
   }
-  // Nor does it come to name one of the points that are left when equal ones are merged.
+  // Nor does it name one of the points that are left when equal ones are merged.
   const PointArray repeated{2, {0, 0, 0, 0, 1, 0, 0, 1}, {}};
   CHECK(judge("delaunay", repeated, {{0, 2, 3}}, kMerging).holds);
   CHECK(judge("delaunay", repeated, {{0, 2, 4}}, kMerging).rule == "triangulation.unknown-vertex");
@@ -173,7 +173,7 @@ TEST_CASE("equal points count as one, whichever of them is named, where they are
 }
 
 TEST_CASE("equal points and empty meshes are refused otherwise") {
-  // Two triangles that share no vertex, as of a program that forgets to.
+  // Two triangles that share no vertex, as made by a program that forgets to share them.
   const PointArray torn{2, {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 1}, {}};
   const std::vector<std::int32_t> seam = {0, 1, 2, 4, 5, 3};
   const std::string message = "expected distinct points, found points 0 and 4 equal and 1 more";

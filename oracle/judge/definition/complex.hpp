@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <vector>
 
 #include "kernel/complex/point_set.hpp"
@@ -44,11 +45,11 @@ SetApart set_apart(const ListedComplex& listed, std::size_t size);
 struct HangingVertex {
   Vertex vertex;
   Simplex face;  // ascending
-  auto operator<=>(const HangingVertex&) const = default;
+  std::strong_ordering operator<=>(const HangingVertex&) const = default;
 };
 struct CrossingFaces {
   Simplex first, second;  // ascending, the lesser first
-  auto operator<=>(const CrossingFaces&) const = default;
+  std::strong_ordering operator<=>(const CrossingFaces&) const = default;
 };
 struct ImproperPairs {
   std::vector<std::array<std::size_t, 2>> overlaps = {};  // by the places of the simplices

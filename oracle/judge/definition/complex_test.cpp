@@ -86,6 +86,32 @@ TEST_CASE("two diagonals of a square cross, unless a flat simplex has them") {
   CHECK(is_proper(improper(kHalves, {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 2, 5}, {0, 2, 3, 5}})));
 }
 
+TEST_CASE("each is said once, and nothing that another fault explains") {
+  // A flat triangle fills the gap at a vertex in an edge.
+  const std::vector<Point> points = {{0, 0}, {4, 0}, {0, 4}, {2, 0}, {2, -3}, {2, -1}};
+  const std::vector<Simplex> hanging = {{0, 1, 2}, {0, 3, 4}, {3, 1, 4}};
+  std::vector<Simplex> filled = hanging;
+  filled.push_back({0, 1, 3});
+  CHECK(improper(points, hanging).hanging.size() == 1);
+  CHECK(is_proper(improper(points, filled)));
+  // So does a triangle at that vertex which overlaps one at that edge.
+  std::vector<Simplex> overlapping = hanging;
+  overlapping.push_back({3, 2, 5});
+  CHECK(improper(points, overlapping).overlaps.size() == 2);
+  CHECK(improper(points, overlapping).hanging.empty());
+  // Two tetrahedra whose bases are a star of six points: edges cross, and nothing else is minimal.
+  const std::vector<Point> star = {{0, 0, 0}, {6, 0, 0},  {3, 6, 0}, {0, 4, 0},
+                                   {6, 4, 0}, {3, -2, 0}, {3, 2, 9}, {3, 2, -9},
+                                   {3, 0, 0}, {4, 8, 0},  {2, 8, 0}};
+  const ImproperPairs crossing = improper(star, {{0, 1, 2, 6}, {3, 4, 5, 7}});
+  CHECK(crossing.crossing.size() == 6);
+  CHECK(crossing.hanging.empty());
+  // Two bases of which each has a vertex in the other, and whose edges cross: only the first is said.
+  const ImproperPairs both = improper(star, {{0, 1, 2, 6}, {8, 9, 10, 7}});
+  CHECK(both.hanging == std::vector<HangingVertex>{{2, {8, 9, 10}}, {8, {0, 1}}});
+  CHECK(both.crossing.empty());
+}
+
 TEST_CASE("triangles and edges in space") {
   // An edge through a triangle, and a vertex in the middle of one.
   const std::vector<Point> points = {{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {2, 2, -1}, {2, 2, 1},

@@ -134,6 +134,16 @@ TEST_CASE("a dangling polygon has a triangulation of its own") {
   CHECK(with({{0, 1, 3}}, Claim::kCdt) ==
         Broken{{Rule::kPolygonNotTiled, 1}, {Rule::kSegmentMissing, 2}});
   CHECK(with(shortly, Claim::kConformingDelaunay).empty());
+  // A slit along the diagonal hides the two parts from each other. What is off the plane is not seen.
+  rhombus.segments = {{0, 2}};
+  CHECK(with(lengthwise, Claim::kCdt).empty());
+  PiecewiseLinearInput with_vertex = rhombus;
+  with_vertex.segments.clear();
+  with_vertex.points.push_back({3, 0, Rational(1, 2)});
+  CHECK(broken_in_domain(Claim::kCdt, {PointSet(with_vertex.points), {}, {}, 0, {}, shortly},
+                         with_vertex)
+            .empty());
+  rhombus.segments.clear();
   // In space a long edge has a small ball; the triangles along it have none that is empty.
   CHECK(with(lengthwise, Claim::kConformingDelaunay) == Broken{{Rule::kNoEmptyBall, 2}});
 }

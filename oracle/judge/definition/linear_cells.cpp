@@ -79,24 +79,19 @@ class LinearCells {
     return meets_in_ends || cover(parts, points_[segment[0]], points_[segment[1]]);
   }
 
+  // A single point needs no look: it is on the boundary of one of them, which consists of segments,
+  // or it is the end of a stretch that other triangles have in common.
   bool meet_in_segments_and_vertices(const Polygon& a, const Polygon& b) const {
     for (const Simplex& s : a.triangles) {
       for (const Simplex& t : b.triangles) {
         const Corners common = intersection(at(s), at(t));
         if (common.size() > 2) return false;
-        if (common.size() == 1 && !is_on_vertex_or_segment(common[0])) return false;
         if (common.size() == 2 && !segments_cover(common[0], common[1])) return false;
       }
     }
     return true;
   }
 
-  // A point of a segment may be the end of a stretch in which other triangles meet.
-  bool is_on_vertex_or_segment(const Point& p) const {
-    const auto has_it = [&](const Simplex& cell) { return !intersection(at(cell), {p}).empty(); };
-    return std::count(points_.points().begin(), points_.points().end(), p) > 0 ||
-           std::any_of(complex_.segments.begin(), complex_.segments.end(), has_it);
-  }
   bool segments_cover(const Point& p, const Point& q) const {
     std::vector<Corners> parts;
     for (const Simplex& segment : complex_.segments) {

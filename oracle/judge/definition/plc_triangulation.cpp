@@ -121,9 +121,10 @@ class Judging {
 
   // Every segment and every polygon is a union of simplices.
   void cells_are_unions() {
+    const std::vector<Simplex> edges = faces_of(listed_, 2), triangles = faces_of(listed_, 3);
     for (const Simplex& segment : complex_.segments) {
       edges_in_.emplace_back();
-      for (const Simplex& edge : faces_of(listed_, 2)) {
+      for (const Simplex& edge : edges) {
         if (lies_on(segment, edge[0]) && lies_on(segment, edge[1]))
           edges_in_.back().push_back(edge);
       }
@@ -140,7 +141,7 @@ class Judging {
     for (std::size_t p = 0; p < complex_.polygons.size(); ++p) {
       const Polygon& polygon = complex_.polygons[p];
       triangles_in_.emplace_back();
-      for (const Simplex& triangle : faces_of(listed_, 3)) {
+      for (const Simplex& triangle : triangles) {
         if (is_part(triangle, polygon)) triangles_in_.back().push_back(triangle);
       }
       const Rational whole = measure(complex_.points, polygon.axes, polygon.triangles);

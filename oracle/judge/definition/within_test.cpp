@@ -125,5 +125,50 @@ TEST_CASE("the triangles of a polygon are found, and the better of two choices")
         std::vector<Simplex>{{0, 1, 3}, {1, 2, 3}});
 }
 
+TEST_CASE("a vertex with two carriers makes a reach ambiguous") {
+  // One is 4 from two segments, one is 4.5 off the first.
+  const ExactMesh mesh{PointSet({{0, 0}, {80, 0}, {0, 60}, {4, 4}, {40, Rational(-9, 2)}}),
+                       {{0, 4, 3}, {4, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  CHECK(reach_of(mesh, kTriangle, 25).kind == LeastReach::Kind::kAmbiguous);
+}
+
+TEST_CASE("what is beyond the end of a segment is as far as its end") {
+  const PiecewiseLinearInput segment{{{0, 0}, {80, 0}}, {{0, 1}}, {}, {}};
+  ExactMesh mesh{PointSet({{0, 0}, {83, 4}, {100, 3}}), {}};
+  mesh.faces = {{0, 1}, {1, 2}};
+  CHECK(reach_of(mesh, segment, 100).squared_reach == 25);
+  mesh.points = PointSet({{0, 0}, {83, 4}, {-20, 3}});
+  CHECK(reach_of(mesh, segment, 100).squared_reach == 25);
+}
+
+TEST_CASE("a slit is an edge of the triangles") {
+  const PiecewiseLinearInput slit{
+      {{0, 0, 0}, {90, 0, 0}, {90, 90, 0}, {0, 90, 0}, {30, 45, 0}, {60, 45, 0}},
+      {{4, 5}},
+      {{{{0, 1, 2, 3}}, {}}},
+      {}};
+  ExactMesh mesh{PointSet(slit.points), {}};
+  mesh.faces = {{0, 1, 4}, {1, 3, 4}, {0, 3, 4}, {1, 2, 5}, {2, 3, 5}, {1, 3, 5}, {4, 5}};
+  CHECK(reach_of(mesh, slit, 25).breach->rule == Rule::kPolygonNotTiled);
+  mesh.faces = {{0, 1, 4}, {1, 4, 5}, {0, 3, 4}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}};
+  CHECK(reach_of(mesh, slit, 25).kind == LeastReach::Kind::kFound);
+}
+
+TEST_CASE("the images of two polygons share no triangle") {
+  // The middle of their common edge is moved away from both, and a triangle lies along it.
+  const PiecewiseLinearInput corner{{{0, 0, 0}, {0, 90, 0}, {90, 45, 0}, {0, 45, 90}},
+                                    {},
+                                    {{{{0, 1, 2}}, {}}, {{{0, 1, 3}}, {}}},
+                                    {}};
+  std::vector<Point> points = corner.points;
+  points.push_back({-3, 45, -3});
+  points[2][0] += 5;  // or the middle would be free
+  ExactMesh mesh{PointSet(points), {}};
+  mesh.faces = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  CHECK(reach_of(mesh, corner, 36).breach->rule == Rule::kImagesMeet);
+  mesh.faces = {{0, 4, 2}, {1, 4, 2}, {0, 4, 3}, {1, 4, 3}};
+  CHECK(reach_of(mesh, corner, 36).squared_reach == 25);
+}
+
 }  // namespace
 }  // namespace circumspect::definition

@@ -259,7 +259,7 @@ class Matching {
     if (!thrice.empty()) match_by_vertices(pile, thrice);
   }
 
-  // Matches facets once more of which two that are no pair have the same hash.
+  // Matches facets once more of which two that are not a pair have the same hash.
   void separate(std::span<const std::uint64_t> pile, std::vector<std::uint64_t>& bits) {
     // A bit each, within the nearest cache; few records find another's bit set, and most of those by accident.
     const int shift = 64 - bits_of(pile.size()) - 3;

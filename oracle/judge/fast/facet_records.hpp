@@ -30,7 +30,7 @@ inline std::uint64_t mixed_vertex(std::uint64_t v) {
 // simplex it is: simplex · (d + 1) + place of the vertex opposite.
 class RecordLayout {
  public:
-  // Requires: fewer than 2^62 facets. The number with all bits set is no facet.
+  // Requires: fewer than 2^62 facets. The number with all bits set is not a facet.
   explicit RecordLayout(std::uint64_t facets) : bits_(bits_of(facets + 1)) {}
 
   std::uint64_t record(std::uint64_t hash, std::uint64_t facet) const {

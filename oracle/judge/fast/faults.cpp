@@ -186,7 +186,7 @@ class FaultFinder {
     return used.missing();
   }
 
-  // Those of the simplices that are no simplices; the orientation of each is known afterwards.
+  // Those of the simplices that are not simplices; the orientation of each is known afterwards.
   std::vector<std::size_t> unsound_among(const std::vector<std::size_t>& simplices) {
     return list_of<std::size_t>(
         simplices.size(), [&](std::size_t i, std::vector<std::size_t>& unsound, Stages& stages) {

@@ -37,7 +37,7 @@ struct Faults {
   std::size_t sound_simplex = 0;  // one that is a simplex
 
   // Simplices that name no point, have a vertex twice, or are flat; those that have the vertices of
-  // another; those that are oriented unlike most, if all are sound; points that are no vertex.
+  // another; those that are oriented unlike most, if all are sound; points that are not a vertex.
   std::vector<std::size_t> unsound = {};
   std::vector<std::size_t> duplicates = {};
   std::vector<std::size_t> turned = {};
@@ -60,8 +60,8 @@ struct Faults {
   // Facets that are not locally Delaunay.
   std::vector<FacetPair> not_local = {};
 
-  // Weighted points that are no vertices and at fault, ascending, each with the first simplex that contains it, if
-  // one does. faults() does not look for them.
+  // Weighted points that are not vertices and at fault, ascending, each with the first simplex that
+  // contains it, if one does. faults() does not look for them.
   std::vector<std::pair<std::size_t, std::optional<std::size_t>>> submerged = {};
 
   // If facets match: what is across each of them.
@@ -86,12 +86,13 @@ struct SweptMesh {
   bool is_triangulation;  // of its vertices: nothing is wrong but points that are none
 };
 
-// All faults that the question asks for. Of weighted points, whether those that are no vertices lie above
-// the lower hull is not looked at. Given neighbours are not looked at.
-// Undecided: no simplex that is sound; more simplices than are matched; hashes that are equal by accident.
-// The same answer for any number of threads. Instances: dimensions 2 and 3; std::int32_t and std::int64_t.
-// Requires: numbers are finite; no two points are equal; threads ≥ 1; weights, if the question is about them
-// and there are any; `swept`, if it is there, is what the judge found for the same question.
+// All faults that the question asks for. Of weighted points, whether those that are not vertices
+// lie above the lower hull is not looked at. Given neighbours are not looked at. Undecided: no
+// simplex that is sound; more simplices than are matched; hashes that are equal by accident. The
+// same answer for any number of threads. Instances: dimensions 2 and 3; std::int32_t and
+// std::int64_t. Requires: numbers are finite; no two points are equal; threads ≥ 1; weights, if the
+// question is about them and there are any; `swept`, if it is there, is what the judge found for
+// the same question.
 template <std::size_t kDimension, typename Index>
 tl::expected<Faults, Undecided> faults(const MeshView<kDimension, Index>& mesh, Question question,
                                        unsigned threads, std::optional<SweptMesh> swept = {});

@@ -124,8 +124,8 @@ TEST_CASE("what is not a triangulation is left undecided") {
         }) == description(Undecided::kUnusedPoint));
 }
 
-// Only the sample point finds that it is no triangulation, if it is in one of the simplices near the
-// middle.
+// Only the sample point finds that it is not a triangulation, if it is in one of the simplices near
+// the middle.
 TEST_CASE("a fan that winds twice is left undecided, and its cone in space") {
   const std::vector<double> ring = {14280, 6877, -7858, 9854,   -4612, -5783, 3739,
                                     -1801, 1181, 5176,  -10000, 0,     3269,  -14323};

@@ -151,7 +151,7 @@ TEST_CASE("grids as fine as the doubles there are judged, and what breaks them i
   }
 }
 
-// Only the sample point finds that it is no triangulation.
+// Only the sample point finds that it is not a triangulation.
 TEST_CASE("a fan of tiny triangles that winds twice is left undecided") {
   const std::vector<double> ring = {1, 0, 0, 1, -1, 0, 0, -1, 2, 0, 0, 2, -2, 0, 0, -2};
   std::size_t covered_twice = 0;

@@ -228,7 +228,7 @@ class WholeSweep {
   const BoundarySimplices& boundary() const { return boundary_; }
   // … a lattice that all points lie on, or none …
   Lattice lattice() const { return lattice_; }
-  // … and points that are no vertices, ascending.
+  // … and points that are not vertices, ascending.
   std::vector<std::size_t> unused() const { return used_.missing(); }
 
  private:

@@ -292,7 +292,7 @@ TEST_CASE("whether they fill the hull of all points, if that is asked") {
   CHECK_FALSE(simplex_facts(mesh.view(), kBalls, 1)->fills_hull);
   CHECK_FALSE(simplex_facts(kTwoSquares.view(), {.hull = true}, 1)->fills_hull);
   mesh.coordinates.insert(mesh.coordinates.end(), {0.5, 0.25});
-  CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);  // a point is no vertex
+  CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);  // a point is unused
   mesh.coordinates.resize(8);
   mesh.simplices.resize(3);
   CHECK_FALSE(simplex_facts(mesh.view(), {.hull = true}, 1)->fills_hull);

@@ -5,8 +5,8 @@
 
 namespace circumspect::fast {
 
-// The first condition that was not met, or what the fast judge does not handle. It is no verdict: what
-// is wrong, if anything, is for oracle/judge/points to say.
+// The first condition that was not met, or what the fast judge does not handle. It is not a
+// verdict: what is wrong, if anything, is for oracle/judge/points to say.
 enum class Undecided {
   kEmpty,              // no simplices
   kTooLarge,           // too many simplices to match their facets

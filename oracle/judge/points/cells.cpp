@@ -31,8 +31,8 @@ CellList sorted_keys(const CellList& cells) {
   return keys;
 }
 
-// Finds the cells that have the same vertices as a given one. They lie in buckets by their least vertices,
-// each of which is small in a mesh and sorted in any case.
+// Finds the cells that have the same vertices as a given one. They are in buckets by their least
+// vertices; in a mesh each bucket is small, and it is sorted in any case.
 class Index {
  public:
   Index(const CellList& cells, std::size_t points)
@@ -43,7 +43,7 @@ class Index {
     order_.resize(size());
     for (std::size_t i = 0; i < size(); ++i) order_[next[bucket(keys_[i])]++] = i;
     for (std::size_t k = 0; k + 1 < starts_.size(); ++k) {
-      // As listed, where keys are equal: the buckets were filled so.
+      // Cells with equal keys stay as listed, because the buckets were filled in that order.
       std::stable_sort(at(starts_[k]), at(starts_[k + 1]), [this](std::size_t i, std::size_t j) {
         return is_less(keys_[i], keys_[j]);
       });
@@ -101,7 +101,7 @@ void for_each_face(Key cell, std::size_t size, Simplex& face, const Visit& visit
   }
 }
 
-// Listed faces, and which of them are known to be faces of something.
+// Listed faces, and which of them are known to be faces of a larger cell.
 class Faces {
  public:
   Faces(const CellList& faces, std::size_t points) : index_(faces, points), covered_(faces.size()) {
@@ -175,17 +175,21 @@ CellDifference difference_of_cells(const CellList& a, const CellList& b,
     const std::size_t first = is_whole ? index.find(image) : kNone;
     if (first == kNone || !is_in_group(first + met[first], first)) {
       result.only_in_a.emplace_back(a[i].begin(), a[i].end());
+      result.b_has_too.push_back(first != kNone);
     } else {
       ++met[first];  // the first of b that is still there
     }
   }
-  // Of those of b that are left, a cell is named where the first that lists it so stands.
+  const std::vector<std::size_t> met_by_a = met;
+  // Among the remaining cells of b, equal cells are named at the place of the first one that lists
+  // the vertices in that way.
   for (std::size_t i = 0; i < b.size(); ++i) {
     const std::size_t first = index.first_place(i);
     const std::size_t left = first + met[first];
     if (!is_in_group(left, first) || !is_equal(b[index.cell_at(left)], b[i])) continue;
     ++met[first];
     result.only_in_b.emplace_back(b[i].begin(), b[i].end());
+    result.a_has_too.push_back(met_by_a[first] > 0);
   }
   return result;
 }
@@ -203,7 +207,8 @@ std::map<WeightedPoint, Vertex> places(const PointSet& points) {
   return places;
 }
 
-// The points of `mesh` that `others` lacks, and for each point its place there (−1: it has none).
+// The points of `mesh` that `others` lacks, and for each point its place in `others` (−1 if it has
+// none).
 std::vector<Vertex> matched(const PointSet& points, const std::map<WeightedPoint, Vertex>& others,
                             std::vector<Vertex>& only_here) {
   std::vector<Vertex> places;
@@ -231,6 +236,8 @@ Difference difference(const ExactMesh& a, const ExactMesh& b) {
   CellDifference cells = difference_of_cells(cells_of(a), cells_of(b), in_b, b.points.size());
   result.simplices_only_in_a = std::move(cells.only_in_a);
   result.simplices_only_in_b = std::move(cells.only_in_b);
+  result.b_has_too = std::move(cells.b_has_too);
+  result.a_has_too = std::move(cells.a_has_too);
   return result;
 }
 

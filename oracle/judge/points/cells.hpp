@@ -1,4 +1,4 @@
-// The cells of meshes, and whether two meshes have the same.
+// The cells of meshes, and the comparison of two meshes.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 namespace circumspect::check {
 
 // ---- Cells ----
-// The cells of a mesh, one after another in one piece of memory, and which of two meshes have the same: what
-// it is to compare meshes once their points are matched.
+// The cells of a mesh, one after another in one piece of memory, and the cells that two meshes
+// share: the comparison of meshes once their points are matched.
 
 class CellList {
  public:
@@ -37,25 +37,29 @@ class CellList {
   std::vector<Vertex> vertices_;
 };
 
-// Adds those of the faces that are faces of no cell that is there: they are in the complex by themselves. A
-// face that is listed twice, as from the two tetrahedra beside it, is one face. `points`: how many there are.
+// Adds those of the faces that are faces of no cell added so far: they are in the complex by
+// themselves. A face that is listed twice, as from the two tetrahedra beside it, is one face.
+// `points`: how many there are.
 void add_dangling(CellList& cells, const std::vector<Simplex>& faces, std::size_t points);
 
-// What one list has and the other has not, each in its order.
+// The cells that one list has and the other lacks, each in its order.
 struct CellDifference {
   std::vector<Simplex> only_in_a = {};
   std::vector<Simplex> only_in_b = {};
+  std::vector<bool> b_has_too = {};  // for each of these: does the other list it, but less often?
+  std::vector<bool> a_has_too = {};
 };
 
-// CellList as sets of vertices, each as often as it is listed. `place_in_b`: for each point of a the one of b that
-// it is, or −1. A cell with a vertex that names no point, or one that is not in b, matches nothing.
+// Compares cells as sets of vertices, each as often as it is listed. `place_in_b`: for each point
+// of a the equal point of b, or −1. A cell with a vertex that names no point, or one that is not in
+// b, matches nothing.
 CellDifference difference_of_cells(const CellList& a, const CellList& b,
                                    const std::vector<Vertex>& place_in_b, std::size_t points_of_b);
 
 // ---- Difference ----
 // Are two meshes the same complex, up to the numbering of points and the order of everything?
 
-// What one mesh has and the other has not, by indices from 0 into that mesh. Points are matched by
+// What one mesh has and the other lacks, by indices from 0 into that mesh. Points are matched by
 // exact coordinates and, where either mesh has weights, by weight; simplices as sets of matched
 // vertices, each as often as it is listed. A simplex with a vertex that names no point, or one that
 // the other mesh lacks, matches nothing.
@@ -64,6 +68,9 @@ struct Difference {
   std::vector<Vertex> points_only_in_b = {};
   std::vector<Simplex> simplices_only_in_a = {};  // as that mesh lists them, in its order
   std::vector<Simplex> simplices_only_in_b = {};
+  // For each of these: does the other mesh have it, but list it less often?
+  std::vector<bool> b_has_too = {};
+  std::vector<bool> a_has_too = {};
 
   bool empty() const {
     return points_only_in_a.empty() && points_only_in_b.empty() && simplices_only_in_a.empty() &&
@@ -74,8 +81,7 @@ struct Difference {
 // The cells that are compared: the simplices, and the faces beside them that dangle.
 CellList cells_of(const ExactMesh& mesh);
 
-// Compares the simplices, and of the faces that a mesh lists beside them those that dangle: the others
-// say nothing new.
+// Compares the simplices, and those faces listed beside them that dangle: the others add nothing.
 Difference difference(const ExactMesh& a, const ExactMesh& b);
 
 }  // namespace circumspect::check

@@ -10,7 +10,7 @@
 namespace circumspect::check {
 
 // ---- Cells ----
-// Which cells two lists have in common, against lists that are looked through one by one.
+// The cells that two lists have in common, compared with a search one by one.
 
 namespace {
 
@@ -27,7 +27,7 @@ std::vector<Simplex> lists_of(const CellList& cells) {
   return lists;
 }
 
-// As said in words: strikes out of b the first that a cell of a meets.
+// The plain way: for each cell of a, strikes out the first equal cell of b.
 CellDifference by_hand(const std::vector<Simplex>& a, std::vector<Simplex> b,
                        const std::vector<Vertex>& place_in_b) {
   CellDifference result;
@@ -76,7 +76,7 @@ TEST_CASE("random lists: vertices that name nothing, cells listed twice, cells o
                                                      place_in_b, static_cast<std::size_t>(points));
     const CellDifference expected = by_hand(a, b, place_in_b);
     CHECK(found.only_in_a == expected.only_in_a);
-    // Equal ones that are left may stand where an earlier one stood.
+    // Equal cells that are left may be at the place of an earlier one.
     CHECK(std::multiset<Simplex>(found.only_in_b.begin(), found.only_in_b.end()) ==
           std::multiset<Simplex>(expected.only_in_b.begin(), expected.only_in_b.end()));
   }
@@ -92,7 +92,7 @@ TEST_CASE("faces dangle if no cell and no larger dangling face has them") {
 }
 
 // ---- Difference ----
-// Two meshes are one complex, or what differs is named.
+// Two meshes are the same complex, or the differences are named.
 
 // A unit square; `order` says which corner comes where.
 ExactMesh square(const std::vector<int>& order, std::vector<Simplex> simplices,
@@ -123,7 +123,12 @@ TEST_CASE("a simplex counts as often as it is listed, in any order of its vertic
   const ExactMesh b = square({0, 1, 2, 3}, {{0, 1, 2}, {2, 1, 0}});
   CHECK(difference(a, b).simplices_only_in_a.empty());
   CHECK(difference(a, b).simplices_only_in_b == std::vector<Simplex>{{2, 1, 0}});
+  CHECK(difference(a, b).a_has_too == std::vector<bool>{true});
   CHECK(difference(b, a).simplices_only_in_a == std::vector<Simplex>{{2, 1, 0}});
+  CHECK(difference(b, a).b_has_too == std::vector<bool>{true});
+  const ExactMesh c = square({0, 1, 2, 3}, {{1, 2, 3}});
+  CHECK(difference(c, b).a_has_too == std::vector<bool>{false, false});
+  CHECK(difference(b, c).b_has_too == std::vector<bool>{false, false});
   CHECK(difference(b, b).empty());
 }
 

@@ -16,9 +16,9 @@ namespace {
 
 using FacetUses = std::vector<FacetUse>;
 
-// Whether the simplices are a complex that covers a convex set, if every one of them can be worked
-// with. Returns the uses of the facets if these have their meaning, so that whether they are locally
-// Delaunay can be asked.
+// Judges whether the simplices are a complex that covers a convex set, if every one of them is
+// usable. Returns the uses of the facets if each facet is in one or two simplices, so that it makes
+// sense to ask whether they are locally Delaunay.
 std::optional<FacetUses> judge_complex(const ExactMesh& mesh, bool simplices_are_sound,
                                        Verdict& verdict) {
   if (!simplices_are_sound) return std::nullopt;
@@ -82,7 +82,8 @@ Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options) {
   if (options.by == By::kDefinition) return by_definition(Claim::kWeightedDelaunay, mesh, options);
   Verdict verdict(Claim::kWeightedDelaunay, mesh, options.max_violations);
   const bool simplices_are_sound = judge_simplices(mesh, options.oriented, verdict);
-  // A mesh without simplices leaves every point uncovered; otherwise not all points are vertices.
+  // A mesh without simplices leaves every point uncovered; in other meshes, points need not be
+  // vertices.
   if (mesh.simplices.empty()) judge_vertex_set(mesh, verdict);
   const auto uses = judge_complex(mesh, simplices_are_sound, verdict);
   if (!uses) return verdict;

@@ -1,4 +1,4 @@
-// Judges a mesh of points: the claims, each in two ways.
+// Judges claims about a mesh of points, each in two ways.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace circumspect::check {
 
-// From the lemma: linear in the mesh, by the conditions that docs/theory/points.md proves
-// sufficient. From the definition (oracle/judge/definition): quadratic and worse, and obvious.
-// Properties hold them equal.
+// By lemma: linear in the mesh, by the conditions that docs/theory/points.md proves sufficient. By
+// definition (oracle/judge/definition): quadratic or slower, and obvious. Property tests compare
+// the two.
 enum class By { kLemma, kDefinition };
 
 struct Options {
@@ -20,8 +20,8 @@ struct Options {
   bool oriented = false;            // demand one consistent orientation
   ComplexDemands complex = {};      // of the claim `complex`, instead of `oriented`
   std::size_t max_violations = 20;  // witnesses kept; 0: all
-  // Of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine has. The answer
-  // is the same for any number.
+  // Threads of the fast engine, if it is asked (oracle/judge/judge.hpp); 0: as many as the machine
+  // has. The answer is the same for any number.
   unsigned threads = 0;
 };
 
@@ -39,18 +39,19 @@ Verdict delaunay(const ExactMesh& mesh, const Options& options = {});
 // weights are equal, it is the claim `delaunay`.
 Verdict weighted_delaunay(const ExactMesh& mesh, const Options& options = {});
 
-// What can be asked beside a claim that was judged by definition: that all simplices are listed in one order
-// of orientation, and that the listed neighbours are the true ones.
+// Further demands on a mesh that was judged by definition: that all simplices are listed with the
+// same orientation, and that the listed neighbours are the true ones.
 void judge_beside_definition(const ExactMesh& mesh, const Options& options, Verdict& verdict);
 
 // Requires: not a claim about a domain (see domain/judge_domain.hpp).
 Verdict judge_points(Claim claim, const ExactMesh& mesh, const Options& options = {});
 
-// The verdict that one of the two claims about balls does not hold, where somebody else has found that the
-// mesh is a triangulation of its points, and which facets are not locally Delaunay: what judge_points() says,
-// of these facets alone, in whatever order they come. `mesh` may be a part of that mesh, if the simplices of
-// the facets are in it, and the numbering of points and simplices is in the same order. Throws
-// std::logic_error if one of the facets is locally Delaunay. Requires: at least one facet, each once.
+// The verdict that one of the two claims about balls does not hold, given that the mesh is a
+// triangulation of its points and which facets are not locally Delaunay. It is what judge_points()
+// says, but looks only at these facets, which may come in any order. `mesh` may be a part of that
+// mesh, if the simplices of the facets are in it, and the numbering of points and simplices is in
+// the same order. Throws std::logic_error if one of the facets is locally Delaunay. Requires: at
+// least one facet, and each facet once.
 Verdict not_locally_delaunay(Claim claim, const ExactMesh& mesh, std::vector<SharedFacet> facets,
                              const Options& options = {});
 

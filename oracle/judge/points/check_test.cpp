@@ -67,7 +67,7 @@ TEST_CASE("a plane in space and a space in four dimensions: all happens in the a
   check_both_ways({square, {{0, 1, 2}, {0, 3, 2}}}, false);
   check_both_ways({square, {{0, 1, 2, 3}}}, false);
   CHECK(delaunay({square, {{0, 1, 2}, {1, 3, 2}}}).dimension == 2);
-  // The kite of a plane, whose longer diagonal is not Delaunay, tilted by a similarity.
+  // A planar kite whose longer diagonal is not Delaunay, tilted in space by a similarity.
   const PointSet kite({{-2, -2, 0}, {2, 2, 0}, {1, -1, 0}, {-1, 1, 0}});
   CHECK(triangulation({kite, {{0, 1, 2}, {0, 1, 3}}}).holds());
   CHECK(only_rule({kite, {{0, 1, 2}, {0, 1, 3}}}) == Rule::kFacetNotLocal);

@@ -33,10 +33,11 @@ Integer dot(const Arrow& a, const Arrow& b) {
   return sum;
 }
 
-// Is the depth of q in the ball of a tetrahedron, over the squared radius, at most some number? By integers, whose
-// fractions need not be reduced: for a mesh with many faults, most of which are not the worst. The edges e_i from the
-// first vertex p span the volume D and have the centre p + n / 2D with n = Σ |e_i|² e_j × e_k. With w = q − p the depth is
-// w·n / D − |w|², and the squared radius |n|² / 4D².
+// Is the depth of q in the ball of a tetrahedron, over the squared radius, at most some number? It
+// uses integers, so that no fraction needs to be reduced. This is for meshes with many faults, most
+// of them not the worst. The edges e_i from the first vertex p span the volume D and have the
+// centre p + n / 2D with n = Σ |e_i|² e_j × e_k. With w = q − p the depth is w·n / D − |w|², and
+// the squared radius |n|² / 4D².
 bool is_at_most_so_deep(const Configuration& points, const Simplex& simplex, Vertex q,
                         const Rational& limit) {
   const auto from_first = [&](Vertex v) {
@@ -62,7 +63,7 @@ bool is_at_most_so_deep(const Configuration& points, const Simplex& simplex, Ver
   return 4 * volume * depth * limit.get_den() <= limit.get_num() * dot(n, n);
 }
 
-// Is there no room for a witness, and has the rule been broken as badly before?
+// Would a witness be dropped, and has the rule already been broken at least as badly?
 bool adds_to_count_only(const ExactMesh& mesh, Rule rule, const Simplex& simplex, Vertex q,
                         const Verdict& verdict) {
   const Configuration& points = mesh.points.configuration();
@@ -92,7 +93,7 @@ namespace {
 
 // Let W be a simplex and q, strictly below its witness plane, and let only vertex v of the simplex
 // have a positive barycentric coordinate of q. Then v lies in the simplex of all the others, and v⁺
-// strictly above its witness plane: the flip that makes the facet locally Delaunay deletes v. Of
+// strictly above its witness plane: the flip that makes the facet locally Delaunay deletes v. For
 // points on the paraboloid itself that is impossible. Book: Section 4.4 ("one of the two
 // triangulations might omit a vertex of W").
 std::optional<Vertex> submerged_vertex(const PointSet& points, const Simplex& simplex, Vertex q) {
@@ -152,7 +153,7 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
 
 namespace {
 
-// A mesh as the search for points wants it.
+// Presents a mesh in the form that the point search needs.
 class Located {
  public:
   Located(const ExactMesh& mesh, const std::vector<FacetUse>& uses)
@@ -192,8 +193,8 @@ class Located {
   std::vector<int> own_;             // the orientation of each simplex
 };
 
-// Of all simplices that contain a point, the first in the list: a point on a face is in several, and which of them
-// is shown is not to depend on how it was found.
+// The first in the list of all simplices that contain a point: a point on a face is in several, and
+// the one that is shown must not depend on how it was found.
 class FirstSimplices {
  public:
   explicit FirstSimplices(const Located& located) : located_(located) {}
@@ -229,7 +230,7 @@ class FirstSimplices {
   }
 
   const Located& located_;
-  std::map<std::set<std::size_t>, std::size_t> first_;  // by the face: it is looked for once
+  std::map<std::set<std::size_t>, std::size_t> first_;  // by the face: each is searched once
 };
 
 }  // namespace

@@ -24,11 +24,11 @@ void add_in_ball(const ExactMesh& mesh, Rule rule, const Simplex& simplex,
                  const std::optional<Simplex>& facet, Vertex q, Verdict& verdict);
 
 // ---- Ambiguity ----
-// What empty balls say about other Delaunay triangulations of the same points.
+// What empty balls imply about other Delaunay triangulations of the same points.
 
-// A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is no simplex
-// and has more than one triangulation; of these the canonical one has empty balls under the
-// perturbation too.
+// A point on the sphere of an empty ball makes a cell of the Delaunay subdivision that is not a
+// simplex and has more than one triangulation; the canonical one is the one whose balls are also
+// empty under the perturbation.
 struct Ambiguity {
   bool unique = true;
   bool canonical = true;
@@ -57,8 +57,9 @@ struct SharedFacet {
   Vertex apex;          // the vertex of the other one off the facet
 };
 
-// Is the facet locally Delaunay? If not, it is a violation: see judge_facets_locally_delaunay, which asks
-// this of all facets. Returns the side of the ball of the simplex on which the apex lies: 1: inside.
+// Is the facet locally Delaunay? If not, it is a violation: see judge_facets_locally_delaunay,
+// which asks this about all facets. Returns the side of the ball of the simplex on which the apex
+// lies; 1 means inside.
 int judge_facet_locally_delaunay(const ExactMesh& mesh, const SharedFacet& shared,
                                  Verdict& verdict);
 
@@ -73,18 +74,19 @@ void judge_facets_locally_delaunay(const ExactMesh& mesh, const std::vector<Face
                                    Verdict& verdict, Ambiguity& ambiguity);
 
 // ---- Submerged points ----
-// The points of a weighted set that are no vertices: are they submerged? Book: Section 2.8 by way of
-// Section 5.2 (weighted Delaunay triangulations).
+// The points of a weighted set that are not vertices: are they submerged? Book: Section 2.8 by way
+// of Section 5.2 (weighted Delaunay triangulations).
 
-// Each point that is no vertex must lie in some simplex (else triangulation.unused-point: a point
-// outside is a vertex whatever its weight), its lifted companion on or above the witness plane of
-// that simplex (else weighted.point-below-plane). Of several that have it, the first in the list. Returns how many orientations it took to find the
-// simplices (kernel/boxes/point_search.hpp). Requires: the mesh is a triangulation of its vertices,
-// and `uses` are those of its facets.
+// Each point that is not a vertex must lie in some simplex (else triangulation.unused-point: a
+// point outside is a vertex whatever its weight), its lifted companion on or above the witness
+// plane of that simplex (else weighted.point-below-plane). If several simplices contain it, the
+// first in the list is meant. Returns how many orientations it took to find the simplices
+// (kernel/boxes/point_search.hpp). Requires: the mesh is a triangulation of its vertices, and
+// `uses` are those of its facets.
 std::uint64_t judge_submerged_points(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                                      Verdict& verdict, Ambiguity& ambiguity);
 
-// The same of one point, where somebody else has found the simplex, or that there is none.
+// The same for one point, given the simplex that contains it, or that there is none.
 void judge_submerged_point(const ExactMesh& mesh, Vertex q, std::optional<std::size_t> place,
                            Verdict& verdict, Ambiguity& ambiguity);
 

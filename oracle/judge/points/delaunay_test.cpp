@@ -94,7 +94,7 @@ TEST_CASE("vertex in ball: the worst margin is the worst, whichever comes first"
   std::swap(mesh.simplices[0], mesh.simplices[1]);
   CHECK(delaunay(mesh, {.by = By::kDefinition}).tallies().at(Rule::kVertexInBall).worst_margin ==
         Rational(21, 25));
-  // By lemma one of the two balls speaks for the facet: that of the simplex listed first.
+  // By lemma one ball represents the facet: that of the simplex listed first.
   CHECK(delaunay(mesh).tallies().at(Rule::kFacetNotLocal).worst_margin == Rational(168, 289));
 }
 
@@ -173,9 +173,9 @@ TEST_CASE("facts: canonical means every cell, not the last one looked at") {
   check_facts({points, {{0, 1, 4}, {0, 3, 4}, {1, 2, 4}, {2, 4, 5}}}, false, false);
 }
 
-// Against judge_points() on large meshes: oracle/judge/judge_test.cpp.
+// oracle/judge/judge_test.cpp compares it with judge_points() on large meshes.
 TEST_CASE("facets that somebody found not to be locally Delaunay are asked again, in their order") {
-  // The kite twice, and what is between.
+  // The kite twice, and the triangles between.
   const PointSet points({{-2, 0},
                          {2, 0},
                          {0, 1},
@@ -212,8 +212,8 @@ TEST_CASE("facets that somebody found not to be locally Delaunay are asked again
 // The claim weighted-delaunay: each of its rules broken alone, by the smallest mesh.
 // Book: Sections 4.1 and 5.2.
 
-// Three points of a line. The middle one, lifted, is above the edge between the others for weight −2,
-// on it for −1, and below it for 1.
+// Three collinear points. The middle one, lifted, is above the edge between the others for weight
+// −2, on it for −1, and below it for 1.
 ExactMesh line(const Rational& weight, const std::vector<Simplex>& edges) {
   return {PointSet({{0}, {1}, {2}}, {0, weight, 0}), edges};
 }

@@ -9,7 +9,7 @@
 namespace circumspect::check {
 namespace {
 
-// The vertex that stands in the simplex twice.
+// The vertex that the simplex lists twice.
 Vertex repeated_vertex(const Simplex& simplex) {
   const Simplex ascending = sorted(simplex);
   return *std::adjacent_find(ascending.begin(), ascending.end());
@@ -71,7 +71,8 @@ bool judge_duplicates(const ExactMesh& mesh, Verdict& verdict) {
   return distinct;
 }
 
-// Most are right, whichever comes first, so that the order of the list changes no count.
+// The majority counts as right, whichever comes first, so that the order of the list changes no
+// count.
 int orientation_of_most(const std::vector<int>& orientations) {
   const auto positive = std::count(orientations.begin(), orientations.end(), 1);
   return 2 * positive >= std::ssize(orientations) ? 1 : -1;

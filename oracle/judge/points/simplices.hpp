@@ -12,13 +12,13 @@ namespace circumspect::check {
 
 // triangulation.unknown-vertex, simplex.wrong-dimension, simplex.repeated-vertex,
 // simplex.degenerate, then complex.duplicate-simplex and, if `oriented`, simplex.orientation. True
-// if the simplices can be worked with: nothing but their order of vertices is wrong with them.
-// `of_most`: the orientation of most, if the mesh is a part of the one that is judged. Requires: of the whole, the
-// first that has it is in the part.
+// if the simplices are usable: nothing is wrong with them except the order of their vertices.
+// `of_most`: the orientation of most simplices, if the mesh is a part of the one that is judged.
+// Requires: the part contains the first simplex of the whole that has this orientation.
 bool judge_simplices(const ExactMesh& mesh, bool oriented, Verdict& verdict,
                      std::optional<int> of_most = std::nullopt);
 
-// The points that are a vertex of no simplex, ascending.
+// The points that are not vertices of a simplex, ascending.
 std::vector<Vertex> unused_points(const ExactMesh& mesh);
 
 // triangulation.unused-point: the vertices must be all the points.

@@ -23,7 +23,7 @@ std::set<Rule> broken_delaunay(const ExactMesh& mesh, By by, bool oriented = fal
   return rules;
 }
 
-// The only violation of a mesh, after a look that it is the only one both ways.
+// The only violation of a mesh, after a check that there is only one both ways.
 Violation only_violation(Rule rule, const ExactMesh& mesh, bool oriented = false) {
   CHECK(broken_delaunay(mesh, By::kLemma, oriented) == std::set{rule});
   CHECK(broken_delaunay(mesh, By::kDefinition, oriented) == std::set{rule});
@@ -136,7 +136,7 @@ TEST_CASE("unused point: inside, on an edge of the hull, outside") {
     CHECK(verdict.violations()[0].witness.point == more);
     CHECK(triangulation(mesh, {.by = By::kDefinition}).tallies().size() == 1);
   }
-  // By lemma nothing else is wrong with a point outside; by definition it lies beyond the hull.
+  // By lemma, nothing else is wrong with a point outside; by definition, it lies beyond the hull.
   const ExactMesh outside{PointSet({{0, 0}, {4, 0}, {0, 4}, {9, 9}}), {{0, 1, 2}}};
   CHECK(broken_delaunay(outside, By::kLemma) == std::set{Rule::kUnusedPoint});
   CHECK(broken_delaunay(outside, By::kDefinition) ==

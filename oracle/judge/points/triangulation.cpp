@@ -51,7 +51,7 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q) {
 
 namespace {
 
-// The witness that two simplices overlap: a point of both off their common face.
+// The witness that two simplices overlap: a common point off their common face.
 Witness overlap(const ExactMesh& mesh, std::size_t a, std::size_t b) {
   const Simplex& first = mesh.simplices[a];
   const Simplex& second = mesh.simplices[b];
@@ -228,7 +228,7 @@ void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simple
                   .face = use.facet,
                   .values = {{"neighbour listed", Rational(static_cast<long>(listed))},
                              {"neighbour across the face", Rational(static_cast<long>(expected))}}};
-  // The true neighbour by its vertices, so that nobody has to count simplices.
+  // Names the true neighbour by its vertices, so that the reader need not count simplices.
   if (across != nullptr) witness.simplices.push_back(*across);
   verdict.add(Rule::kWrongNeighbor, witness);
 }

@@ -11,11 +11,11 @@
 namespace circumspect::check {
 
 // ---- Boundary facet ----
-// A facet that only one simplex has: a piece of the boundary of what the mesh covers.
+// A facet of only one simplex: a piece of the boundary of the mesh.
 
 struct BoundaryFacet {
   Simplex facet;        // ascending
-  Vertex apex;          // the vertex of its simplex off the facet, so on the inner side
+  Vertex apex;          // the vertex of its simplex off the facet, hence on the inner side
   std::size_t simplex;  // the simplex that has it
 };
 
@@ -27,7 +27,7 @@ std::vector<BoundaryFacet> boundary_facets(const ExactMesh& mesh,
 // strictly beyond. `points` is the mesh's configuration or one with further points.
 int side_of(const Configuration& points, const BoundaryFacet& facet, Vertex q);
 
-// The witness that q lies strictly beyond a facet: the two determinants of opposite signs.
+// The witness that q lies strictly beyond a facet: two determinants of opposite signs.
 Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 
 // ---- Triangulation ----
@@ -35,8 +35,8 @@ Witness beyond(const ExactMesh& mesh, const BoundaryFacet& facet, Vertex q);
 // All require that judge_simplices found nothing wrong, and say whether every facet lies in one
 // or two simplices, two being on opposite sides of it.
 
-// Each of the three looks at the facets, ridges and simplices that it is given. Where somebody else has found
-// all that are at fault, it needs no others.
+// Each of the three looks only at the facets, ridges and simplices that it is given. If all faulty
+// ones are already known, it needs no others.
 
 // Condition 1 of docs/theory/points.md alone. `uses` are those of the mesh.
 bool judge_facet_matching(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
@@ -52,7 +52,8 @@ bool judge_ridges(const ExactMesh& mesh, const std::vector<BoundaryFacet>& bound
 void judge_sample_point(const ExactMesh& mesh, const std::vector<BoundaryFacet>& boundary,
                         Verdict& verdict);
 
-// Conditions 1–3 of docs/theory/points.md: linear but for sorting. `uses` are those of the mesh.
+// Conditions 1–3 of docs/theory/points.md, in linear time except for sorting. `uses` are those of
+// the mesh.
 bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& uses,
                             Verdict& verdict);
 
@@ -64,8 +65,8 @@ bool judge_complex_by_lemma(const ExactMesh& mesh, const std::vector<FacetUse>& 
 // facets lie in one or two of them. `uses` are those of the mesh.
 void judge_neighbors(const ExactMesh& mesh, const std::vector<FacetUse>& uses, Verdict& verdict);
 
-// The same of one facet, of which somebody else has found that the simplex across, `across` if there is one,
-// is not the one that is listed. `listed`, `expected`: the indices, as the program counts.
+// The same for one facet, given that the simplex across it, `across` if there is one, is not the
+// listed one. `listed`, `expected`: the indices as the program counts them.
 void add_wrong_neighbor(const ExactMesh& mesh, const FacetUse& use, const Simplex* across,
                         Vertex listed, Vertex expected, Verdict& verdict);
 

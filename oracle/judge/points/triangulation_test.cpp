@@ -30,8 +30,8 @@ std::vector<Violation> only(Rule rule, const ExactMesh& mesh) {
   return verdict.violations();
 }
 
-// Is the point in the closed simplex? The same question as in the checker, asked of barycentric
-// coordinates by Cramer's rule.
+// Is the point in the closed simplex? The same question as in the checker, answered with
+// barycentric coordinates by Cramer's rule.
 bool covers(const ExactMesh& mesh, const Simplex& simplex, const Point& point) {
   std::vector<Point> with_point = mesh.points.points();
   with_point.push_back(point);
@@ -45,7 +45,7 @@ bool covers(const ExactMesh& mesh, const Simplex& simplex, const Point& point) {
   return true;
 }
 
-// What every witness of a vertex beyond a facet shows: two determinants of opposite signs.
+// Every witness of a vertex beyond a facet shows two determinants of opposite signs.
 void check_beyond(const ExactMesh& mesh, const Witness& witness) {
   REQUIRE(witness.simplices.size() == 1);
   REQUIRE(witness.face.has_value());
@@ -102,7 +102,8 @@ TEST_CASE("hull not convex, by definition: the first vertex beyond a facet is na
 }
 
 TEST_CASE("overlap: a boundary folded onto itself, with one edge along another") {
-  // All around the origin from (2, 0) counterclockwise to (1, 0), which lies on the first edge.
+  // It winds around the origin from (2, 0) counterclockwise to (1, 0), which lies on the first
+  // edge.
   const ExactMesh mesh{PointSet({{0, 0}, {2, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}}),
                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
   const auto violations = only(Rule::kOverlap, mesh);
@@ -235,7 +236,8 @@ TEST_CASE("covered twice: a small triangle within a large one, also where it tou
                          {{0, 1, 2}, {3, 4, 5}}};
   CHECK(broken(nested, By::kLemma) == std::set{Rule::kCoveredTwice});
   CHECK(broken(nested, By::kDefinition) == std::set{Rule::kOverlap});
-  // The sample point (3, 3) is on an edge inside the other piece: covered, if not strictly.
+  // The sample point (3, 3) is on an edge inside the other piece: it is covered, though not
+  // strictly.
   const ExactMesh touching{PointSet({{0, 0}, {9, 0}, {0, 9}, {3, 2}, {3, 4}, {1, 3}, {5, 3}}),
                            {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}};
   CHECK(broken(touching, By::kLemma) == std::set{Rule::kCoveredTwice});

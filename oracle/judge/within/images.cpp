@@ -70,55 +70,48 @@ std::span<const std::pair<Vertex, Vertex>> MeshFaces::edges_at(Vertex v) const {
 }
 
 // ---- Images ----
-Images::Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions,
-               const Reaches& reaches, const MeshFaces& faces, Work& work)
+Images::Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, const Cells& cells,
+               const DomainPieces& pieces, const Regions& regions, const Reaches& reaches,
+               const MeshFaces& faces, Work& work)
     : mesh_(mesh),
+      rounded_(rounded),
       cells_(cells),
+      pieces_(pieces),
       regions_(regions),
       reaches_(reaches),
       faces_(faces),
       work_(work),
-      rounding_(cells.complex().points.points()),
-      rounded_(rounding_.points(mesh.points.points())),
-      rounded_domain_(rounding_.points(cells.complex().points.points())),
       places_(cells.complex().segments.size()),
       vertices_(cells.complex().points.size()),
       paths_(cells.complex().segments.size()),
       patches_(cells.complex().polygons.size()) {}
 
-std::size_t Images::number_of(const Rational& squared_reach) const {
-  if (last_->first != squared_reach) {
-    last_ = numbers_.try_emplace(squared_reach, numbers_.size()).first;
-  }
-  return last_->second;
-}
-
 const ImageOr<Vertex>& Images::vertex(std::size_t v, const Rational& squared_reach) const {
   auto& known = vertices_[v];
-  const std::size_t number = number_of(squared_reach);
-  if (!known || known->first != number) {
-    known.emplace(number, found_vertex(v, squared_reach));
+  if (!known || !known->is_about(squared_reach)) {
+    known.emplace(found_vertex(v, squared_reach), squared_reach,
+                  next_change({0, v}, squared_reach));
   }
-  return known->second;
+  return known->image;
 }
 
 const ImageOr<std::vector<Vertex>>& Images::path(std::size_t segment,
                                                  const Rational& squared_reach) const {
   auto& known = paths_[segment];
-  const std::size_t number = number_of(squared_reach);
-  if (!known || known->first != number) {
-    known.emplace(number, found_path(segment, squared_reach));
+  if (!known || !known->is_about(squared_reach)) {
+    known.emplace(found_path(segment, squared_reach), squared_reach,
+                  next_change({1, segment}, squared_reach));
   }
-  return known->second;
+  return known->image;
 }
 
 const ImageOr<Patch>& Images::patch(std::size_t polygon, const Rational& squared_reach) const {
   auto& known = patches_[polygon];
-  const std::size_t number = number_of(squared_reach);
-  if (!known || known->first != number) {
-    known.emplace(number, found_patch(polygon, squared_reach));
+  if (!known || !known->is_about(squared_reach)) {
+    known.emplace(found_patch(polygon, squared_reach), squared_reach,
+                  next_change({2, polygon}, squared_reach));
   }
-  return known->second;
+  return known->image;
 }
 
 ImageOr<Vertex> Images::found_vertex(std::size_t v, const Rational& squared_reach) const {

@@ -63,13 +63,15 @@ inline tl::unexpected<std::shared_ptr<NoImage>> no_image(Rule rule, Witness witn
 class Images {
  public:
   // All must outlive this. In the plane `regions` are not looked at.
-  Images(const ExactMesh& mesh, const Cells& cells, const Regions& regions, const Reaches& reaches,
+  // `rounded`: the points of the mesh.
+  Images(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded, const Cells& cells,
+         const DomainPieces& pieces, const Regions& regions, const Reaches& reaches,
          const MeshFaces& faces, Work& work);
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
 
   // Each asks nothing of the cell's faces but where their own images are: what these lack is theirs. An answer is
-  // kept until another reach is asked about.
+  // kept until a reach is asked about at which it may be another.
   // The one vertex of the mesh that a vertex of the domain carries.
   const ImageOr<Vertex>& vertex(std::size_t v, const Rational& squared_reach) const;
   // From the image of its first end to that of its second. Requires: the ends have images.
@@ -88,10 +90,17 @@ class Images {
   std::optional<Rational> next_reach(Cell cell, const Rational& squared_reach) const;
 
  private:
-  // An answer and the number of the reach that it is about.
+  // An answer, and the reaches that it is about: docs/theory/within.md, A.
   template <class Image>
-  using Known = std::optional<std::pair<std::size_t, ImageOr<Image>>>;
-  std::size_t number_of(const Rational& squared_reach) const;
+  struct Known {
+    ImageOr<Image> image;
+    Rational from;
+    std::optional<Rational> before;  // none: all that are larger
+
+    bool is_about(const Rational& squared_reach) const {
+      return from <= squared_reach && (!before || squared_reach < *before);
+    }
+  };
 
   // A vertex near a segment: where it projects on the line, and how far it is.
   struct Place {
@@ -103,7 +112,7 @@ class Images {
   const std::vector<Place>& places_along(std::size_t segment) const;
 
   SeenFromAbove seen_from_above(std::size_t polygon) const {
-    return {cells_.complex(), rounded_domain_, polygon, mesh_.points, rounded_};
+    return {cells_.complex(), pieces_.rounded_points(), polygon, mesh_.points, rounded_};
   }
   bool has_image(Cell cell, const Rational& squared_reach) const;
   ImageOr<Vertex> found_vertex(std::size_t v, const Rational& squared_reach) const;
@@ -111,20 +120,17 @@ class Images {
   ImageOr<Patch> found_patch(std::size_t polygon, const Rational& squared_reach) const;
 
   const ExactMesh& mesh_;
+  const std::vector<RoundedPoint>& rounded_;
   const Cells& cells_;
+  const DomainPieces& pieces_;
   const Regions& regions_;
   const Reaches& reaches_;
   const MeshFaces& faces_;
   Work& work_;
-  Rounding rounding_;
-  std::vector<RoundedPoint> rounded_, rounded_domain_;
-  // The reaches that were asked about, and which was the last.
-  mutable std::map<Rational, std::size_t> numbers_ = {{Rational(0), 0}};
-  mutable std::map<Rational, std::size_t>::const_iterator last_ = numbers_.begin();
   mutable std::vector<std::optional<std::vector<Place>>> places_;  // by segment
-  mutable std::vector<Known<Vertex>> vertices_;
-  mutable std::vector<Known<std::vector<Vertex>>> paths_;
-  mutable std::vector<Known<Patch>> patches_;
+  mutable std::vector<std::optional<Known<Vertex>>> vertices_;
+  mutable std::vector<std::optional<Known<std::vector<Vertex>>>> paths_;
+  mutable std::vector<std::optional<Known<Patch>>> patches_;
 };
 
 // ---- All images ----

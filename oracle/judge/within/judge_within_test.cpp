@@ -50,8 +50,6 @@ ExactMesh moved_vertex(const ExactMesh& mesh, const Point& at, const Point& by) 
   return with_points(mesh, points);
 }
 
-Rational bits(long number) { return number * kBit; }
-
 // A box of 4 × 4 × 4, meshed with vertices in the middles of edges along x.
 MovedMesh box_with_steiner_points() {
   return {grid({0, 2, 4}, {0, 4}, {0, 4}, every_cell), domain_of(cuboid({0, 0, 0}, {4, 4, 4}))};

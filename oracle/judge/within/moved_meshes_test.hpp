@@ -16,6 +16,7 @@ struct MovedMesh {
 
 // One billionth: vertices are moved by a few of them.
 inline const Rational kBit = Rational(1, 1'000'000'000);
+inline Rational bits(long number) { return number * kBit; }
 inline const Rational kSquaredLimit = Rational(1, 100'000'000'000'000);  // of 1e-7
 
 inline Point slanted(const Point& p) {

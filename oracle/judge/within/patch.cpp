@@ -329,7 +329,7 @@ ImageOr<Patch> Images::found_patch(std::size_t polygon, const Rational& squared_
   }
   const auto search_among = [&](const std::vector<const Simplex*>& triangles) {
     PatchSearch search(mesh_.points, rounded_, complex.polygons[polygon], polygon, seen,
-                       rounding_.distance(squared_reach), work_);
+                       pieces_.rounding().distance(squared_reach), work_);
     for (const std::size_t s : cells_.segments_of(polygon)) {
       search.add_path(complex.segments[s], *path(s, squared_reach));
     }

@@ -11,9 +11,9 @@ using Kind = ReachAnswer::Kind;
 // a vertex of its image, or one that would be, is carried by another cell.
 class ReachSearch {
  public:
-  ReachSearch(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-              const DomainPieces& pieces, const Regions& regions, const Rational& squared_limit,
-              unsigned threads, Work& work)
+  ReachSearch(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded,
+              const std::vector<bool>& used, const Cells& cells, const DomainPieces& pieces,
+              const Regions& regions, const Rational& squared_limit, unsigned threads, Work& work)
       : mesh_(mesh),
         used_(used),
         cells_(cells),
@@ -21,9 +21,9 @@ class ReachSearch {
         all_(cells.all()),
         apart_(pieces.least_apart(9 * squared_limit, threads)),
         limit_(apart_ ? std::min(squared_limit, Rational(apart_->squared / 9)) : squared_limit),
-        reaches_(mesh, used, cells, pieces, limit_, threads),
+        reaches_(mesh, rounded, used, cells, pieces, limit_, threads),
         faces_(mesh, cells, reaches_, work),
-        images_(mesh, cells, regions, reaches_, faces_, work),
+        images_(mesh, rounded, cells, pieces, regions, reaches_, faces_, work),
         has_none_(all_.size(), false),
         squared_(reaches_.squared_least()) {}
 
@@ -176,6 +176,21 @@ class ReachSearch {
   std::optional<ReachAnswer> answer_;
 };
 
+// The longest side of the bounding box, and the largest coordinate.
+std::pair<Rational, Rational> extent(const std::vector<Point>& points) {
+  Rational side = 0, farthest = 0;
+  for (std::size_t axis = 0; !points.empty() && axis < points.front().size(); ++axis) {
+    Rational low = points.front()[axis], high = low;
+    for (const Point& point : points) {
+      low = std::min(low, point[axis]);
+      high = std::max(high, point[axis]);
+    }
+    side = std::max(side, Rational(high - low));
+    farthest = std::max({farthest, Rational(abs(low)), Rational(abs(high))});
+  }
+  return {side, farthest};
+}
+
 }  // namespace
 
 // At a small reach first: the answer does not depend on the limit once there is one, and a limit that is
@@ -184,18 +199,17 @@ ReachAnswer least_reach(const ExactMesh& mesh, const std::vector<bool>& used, co
                         const Regions& regions, const Rational& squared_limit, unsigned threads,
                         Work& work) {
   const DomainPieces pieces(cells, work);
-  constexpr long kSquaredStep = 10'000;  // what is not so much smaller is no other search
+  const std::vector<RoundedPoint> rounded = pieces.rounding().points(mesh.points.points());
   const auto up_to = [&](const Rational& squared) {
-    return ReachSearch(mesh, used, cells, pieces, regions, squared, threads, work).answer();
+    return ReachSearch(mesh, rounded, used, cells, pieces, regions, squared, threads, work)
+        .answer();
   };
-  Rational largest = 0;
-  for (const Point& point : cells.complex().points.points()) {
-    for (const Rational& x : point) largest = std::max(largest, Rational(abs(x)));
-  }
+  const auto [side, farthest] = extent(cells.complex().points.points());
+  const Rational small = side / 100'000'000;
   for (const std::int64_t parts :
        std::initializer_list<std::int64_t>{1'000'000'000'000, 1'000'000'000, 1'000'000}) {
-    const Rational limit = largest / to_integer(parts);
-    if (limit * limit * kSquaredStep >= squared_limit) break;
+    const Rational limit = farthest / to_integer(parts);
+    if (squared_limit <= small * small || limit * limit >= squared_limit) break;
     ReachAnswer answer = up_to(limit * limit);
     const bool is_over = answer.kind == Kind::kFound || answer.kind == Kind::kTooMuchWork;
     if (is_over) return answer;

@@ -69,8 +69,8 @@ DomainPieces::DomainPieces(const Cells& cells, Work& work)
 DomainPieces::~DomainPieces() = default;
 
 struct DomainPieces::Around {
-  Around(const Point& of, const Limit& up_to, const Rounding& rounding)
-      : point(of), limit(up_to), at({rounding.point(of)}), box(box_about(at, limit.rounded)) {}
+  Around(const At& of, const Limit& up_to)
+      : point(of.exact), limit(up_to), at({of.rounded}), box(box_about(at, limit.rounded)) {}
 
   const Point& point;
   const Limit& limit;
@@ -110,13 +110,13 @@ DomainPieces::Limit DomainPieces::limit(const Rational& squared) const {
   return {squared, rounding_.distance(squared)};
 }
 
-std::vector<ToCell> DomainPieces::vertices_near(const Point& point, const Limit& limit) const {
+std::vector<ToCell> DomainPieces::vertices_near(const At& point, const Limit& limit) const {
   std::vector<ToCell> found;
-  add_near(0, Around(point, limit, rounding_), found);
+  add_near(0, Around(point, limit), found);
   return found;
 }
 
-void DomainPieces::add_cells_near(const Point& point, const Limit& limit,
+void DomainPieces::add_cells_near(const At& point, const Limit& limit,
                                   const Rational& squared_least, std::vector<ToCell>& found) const {
   if (!found.empty() && found.front().squared() <= squared_least) {
     // Whatever else is near has the vertex, or it would be near the vertex without meeting it.
@@ -126,7 +126,7 @@ void DomainPieces::add_cells_near(const Point& point, const Limit& limit,
     for (const Cell cell : star) found.push_back({cell, vertex.distance});
     return;
   }
-  const Around around(point, limit, rounding_);
+  const Around around(point, limit);
   for (const int dimension : {1, 2}) add_near(dimension, around, found);
 }
 
@@ -173,8 +173,9 @@ std::optional<ApartCells> DomainPieces::least_apart(const Rational& squared_limi
   return found;
 }
 
-Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-                 const DomainPieces& pieces, const Rational& squared_limit, unsigned threads)
+Reaches::Reaches(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded,
+                 const std::vector<bool>& used, const Cells& cells, const DomainPieces& pieces,
+                 const Rational& squared_limit, unsigned threads)
     : of_(mesh.points.size()) {
   const PiecewiseLinearComplex& complex = cells.complex();
   near_[0].resize(complex.points.size());
@@ -183,13 +184,14 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
   const auto for_each_used = [&](const auto& visit) {
     const auto in_chunk = [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
-        if (used[v]) visit(mesh.points[static_cast<Vertex>(v)], of_[v]);
+        const DomainPieces::At at{mesh.points[static_cast<Vertex>(v)], rounded[v]};
+        if (used[v]) visit(at, of_[v]);
       }
     };
     fast::in_chunks(of_.size(), kChunk, threads, in_chunk);
   };
   const DomainPieces::Limit limit = pieces.limit(squared_limit);
-  for_each_used([&](const Point& point, std::vector<ToCell>& found) {
+  for_each_used([&](const DomainPieces::At& point, std::vector<ToCell>& found) {
     found = pieces.vertices_near(point, limit);
   });
   std::vector<const Rational*> nearest(complex.points.size(), nullptr);
@@ -202,7 +204,7 @@ Reaches::Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cel
   for (const Rational* const squared : nearest) {
     if (squared != nullptr) squared_least_ = std::max(squared_least_, *squared);
   }
-  for_each_used([&](const Point& point, std::vector<ToCell>& found) {
+  for_each_used([&](const DomainPieces::At& point, std::vector<ToCell>& found) {
     pieces.add_cells_near(point, limit, squared_least_, found);
   });
   for (Vertex v = 0; mesh.points.names(v); ++v) {

@@ -53,11 +53,20 @@ class DomainPieces {
   };
   Limit limit(const Rational& squared) const;
 
+  // How points are rounded here, and those of the domain.
+  const Rounding& rounding() const { return rounding_; }
+  const std::vector<RoundedPoint>& rounded_points() const { return points_; }
+
+  // A point, exactly and as `rounding` has it.
+  struct At {
+    const Point& exact;
+    const RoundedPoint& rounded;
+  };
   // The vertices up to a limit from a point, from near to far.
-  std::vector<ToCell> vertices_near(const Point& point, const Limit& limit) const;
+  std::vector<ToCell> vertices_near(const At& point, const Limit& limit) const;
   // Adds to these the other cells, those of lower dimension first, each dimension from near to far.
   // Requires: cells that do not meet are more than two limits apart.
-  void add_cells_near(const Point& point, const Limit& limit, const Rational& squared_least,
+  void add_cells_near(const At& point, const Limit& limit, const Rational& squared_least,
                       std::vector<ToCell>& found) const;
   // The two cells that do not meet and are least apart, if any are at most so far apart. One is a vertex,
   // or both are segments: two cells of higher dimension are nowhere nearer to each other than such faces of them.
@@ -77,9 +86,10 @@ class DomainPieces {
 
 class Reaches {
  public:
-  // All distances up to a limit. `used`: which points are vertices of the mesh.
-  Reaches(const ExactMesh& mesh, const std::vector<bool>& used, const Cells& cells,
-          const DomainPieces& pieces, const Rational& squared_limit, unsigned threads);
+  // All distances up to a limit. `rounded`: the points of the mesh; `used`: which of them are vertices of it.
+  Reaches(const ExactMesh& mesh, const std::vector<RoundedPoint>& rounded,
+          const std::vector<bool>& used, const Cells& cells, const DomainPieces& pieces,
+          const Rational& squared_limit, unsigned threads);
 
   Reaches(const Reaches&) = delete;
   Reaches& operator=(const Reaches&) = delete;

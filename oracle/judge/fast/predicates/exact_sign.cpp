@@ -138,7 +138,7 @@ void reduce(Grid<kDimension, kCount>& grid, bool weighted) {
 }
 
 // The differences as integers in a GridUnit; false if there is none, or a coordinate or weight is
-// no multiple of it.
+// not a multiple of it.
 template <std::size_t kDimension, std::size_t kCount>
 bool differences(const Sites<kDimension, kCount>& sites, bool weighted,
                  Grid<kDimension, kCount>& grid) {

@@ -126,8 +126,8 @@ struct GridUnit {
     return static_cast<int>(std::bit_cast<std::uint64_t>(std::fabs(value)) >> 52) - 1023;
   }
 
-  // The coordinates in this unit; false if one is no multiple of it. Requires: none is larger than
-  // what the unit was made for.
+  // The coordinates in this unit; false if one is not a multiple of it. Requires: none is larger
+  // than what the unit was made for.
   template <std::size_t kDimension>
   [[gnu::always_inline]] bool divide(const Site<kDimension>& site,
                                      std::array<std::int64_t, kDimension>& whole) const {

@@ -1,0 +1,17 @@
+// Which regions of a domain in the plane its faces leave empty.
+#pragma once
+
+#include <vector>
+
+#include "kernel/piecewise_linear/piecewise_linear_complex.hpp"
+#include "kernel/piecewise_linear/regions.hpp"
+
+namespace circumspect::cli {
+
+// A point in each region that is enclosed and that no face covers: seeds of holes. A face covers
+// what its lines enclose, less its holes. Requires: the edges of the faces are walls; faces do not
+// overlap.
+std::vector<Point> points_without_face(const std::vector<PolygonLines>& faces,
+                                       const Regions& regions, const PointSet& points);
+
+}  // namespace circumspect::cli
